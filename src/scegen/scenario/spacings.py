@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from scegen.scenario.definitions import Word
 from scegen.scenario.model import FrozenModel, Identifier, Interval
@@ -18,8 +18,8 @@ class Measure(Word):
     ``gap_m``: free length between the bumpers along the road. ``headway_s``: that gap by the speed
     of who follows. ``ttc_s``: that gap by the difference of speeds. ``lateral_gap_m``: free width
     between the sides. ``lateral_offset_m``: of the participant's centre from the reference's line,
-    positive to the reference's left. ``overlap_percent``: the share of the reference's width that
-    the participant's covers.
+    positive to the reference's left; of one to itself, from the middle of its lane.
+    ``overlap_percent``: the share of the reference's width that the participant's covers.
     """
 
     GAP_M = (
@@ -48,9 +48,10 @@ class Measure(Word):
     )
     LATERAL_OFFSET_M = (
         "lateral_offset_m",
-        "offset of its centre from the reference's line, m, positive to the reference's left",
+        "offset of its centre from the reference's line, m, positive to its left; of one to "
+        "itself, from the middle of its lane",
         "`lateral_gap_m`",
-        "0.5 m left of the ego's line, or of the middle of the lane",
+        "0.5 m left of the ego's line; 0.3 m off its lane centre (reference: itself)",
     )
     OVERLAP_PERCENT = (
         "overlap_percent",
@@ -64,7 +65,8 @@ class Spacing(FrozenModel):
     """The ``measure`` of ``participant`` to ``reference`` is ``value``.
 
     ``at`` says when: ``start``, ``contact``, or the id of an act (when it begins). Where an
-    overlap is said to be on a ``side``, it is that side of the reference's width.
+    overlap is said to be on a ``side``, it is that side of the reference's width. Only a lateral
+    offset may be one to itself: from the middle of its lane.
     """
 
     participant: Identifier
@@ -73,3 +75,11 @@ class Spacing(FrozenModel):
     value: Interval
     at: str = Field(default=START, pattern=r"^[a-z][a-z0-9_]*$")
     side: Side | None = None
+
+    @model_validator(mode="after")
+    def _of_two(self) -> Spacing:
+        alone = self.participant == self.reference
+        if alone and self.measure is not Measure.LATERAL_OFFSET_M:
+            msg = f"{self.participant} has a {self.measure} to itself; name another as reference"
+            raise ValueError(msg)
+        return self

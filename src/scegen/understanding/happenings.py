@@ -47,7 +47,7 @@ class Trigger:
     since: str = "end"
     measure: Measure | None = None
     entity: Entity | None = None
-    reference: Entity | None = None
+    reference: Entity | Item | None = None
 
 
 @dataclass(slots=True, eq=False)

@@ -47,6 +47,13 @@ TRIGGERED = {
         [ego(60), one("lead", "truck", AHEAD, speed=60)],
         acts=[act("b", "lead", "brake", target_speed_mps=8, when=driven(120))],
     ),
+    "off the middle of its own lane": road(
+        [ego(50), one("lead", "van", AHEAD, speed=50)],
+        spacings=[
+            apart("ego", "ego", "lateral_offset_m", -0.4),
+            apart("lead", "lead", "lateral_offset_m", 0.3),
+        ],
+    ),
     "stands for a time": road(
         [ego(50), one("lead", "van", AHEAD, speed=50)],
         acts=[act("w", "lead", "wait", duration_s=4)],
@@ -64,7 +71,11 @@ TRIGGERED = {
 @pytest.mark.parametrize("name", TRIGGERED)
 def test_what_sets_acts_off_holds(name):
     functional = TRIGGERED[name]
-    told = {c for c in missed(functional, made(functional)) if c.startswith(("act.", "speed."))}
+    told = {
+        c
+        for c in missed(functional, made(functional))
+        if c.startswith(("act.", "speed.", "spacing."))
+    }
     assert not told
 
 

@@ -141,6 +141,7 @@ def _off_its_side(told: Told, drive: Drive) -> bool:
         for spacing in told.functional.spacings
         if spacing.measure in {Measure.OVERLAP_PERCENT, Measure.LATERAL_OFFSET_M}
         for pair in [(spacing.participant, spacing.reference)]
+        if spacing.participant != spacing.reference
     )
 
 

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims import tolerances
+from scegen.claims.arms import arms_of
 from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, same_way, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
 from scegen.claims.moments import act_begins, at
@@ -42,7 +43,7 @@ def claims(told: Told) -> Iterator[Claim]:
         yield Claim(
             id=f"spacing.{number}",
             kind=ClaimKind.SPACING,
-            statement=f"{_NAMES[spacing.measure]} of {spacing.participant} to {spacing.reference} "
+            statement=f"{_NAMES[spacing.measure]} of {spacing.participant} to {_to(spacing)} "
             f"is {amount(spacing.value)} {unit}{on} {when}",
             field=f"spacings.{number}",
             unit=unit,
@@ -50,6 +51,23 @@ def claims(told: Told) -> Iterator[Claim]:
             tolerance=tolerances.OF_MEASURE[spacing.measure],
             scale=20.0 if unit == "%" else 2.0 if unit == "m" else 0.5,
         )
+
+
+def _to(spacing: Spacing) -> str:
+    alone = spacing.participant == spacing.reference
+    return "the middle of its lane" if alone else spacing.reference
+
+
+def _off_its_lane(told: Told, name: str, view: View, step: Ints) -> Floats:
+    """How far to its own left of the middle of the lane that it is in (c,)."""
+    drive = told.drive(name)
+    if drive is None:
+        return np.full(view.count, np.nan)
+    arm, box = arms_of(view)[drive.entry], box_at(view, name, step)
+    left = arm.place(box)[1]
+    share = (np.abs(left) - arm.inner_m) / arm.lane_width_m
+    off = (np.mod(share, 1.0) - 0.5) * arm.lane_width_m * np.sign(left)
+    return np.asarray(off * np.where(arm.facing(box) >= 0.0, 1.0, -1.0))
 
 
 def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
@@ -72,6 +90,10 @@ def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
     else:
         act = next(act for act in told.functional.acts if act.id == spacing.at)
         step = act_begins(view, told.functional, told.logical, act)
+    if who == reference:
+        value = _off_its_lane(told, who, view, step)
+        margin = within(value, spacing.value, tolerance)
+        return Judged(np.where(step < view.steps, margin, np.nan), value, view.time_of(step))
     value = measure_at(view, spacing.measure, who, reference, step, spacing.side)
     margin = within(value, spacing.value, tolerance)
     if spacing.at != START and spacing.measure is not Measure.LATERAL_GAP_M:

@@ -195,7 +195,7 @@ def _lanes_aside(
     for spacing in functional.spacings:
         a, b = spacing.participant, spacing.reference
         level = {a, b} <= runners.keys() and runners[a].forward == runners[b].forward
-        if spacing.measure is Measure.LATERAL_OFFSET_M and level:
+        if spacing.measure is Measure.LATERAL_OFFSET_M and level and a != b:
             right = -round(spacing.value.middle / LANE_WIDTH_M)
             found[a, b] = right * outward(functional, Side.RIGHT)
     return found

@@ -29,7 +29,9 @@ def offset_all(story: Story) -> None:
     """Put those aside of whom the text says how far they are so, or where they are hit."""
     for spacing in story.functional.spacings:
         who, other = spacing.participant, spacing.reference
-        if {who, other} <= story.runners.keys():
+        if who == other and who in story.runners:
+            story.runners[who].offset_m += spacing.value.middle
+        elif {who, other} <= story.runners.keys():
             mover, fixed = (who, other) if who != story.ego.id else (other, who)
             turned = mover != who
             left = _left_m(story, spacing, story.runners[who], story.runners[other])

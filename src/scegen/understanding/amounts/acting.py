@@ -52,6 +52,8 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
     parent = event.parent
     changed = [e for e in scene.actors if _changes_lane(e, event)]
     frame = ActFrame(ActKind.CHANGE_LANE, always=True) if changed else acts().get(event.name)
+    if frame is None and _starts(event):
+        frame = ActFrame(ActKind.SET_OFF, always=False)  # "the van starts 0.7 s after the car"
     if frame is None or event.negated or event.unable:
         return []
     if parent is not None and (parent.name in _PREVENTED or parent.negated):
@@ -75,6 +77,12 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         _to_standstill(doing, text)
         made.append(doing)
     return made
+
+
+def _starts(event: Event) -> bool:
+    """``the van starts``: nothing says what, so it sets off."""
+    told = event.finite and event.form in {"s", "ed"} and not (event.reduced or event.passive)
+    return told and event.lemma == "start" and not (event.children or event.object)
 
 
 def _changes_lane(entity: Entity, event: Event) -> bool:
@@ -107,7 +115,11 @@ def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
         return ActKind.CHANGE_LANE
     if event.name == "pull_out" and Maneuver.OVERTAKE in entity.maneuvers:
         return ActKind.OVERTAKE
-    if kind is ActKind.SET_OFF and not (entity.pulls_out or entity.was_parked or entity.stands):
+    if (
+        kind is ActKind.SET_OFF
+        and not _starts(event)
+        and not (entity.pulls_out or entity.was_parked or entity.stands)
+    ):
         return None
     if event.name in {"merge", "cut_off"} and Maneuver.LANE_CHANGE not in entity.maneuvers:
         return None

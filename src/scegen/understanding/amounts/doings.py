@@ -12,6 +12,8 @@ from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import Amount, Doing, Trigger, amount_of, exactly
 
+_WITHIN_M = 1.5
+"""Who goes no farther aside stays in its lane."""
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _ANY = frozenset(ActKind)
@@ -91,6 +93,9 @@ class Filler(Teller):
             amount = changed
         if role == "lateral_move":
             doing = self._further(doing) if name in doing.amounts else doing
+            if doing.kind is ActKind.CHANGE_LANE and amount.value.high <= _WITHIN_M:
+                doing.kind = ActKind.SWERVE
+                doing.entity.maneuvers -= {Maneuver.LANE_CHANGE}
             self._side(doing, number)
         for same in self._alike(doing):
             if name in same.amounts and same.amounts[name].value != amount.value:

@@ -35,11 +35,16 @@ def items_in(text: Sentences, context: Context) -> list[Item]:
         elif danger.kind is HazardKind.OCCLUSION:
             _hide(danger, text, found)
     _also_hide(text, context, found)
+    number_them(found)
+    return found
+
+
+def number_them(found: list[Item]) -> None:
+    """Gives each thing its name, by kind and number."""
     counts: dict[ThingKind, int] = {}
     for item in found:
         counts[item.kind] = counts.get(item.kind, 0) + 1
         item.name = f"{item.kind.value}_{counts[item.kind]}"
-    return found
 
 
 def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: list[Item]) -> None:
@@ -51,11 +56,11 @@ def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: li
         context.draft.dangers = [d for d in context.draft.dangers if d is not danger]
         return  # "two obstacles: a pedestrian and a bus"
     for thing in named:
-        again = any(item.kind.value == _kind(thing) or _general(thing) for item in found)
+        again = any(item.kind.value == kind_of(thing) or _general(thing) for item in found)
         if again and _definite(thing):
             continue
         for _ in range(_count(thing)):
-            item = _item(thing, text)
+            item = item_of(thing, text)
             item.blocks, item.blocked = True, _who_reacts(thing, text)
             found.append(item)
             danger.items.append(item)
@@ -74,7 +79,7 @@ def _stands_for_others(thing: Thing, text: Sentences) -> bool:
     """``two obstacles …: a pedestrian …``: a word for those who are named."""
     _, end = text.bounds(thing.i)
     colon = any(t.low == ":" for t in text.tokens[thing.j : end])
-    return colon and _kind(thing) == ThingKind.OBSTACLE.value
+    return colon and kind_of(thing) == ThingKind.OBSTACLE.value
 
 
 def _hide(danger: Danger, text: Sentences, found: list[Item]) -> None:
@@ -85,7 +90,7 @@ def _hide(danger: Danger, text: Sentences, found: list[Item]) -> None:
     # "a crate lies there and a hedge hides …": what lies in the way is named already.
     things.sort(key=lambda t: any(f.basis.i == t.i for f in found))
     for thing in things[:1]:
-        item = _known(thing, found) or _item(thing, text)
+        item = _known(thing, found) or item_of(thing, text)
         item.hides += [e for e in _hidden(thing, text, i, j) if e not in item.hides]
         if item not in found:
             found.append(item)
@@ -107,7 +112,7 @@ def _also_hide(text: Sentences, context: Context, found: list[Item]) -> None:
                 if prep.value not in {"behind", "between", "by"} or not isinstance(target, Thing):
                     continue
                 if target.kind == "object" and _known(target, found) is None:
-                    item = _item(target, text)
+                    item = item_of(target, text)
                     item.hides = list(scene.actors)
                     found.append(item)
                     danger.items.append(item)
@@ -121,17 +126,18 @@ def _things(text: Sentences) -> list[Thing]:
     ]
 
 
-def _kind(thing: Thing) -> str:
+def kind_of(thing: Thing) -> str:
+    """The kind of a thing, as the lexicon has it."""
     return str(thing.head.data["thing"]) if thing.head is not None else "obstacle"
 
 
 def _general(thing: Thing) -> bool:
     """``the obstacle``: whatever was named."""
-    return _kind(thing) == ThingKind.OBSTACLE.value
+    return kind_of(thing) == ThingKind.OBSTACLE.value
 
 
 def _known(thing: Thing, found: list[Item]) -> Item | None:
-    alike = [f for f in found if f.kind.value == _kind(thing)]
+    alike = [f for f in found if f.kind.value == kind_of(thing)]
     same = [f for f in alike if f.basis.i == thing.i]
     return same[0] if same else alike[-1] if alike and _definite(thing) else None
 
@@ -145,11 +151,12 @@ def _count(thing: Thing) -> int:
     return min(int(number.data["number"]), _MOST) if number is not None else 1
 
 
-def _item(thing: Thing, text: Sentences) -> Item:
+def item_of(thing: Thing, text: Sentences) -> Item:
+    """A thing in the making: what it is called, and on which side it stands."""
     head = thing.head
     words = text.tokens[head.i : head.j] if head is not None else []
     called = " ".join([*(t.low for t in words[:-1]), *(t.forms[-1][0] for t in words[-1:])])
-    item = Item(ThingKind(_kind(thing)), called, Basis(thing.i, thing.j))
+    item = Item(ThingKind(kind_of(thing)), called, Basis(thing.i, thing.j))
     own = [d for d in thing.dirs if d in _SIDES]
     after = [
         d

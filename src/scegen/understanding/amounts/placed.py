@@ -60,6 +60,8 @@ class Spacer(Teller):
             return False
         if measure is Measure.GAP_M and self._to_a_thing(number):
             return True
+        if measure is Measure.LATERAL_OFFSET_M and self._off_its_lane(number):
+            return True
         row = row_of(number, self._text, self._context)
         pair = row[-1] if row else pair_of(number, self._text, self._context)
         if pair is None:
@@ -71,6 +73,41 @@ class Spacer(Teller):
             self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
         else:
             self._happenings.spacings.append(self._between(number, measure, *pair, at))
+        return True
+
+    def _off_its_lane(self, number: Measured) -> bool:
+        """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""
+        who = self._text.subject_before(number.i)
+        around = f"{number.around.before}{number.around.after}"
+        said = [p for p in words()["lane_centre"] if f" {p} " in around]
+        facing = [e for e in who if self._context.oncoming(e)]
+        own = (
+            any(e.ego for e in who) or facing or any("own" in p or "respective" in p for p in said)
+        )
+        if not said or not who or not own:
+            return False
+        amount = self._signed(number)
+        if number.around.preceded("within"):
+            most = number.quantity.exact.high
+            amount = Amount(Interval(low=-most, high=most), amount.basis)
+        self._happenings.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], amount))
+        return True
+
+    def in_line(self, number: Measured) -> bool:
+        """``then a coach 1 s after the ego``: nothing is done, so it is a place in a line."""
+        start, end = self._text.bounds(number.i)
+        who = self._text.part(number.i)[1]
+        named = [m for m in self._text.mentions if number.j <= m.i < end and m.entities]
+        told = self._text.within(start, end)
+        if told or not who or not named or number.around.after.split()[:1] != ["after"]:
+            return False
+        one, other = who[0], named[0].entities[0]
+        if one is other or not (one.is_vehicle and other.is_vehicle):
+            return False
+        amount = amount_of(number)
+        if not any(one in (p.entity, p.reference) for p in self._context.draft.placements):
+            self._context.draft.place(one, other, {Approach.BEHIND}, amount.basis)
+        self._happenings.spacings.append(Apart(Measure.HEADWAY_S, one, other, amount))
         return True
 
     def _sideways(self, measure: Measure, number: Measured, one: Entity, other: Entity) -> Measure:

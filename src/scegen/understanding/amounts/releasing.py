@@ -5,14 +5,16 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding.amounts.items import item_of, kind_of, number_them
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import behind_or_ahead, counterpart, in_file
-from scegen.understanding.chunks import Mention, Place, Word
+from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Apart, Doing, Trigger, amount_of
+from scegen.understanding.happenings import Apart, Doing, Item, Trigger, amount_of
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
+_SHORT = frozenset({"before", "short", "from", "away", "off", "of", "in", "ahead", "prior"})
 _SOON = 14
 
 
@@ -34,13 +36,13 @@ class Releaser(Teller):
         opened = clause is not None and clause[2] in words()["triggers"]
         if opened and self.until(number):
             return False
-        after = text.phrase_after(number.j)
-        noun = after[1] if after is not None else None
-        word = (
-            text.tokens[after[0].i].low if after is not None and isinstance(after[0], Word) else ""
-        )
-        short = word in {"before", "short", "from", "away", "off", "of", "in", "ahead", "prior"}
-        junction = isinstance(noun, Place) and noun.kind in JUNCTION and short
+        noun, word = self._what_follows(number)
+        short = word in _SHORT
+        lines = JUNCTION | ({"crosswalk"} if self._context.junction.crossing else set())
+        junction = isinstance(noun, Place) and noun.kind in lines and short
+        thing = self._thing(noun, number.i) if short and measure is Measure.GAP_M else None
+        if thing is not None:
+            return self._before_a_thing(number, thing, clause if opened else None)
         before = word == "before" and isinstance(noun, Mention)
         if not (opened or junction or before):
             return False
@@ -50,11 +52,7 @@ class Releaser(Teller):
         if doing is None or (before and not opened and doing.kind is ActKind.STOP):
             return False
         if doing.when is not None:
-            if doing.when.kind == "measure" and opened and doing.when.amount is not None:
-                pair = (doing.when.entity, doing.when.reference)
-                self._also(number, measure, doing, pair)
-                return True
-            return False
+            return opened and self._also(number, measure, doing)
         subject = self._subject(number, clause if opened else None, doing)
         if opened and clause is not None and self._acts_inside(clause, number, subject):
             return False  # "when the truck moves over 30 m in front of it"
@@ -76,6 +74,46 @@ class Releaser(Teller):
             entity, reference = in_file(entity, reference, self._context)
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
+        return True
+
+    def _what_follows(self, number: Measured) -> tuple[NounPhrase | None, str]:
+        """The noun of the phrase of place after a number, and the word that opens it."""
+        after = self._text.phrase_after(number.j)
+        if after is None:
+            return None, ""
+        return after[1], self._text.tokens[after[0].i].low
+
+    def _thing(self, noun: NounPhrase | None, i: int) -> Thing | None:
+        """The thing that a phrase of place names, or that "it" stands for."""
+        if isinstance(noun, Thing):
+            return noun if noun.head is not None and "thing" in noun.head.data else None
+        if not isinstance(noun, Mention) or noun.pronoun is None:
+            return None
+        before = [c for c in self._text.chunks if c.i < i and isinstance(c, Thing | Mention)]
+        last = next(
+            (c for c in reversed(before) if isinstance(c, Thing) or c.pronoun is None), None
+        )
+        named = isinstance(last, Thing) and last.head is not None and "thing" in last.head.data
+        return last if named and isinstance(last, Thing) else None
+
+    def _before_a_thing(
+        self, number: Measured, thing: Thing, clause: tuple[int, int, str] | None
+    ) -> bool:
+        """``35 m before the crate it brakes``: the gap to what lies there sets it off."""
+        doing = self._main(clause, number, *self._text.bounds(number.i))
+        if doing is None or doing.when is not None or not doing.entity.is_vehicle:
+            return False
+        items = self._happenings.items
+        item = next((x for x in items if x.kind.value == kind_of(thing)), None)
+        if item is None:
+            item = item_of(thing, self._text)
+            item.blocks, item.blocked = True, None if doing.entity.ego else doing.entity
+            items.append(item)
+            number_them(items)
+        amount = amount_of(number)
+        doing.when = Trigger("measure", amount.basis, amount)
+        doing.when.measure, doing.when.entity = Measure.GAP_M, doing.entity
+        doing.when.reference = item
         return True
 
     def driven(self, number: Measured) -> bool:
@@ -120,20 +158,15 @@ class Releaser(Teller):
         acts = self._happenings.acts
         return any(clause[0] <= a.i < number.i and a.entity is subject for a in acts)
 
-    def _also(
-        self,
-        number: Measured,
-        measure: Measure,
-        doing: Doing,
-        pair: tuple[Entity | None, Entity | None],
-    ) -> None:
+    def _also(self, number: Measured, measure: Measure, doing: Doing) -> bool:
         """``3.6 s (60 m) away``: the same moment in another measure."""
-        entity, reference = pair
-        if entity is None or reference is None:
-            return
-        self._happenings.spacings.append(
-            Apart(measure, entity, reference, amount_of(number), doing)
-        )
+        when = doing.when
+        if when is None or when.kind != "measure" or isinstance(when.reference, Item):
+            return False
+        if when.entity is not None and when.reference is not None:
+            apart = Apart(measure, when.entity, when.reference, amount_of(number), doing)
+            self._happenings.spacings.append(apart)
+        return True
 
     def _main(
         self, clause: tuple[int, int, str] | None, number: Measured, start: int, end: int

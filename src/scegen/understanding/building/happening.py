@@ -13,7 +13,7 @@ from scegen.scenario.acts import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import Outcome
-from scegen.scenario.spacings import Spacing
+from scegen.scenario.spacings import Measure, Spacing
 from scegen.scenario.things import Thing
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.draft import Entity
@@ -93,7 +93,7 @@ class Writer:
         found: list[Spacing] = []
         for apart in self._happenings.spacings:
             reference = apart.reference or self._ego
-            if reference is apart.entity:
+            if reference is apart.entity and apart.measure is not Measure.LATERAL_OFFSET_M:
                 continue
             self._proofs.add(f"spacings.{len(found)}", apart.amount.basis)
             found.append(

@@ -154,7 +154,8 @@ def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
     )
     letter = term.j - term.i == 1 and term.value in {"t", "y"}
     named = letter and tokens[term.i].text == "T" and named_by_letter(terms, k)
-    if following is None and (letter or term.value == "four_way") and not named:
+    titled = term.j < len(tokens) and tokens[term.j].low == ":" and not letter
+    if following is None and (letter or term.value == "four_way") and not (named or titled):
         return
     end = following.j if following is not None else term.j
     kind = JunctionKind(term.value)
