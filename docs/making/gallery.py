@@ -83,12 +83,16 @@ def _made(entry: Entry) -> Picture:
         done = generate(source, folder, Options(depth=CheckDepth.NONE))
         (file,) = folder.glob("scenarios/*/concrete.yaml")
         concrete = load(file, ConcreteScenario)
-    network = build_network(concrete.road, concrete.name)
     (proof,) = done.proofs.values()
     missed = [f"{claim.statement}: {claim.found}" for claim in proof.missed]
     said = done.functional.description if done.functional else ""
-    svg = preview_svg(concrete, network, build_paths(concrete, network))
-    return Picture(entry, said or entry.text, svg, len(proof.claims), tuple(missed))
+    return Picture(entry, said or entry.text, preview(concrete), len(proof.claims), tuple(missed))
+
+
+def preview(concrete: ConcreteScenario) -> str:
+    """The picture of a concrete scenario that lies in its folder, as SVG."""
+    network = build_network(concrete.road, concrete.name)
+    return preview_svg(concrete, network, build_paths(concrete, network))
 
 
 def pictures() -> Iterator[Picture]:

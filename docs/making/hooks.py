@@ -22,8 +22,10 @@ from typer.cli import get_docs_for_click
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import figures
 import gallery
 
+import measures
 from scegen.cli.app import app
 from scegen.scenario.glossary import page as glossary
 
@@ -90,6 +92,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
             log.warning("gallery, %s: %s", picture.entry.title, reason)
         made[f"reference/gallery/{picture.entry.file}"] = picture.svg
     made[GALLERY] = gallery.page(drawn)
+    made |= {f"pictures/{name}.svg": draw() for name, draw in figures.FIGURES.items()}
     for name, text in made.items():
         files.append(File.generated(config, name, content=text))
     return files
@@ -99,4 +102,8 @@ def on_page_markdown(markdown: str, **_: object) -> str:
     """Leave out remarks that are for the tests, and links to files that are no page."""
     remark = r"(?m)^<!-- (?:new|in|needs|not run|ends with)\b.*?-->\n"
     markdown = re.sub(remark, "", markdown, flags=re.DOTALL)
+    for page, source in FROM_ROOT.items():
+        markdown = markdown.replace(f"](../../{source}", f"](../{page}")
+    if measures.HERE in markdown:
+        markdown = markdown.replace(measures.HERE, measures.sections())
     return re.sub(r"\[([^]]+)\]\(\.\./\.\./[^)]+\)", r"\1", markdown)

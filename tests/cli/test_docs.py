@@ -36,9 +36,8 @@ REMARK = re.compile(r"<!-- (in|new|needs|not run|ends with):? (.*?) -->", re.DOT
 TESTED_ELSEWHERE = {"in", "new"}  # changes to the program, by tests/pipeline/test_adding.py
 HAVE = {
     "esmini": lambda: esmini() is not None and esmini_library() is not None,
-    "ray": lambda: find_spec("ray") is not None,
+    "a model": lambda: find_spec("pydantic_ai") is not None,  # a scripted one answers
     "exchange": lambda: find_spec("mcap") is not None,
-    "pandas": lambda: find_spec("pandas") is not None,
 }
 SHOWN = {"text", "json", "xml"}
 
@@ -63,7 +62,7 @@ def blocks(text):
 def commands(text):
     """Every command with what it shows."""
     for part in re.split(r"(?m)^\$ ", text)[1:]:
-        asked, _, shown = part.replace("\\\n", " ").partition("\n")
+        asked, _, shown = part.replace("\\\n", "").partition("\n")
         yield asked, shown.splitlines()
 
 
@@ -130,10 +129,15 @@ def test_nothing_escapes():
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
-def test_blocks_are_true(scegen, page, tmp_path):
+def test_blocks_are_true(scegen, page, tmp_path, monkeypatch, request):
     (tmp_path / "examples").symlink_to(ROOT / "examples")
-    names, lacking = {}, set()
-    for block in blocks(page.read_text("utf-8")):
+    names, lacking, text = {}, set(), page.read_text("utf-8")
+    if "<!-- needs: a model -->" in text and HAVE["a model"]():
+        server = request.getfixturevalue("chat_server")
+        server.answers = request.getfixturevalue("good_answers")
+        monkeypatch.setenv("OPENAI_BASE_URL", server.url)
+        monkeypatch.setenv("OPENAI_API_KEY", "sk-of-nobody")
+    for block in blocks(text):
         remarks = block.remarks
         if TESTED_ELSEWHERE & set(remarks) or remarks.get("not run"):
             continue
