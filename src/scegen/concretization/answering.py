@@ -54,11 +54,6 @@ def answer(scene: Setup, moments: Moments) -> None:
         settled.add((first.who, first.other))
 
 
-def touching(scene: Setup, moments: Moments) -> bool:
-    """Whether two touch all the same who are not to."""
-    return any(True for _ in _contacts(scene, moments))
-
-
 def _times(moments: Moments) -> Array:
     """From the start until everybody has arrived where it goes."""
     drives = moments.scene.drives

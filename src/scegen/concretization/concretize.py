@@ -7,7 +7,7 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.along.compose import compose_along, tells_along
-from scegen.concretization.answering import answer, touching
+from scegen.concretization.answering import answer
 from scegen.concretization.asked import dangers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
@@ -20,7 +20,7 @@ from scegen.concretization.deeds import (
 )
 from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.encounters import conflict_meetings
-from scegen.concretization.fitting import conditioned, fit, is_anything_said
+from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.table import ordered_rules
 from scegen.concretization.lights import set_lights
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
@@ -62,7 +62,6 @@ _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
 _PATIENT, _GROWTH = 12, 1.15
 _AGAIN = 3
-_LATER_S = (0.0, 0.6, -0.6, 1.0, -1.0, 1.4, -1.4, 1.8, -1.8)
 
 
 def concretize(
@@ -190,7 +189,8 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
 def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     offsets = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
     offsets = do_acts(scene, offsets)
-    moments = _fitted(scene, offsets, meetings)
+    moments = _with_lead_in(scene, offsets, meetings)
+    answer(scene, moments)
     short, who = shortfall(scene, moments.offsets_s)
     if short > 0:
         raise NeedsLongerArms(short, who)
@@ -207,22 +207,7 @@ def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     return moments
 
 
-def _fitted(scene: Setup, offsets_s: dict[str, float], meetings: list[Meeting]) -> Moments:
-    """Starts and acts as is said; who meets does so as closely as nobody is to be touched."""
-    deeds = {name: list(draft.deeds) for name, draft in scene.drives.items()}
-    for later_s in _LATER_S:
-        for name, draft in scene.drives.items():
-            draft.deeds, draft.course_ = list(deeds[name]), None
-        moments = _with_lead_in(scene, offsets_s, meetings, later_s)
-        answer(scene, moments)
-        if not (is_anything_said(scene) and touching(scene, moments)):
-            break
-    return moments
-
-
-def _with_lead_in(
-    scene: Setup, offsets_s: dict[str, float], meetings: list[Meeting], later_s: float
-) -> Moments:
+def _with_lead_in(scene: Setup, offsets_s: dict[str, float], meetings: list[Meeting]) -> Moments:
     """Starts and acts as is said, everybody undisturbed for a moment before the first act."""
     for _ in range(_AGAIN):
         moments = Moments(scene, dict(offsets_s))
@@ -231,7 +216,7 @@ def _with_lead_in(
             for name in (*scene.walks, *scene.pulls)
             if conditioned(scene, name)
         }
-        fit(scene, moments, meetings, later_s)
+        fit(scene, moments, meetings)
         early = lead_in_missing_s(scene, moments)
         if early <= 0.0:
             break

@@ -6,7 +6,6 @@ from scegen.concretization.drafts import DriveDraft, Setup
 from scegen.concretization.hazards.rule import (
     Rule,
     event_s_m,
-    in_line_before,
     pairs,
     same_arm,
 )
@@ -21,7 +20,6 @@ from scegen.concretization.meetings import (
     drives_meet,
 )
 from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind
 
 _SHORT_OF_REST_M = 0.5
 _EARLIER_S = 3.0
@@ -45,7 +43,7 @@ def conflict_meetings(
             continue
         for cause, sufferer in pairs(scene, hazard):
             key = frozenset((cause.id, sufferer.id))
-            if key not in involved and not _others_between(scene, cause, sufferer):
+            if key not in involved:
                 priority = DANGER if scene.ego.id in key else DANGER_TO_OTHERS
                 reason = f"{hazard.kind}: arrives together"
                 if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:
@@ -55,33 +53,7 @@ def conflict_meetings(
                 meetings += found
                 if found:
                     involved.add(key)
-    together = _brake_together(scene)
-    involved |= {frozenset((m.first, m.second)) for m in together}
-    return [*together, *meetings, *_ordinary(scene, involved, named)]
-
-
-def _others_between(scene: Setup, one: DriveDraft, other: DriveDraft) -> bool:
-    """Whether somebody drives between two in one lane: each keeps its distance from the next."""
-    first, last = sorted((one, other), key=lambda draft: draft.drive.rank)
-    line = in_line_before(scene, last)
-    return first in line and line[-1] is not first
-
-
-def _brake_together(scene: Setup) -> list[Meeting]:
-    """All who brake hard for one who walks begin when it leaves the kerb."""
-    if not scene.walks:
-        return []
-    begins = {
-        draft.id: mark.s_m
-        for draft in scene.drives.values()
-        for mark in draft.marks
-        if mark.hazard is HazardKind.HARD_BRAKING
-    }
-    if len(begins) < 2:
-        return []
-    (first, first_s), *others = begins.items()
-    reason = "brakes for the same walker"
-    return [Meeting(DANGER, first, name, first_s, s, 0.0, reason) for name, s in others]
+    return [*meetings, *_ordinary(scene, involved, named)]
 
 
 def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> list[Meeting]:

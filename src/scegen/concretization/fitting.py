@@ -49,17 +49,14 @@ class Unknown:
     give: Callable[[Moments, float], None]
 
 
-def fit(scene: Setup, moments: Moments, meetings: Sequence[Meeting], later_s: float = 0.0) -> None:
-    """Change what is open in ``moments`` until what is said holds, as little as that needs.
-
-    ``later_s`` is how much later than is usual the second of a meeting comes.
-    """
+def fit(scene: Setup, moments: Moments, meetings: Sequence[Meeting]) -> None:
+    """Change what is open in ``moments`` until what is said holds, as little as that needs."""
     said = list(_said(scene))
     if not said:
         return
     unknowns = list(_unknowns(scene, moments))
     first = np.array([unknown.read(moments) for unknown in unknowns])
-    usual = [Equation(_USUAL, r) for r in _meetings(scene, meetings, later_s)]
+    usual = [Equation(_USUAL, r) for r in _meetings(scene, meetings)]
     equations = [*(Equation(_SAID, r) for r in said), *usual]
 
     def missed(x: Array) -> Array:
@@ -85,11 +82,6 @@ def fit(scene: Setup, moments: Moments, meetings: Sequence[Meeting], later_s: fl
         if np.linalg.norm(now[: len(said)]) < _ENOUGH and np.abs(share * way).max() < _STEP_S:
             break
     missed(x)
-
-
-def is_anything_said(scene: Setup) -> bool:
-    """Whether the text says anything of distances and moments."""
-    return any(True for _ in _said(scene))
 
 
 def _unknowns(scene: Setup, moments: Moments) -> Iterator[Unknown]:
@@ -193,7 +185,7 @@ def _after(act: Act, other: Act, when: AfterAct) -> Residual:
     return residual
 
 
-def _meetings(scene: Setup, meetings: Sequence[Meeting], later_s: float) -> Iterator[Residual]:
+def _meetings(scene: Setup, meetings: Sequence[Meeting]) -> Iterator[Residual]:
     """Who usually meets whom, but for those of one arm whose distance is said."""
     told = set()
     whens = [(a.when.participant, a.when.reference) for a in scene.acts
@@ -204,7 +196,7 @@ def _meetings(scene: Setup, meetings: Sequence[Meeting], later_s: float) -> Iter
         first, second = scene.drives[meeting.first], scene.drives[meeting.second]
         if {first.id, second.id} in told and first.drive.entry == second.drive.entry:
             continue
-        yield lambda m, meeting=meeting: m.late_s(meeting) - later_s  # type: ignore[misc]
+        yield lambda m, meeting=meeting: m.late_s(meeting)  # type: ignore[misc]
     for name in scene.walks:
         yield lambda m, name=name: m.walks_late_s(name)  # type: ignore[misc]
 

@@ -18,6 +18,7 @@ from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_po
 from scegen.concretization.others import WalkDraft
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
+from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.model import LaneType
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES, Body
@@ -220,7 +221,7 @@ def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:
         trigger: Trigger = AtTime(time_s=round(max(0.0, go), 3))
         draft = found[0] if found is not None else None
         if draft is not None and not (act is not None and isinstance(act.when, AfterStart)):
-            own = go - draft.offset_s
+            own = just_before_step_s(go) - draft.offset_s
             distance = draft.course.s_at(own) - draft.start_m
             if draft.course.speed_then(own) > _MOVES_MPS or distance <= 0.0:
                 trigger = Travelled(participant=draft.id, distance_m=round(max(0.0, distance), 3))

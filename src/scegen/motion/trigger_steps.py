@@ -27,11 +27,17 @@ from scegen.scenario.concrete import (
 
 STEP_S = 0.05
 """The step that files are played with."""
+_JUST_S = 0.006
 _CLEAR = 0.02
 """Nearer than this (m or s) to what a step reaches is a tie."""
 _DECIMALS = 3
 _ROUNDING = 1e-9
 _REASON = "clear of a tie between two steps"
+
+
+def just_before_step_s(moment_s: float) -> float:
+    """When a trigger is to fire for the step next to a moment: then it does in finer steps, too."""
+    return max(round(moment_s / STEP_S) * STEP_S - _JUST_S, 0.0)
 
 
 def put_between_steps(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> ConcreteScenario:

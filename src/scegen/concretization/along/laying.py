@@ -17,7 +17,7 @@ from scegen.concretization.along.story import Story, contact_wanted
 from scegen.errors import MotionInfeasibleError
 
 _WIDER = (1.0, 1.3, 1.7, 2.2, 3.0)
-_LATER_S = 8.0
+_LATER_S, _LATEST_S = 8.0, 80.0
 _LOOK_S, _NEARER_M = 0.1, 0.05
 
 
@@ -66,9 +66,13 @@ def lay(story: Story) -> list[Walk]:
 
 def closest_s(story: Story, at_least_s: float) -> float:
     """When the last of those who come near the ego is nearest to it, or touches it."""
-    others = (r for r in story.runners.values() if r is not story.ego)
-    latest = max((_nearest_s(story.ego, r, at_least_s + _LATER_S) for r in others), default=0.0)
-    return max(latest, at_least_s)
+    latest = at_least_s
+    for other in story.runners.values():
+        # Who stands or comes towards it is met, however far away it is first.
+        met = other.stands or other.forward != story.ego.forward
+        until = _LATEST_S if met else at_least_s + _LATER_S
+        latest = max(latest, 0.0 if other is story.ego else _nearest_s(story.ego, other, until))
+    return latest
 
 
 def _nearest_s(first: Runner, second: Runner, until_s: float) -> float:

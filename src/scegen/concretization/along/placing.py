@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from scegen.concretization.along.passing import JUST_M, just_missed_s, place_just_missed
-from scegen.concretization.along.runner import FORTH_M, Move, Runner, gap_m
+from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import LENGTHWISE, GapAt, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.limits import TAILGATING_HEADWAY_S
@@ -25,7 +25,6 @@ _CLOSING_CUT_S = 2.2
 _REVEALED_S = 2.5
 _MEETS_S = 6.5
 _SLOWER_MPS = 0.5
-_LEAST_QUEUE_M = 2.0
 _STOPS_BEFORE_M = 1.0
 _AT_REST_S = 60.0
 
@@ -145,7 +144,6 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     kind = _usual(story, runner, other, wider)
     if kind is None:
         runner.at_m = level(runner, other, _level_s(runner, other))
-        _queue_up(story, runner)
         return
     measure, value, time_s = kind
     ahead = is_ahead(story, name, other.id)
@@ -162,22 +160,6 @@ def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
     near = front.stands and (front.box is not None or back is story.ego)
     away = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
     return away if near and front.lane == back.lane else None
-
-
-def _queue_up(story: Story, runner: Runner) -> None:
-    """Behind whoever is there already in the same lane."""
-    for _ in story.runners:
-        taken = [
-            other
-            for other in story.runners.values()
-            if other is not runner and other.at_m is not None
-            and (other.lane, other.forward) == (runner.lane, runner.forward)
-            and gap_m(runner, other, 0.0) < _LEAST_QUEUE_M
-        ]  # fmt: skip
-        if not taken:
-            return
-        gap = GapAt(runner.id, taken[0].id, Measure.HEADWAY_S, 1.0, 0.0, ahead=False, said=False)
-        runner.at_m = place(gap, runner, taken[0])
 
 
 def _meets_s(runner: Runner, other: Runner) -> float:

@@ -14,6 +14,7 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
+from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.geometry import Pose, Segment
 from scegen.road.straight import Curve, curve_of
@@ -44,8 +45,6 @@ _STOPS_SHORT_M = 0.15
 _LEAST_MOVE_M = 2.0
 _SPARE_M = 3.0
 _MOVES_MPS = 0.1
-_EARLY_S = 0.025
-"""Half a step of the players: a trigger so much earlier fires in the step next to its moment."""
 _KINDS = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
     ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
@@ -280,7 +279,7 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
     """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
     if step.timed:
         return AtTime(time_s=round(step.begins_s, 3))
-    moment = max(step.begins_s - _EARLY_S, 0.0)
+    moment = just_before_step_s(step.begins_s)
     if step.reacts_to is not None and step.reacts_to in story.runners:
         other = story.runners[step.reacts_to]
         here, there = (
@@ -311,7 +310,7 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
     meets = story.runners[walk.meets]
     trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
     if not walk.timed:
-        trigger = _come_so_far([meets], max(walk.sets_off_s - _EARLY_S, 0.0))
+        trigger = _come_so_far([meets], just_before_step_s(walk.sets_off_s))
     stops = walk.stops_after_m is not None
     return ConcreteParticipant(
         id=walk.id,
