@@ -11,7 +11,6 @@ from scegen.concretization.answering import answer
 from scegen.concretization.asked import dangers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
-from scegen.concretization.coming_up import come_up, stand_in_line
 from scegen.concretization.deeds import (
     do_acts,
     lead_in_missing_s,
@@ -42,6 +41,7 @@ from scegen.concretization.pulling_out import (
 from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.speeds import cruise_speed_mps
+from scegen.concretization.standing_in_line import stand_in_line
 from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import (
     appointments,
@@ -149,7 +149,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
         if rule.act is not None:
             rule.act(scene, hazard)
     stand_in_line(scene)
-    meetings += come_up(scene)
     pull_out(scene)
     stop_short(scene)
     stop_in_the_way(scene)
