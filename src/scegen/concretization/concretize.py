@@ -15,6 +15,7 @@ from scegen.concretization.deeds import (
     do_acts,
     lead_in_missing_s,
     set_triggers,
+    stand_in_line,
     usual_speed_mps,
 )
 from scegen.concretization.drafts import DriveDraft, Setup
@@ -41,7 +42,6 @@ from scegen.concretization.pulling_out import (
 from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.speeds import cruise_speed_mps
-from scegen.concretization.standing_in_line import stand_in_line
 from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import (
     appointments,

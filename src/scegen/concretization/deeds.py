@@ -9,7 +9,7 @@ from scegen.concretization.amounts import GAINING, change_of_speed
 from scegen.concretization.asked import hazard_of
 from scegen.concretization.courses import Sort, SpeedChange
 from scegen.concretization.drafts import DriveDraft, Setup
-from scegen.concretization.hazards.rule import happens_s_m
+from scegen.concretization.hazards.rule import happens_s_m, in_line_before
 from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
@@ -22,7 +22,8 @@ STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""
 _HOLDS_S = 1.5
 """Between two acts of one driver, where no time is said: long enough to see the speed held."""
-_BEFORE_LINE_M = 1.0
+_BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
+_QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 
 
 def usual_speed_mps(scene: Setup, name: str) -> float:
@@ -60,6 +61,21 @@ def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
         else:
             _place(scene, draft)
     return late
+
+
+def stand_in_line(scene: Setup) -> None:
+    """Those who are said to stay stand before the junction, one behind the other, for good."""
+    for draft in sorted(scene.drives.values(), key=lambda each: each.drive.rank):
+        if not draft.stands:
+            continue
+        place = draft.junction_s_m - draft.body.front_m - _QUEUE_BEFORE_LINE_M
+        for other in in_line_before(scene, draft)[-1:]:
+            if other.stands:
+                behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
+                place = float(other.course.s_m[-1]) - behind
+        begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
+        draft.deeds = [SpeedChange(begins, 0.0, _STANDS_MPS2, sort=Sort.ACT)]
+        draft.course_ = None
 
 
 def lead_in_missing_s(scene: Setup, moments: Moments) -> float:

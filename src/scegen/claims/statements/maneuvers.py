@@ -119,7 +119,7 @@ def _claim(
 
 def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     name = drive.participant
-    if drive.maneuver is Maneuver.LANE_CHANGE:
+    if drive.maneuver is Maneuver.LANE_CHANGE and not _is_an_act(told, drive):
         to = f" to the {drive.changes_to}" if drive.changes_to else ""
         test: Test = partial(_changes_lane, drive)
         yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
@@ -134,6 +134,12 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         yield _claim(f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive))
+
+
+def _is_an_act(told: Told, drive: Drive) -> bool:
+    """Whether its change of lane is one of the acts, to the same side: that is claimed there."""
+    own = (a for a in told.acts_of(drive.participant) if a.kind is ActKind.CHANGE_LANE)
+    return any(drive.changes_to in {None, act.side} for act in own)
 
 
 def _overtaken(told: Told, name: str) -> list[str]:
