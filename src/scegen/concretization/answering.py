@@ -12,10 +12,11 @@ from scegen.claims.boxes import apart, same_way, seen
 from scegen.concretization.amounts import BRAKING, CLOSEST_M, SLOWING, answering_rates_mps2
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.courses import Sort, SpeedChange
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
 from scegen.concretization.moments import Moments
+from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
 
 _STEP_S = 0.05

@@ -9,10 +9,11 @@ import numpy as np
 from scegen.concretization.asked import slug_name
 from scegen.concretization.boxes import overlap
 from scegen.concretization.courses import speed_program
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.settling import settle
+from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scegen.claims.boxes import apart
 from scegen.concretization.boxes import box_at
 from scegen.concretization.courses import SpeedChange
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     CREEP_MPS,
@@ -24,6 +24,7 @@ from scegen.concretization.limits import (
 from scegen.concretization.meetings import meeting_point, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Path

@@ -12,7 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 
 from scegen.concretization.clearance import LONGEST_S, clear_offset
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import lights_of
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
 from scegen.concretization.meetings import (
@@ -22,6 +22,7 @@ from scegen.concretization.meetings import (
     shared_length_m,
 )
 from scegen.concretization.priorities import Manners
+from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import Appointment
 from scegen.motion.rules.giving_way import must_give_way
 

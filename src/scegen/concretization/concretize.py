@@ -18,7 +18,7 @@ from scegen.concretization.deeds import (
     stand_in_line,
     usual_speed_mps,
 )
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.table import ordered_rules
@@ -41,6 +41,7 @@ from scegen.concretization.pulling_out import (
 )
 from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.setup import Setup
 from scegen.concretization.speeds import cruise_speed_mps
 from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import (

@@ -8,12 +8,13 @@ from dataclasses import replace
 from scegen.concretization.amounts import GAINING, change_of_speed
 from scegen.concretization.asked import hazard_of
 from scegen.concretization.courses import Sort, SpeedChange
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import happens_s_m, in_line_before
 from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.setup import Setup
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
 from scegen.scenario.vocabulary import HazardKind

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import (
     Rule,
     event_s_m,
@@ -19,6 +19,7 @@ from scegen.concretization.meetings import (
     Meeting,
     drives_meet,
 )
+from scegen.concretization.setup import Setup
 from scegen.scenario.functional import Hazard
 
 _SHORT_OF_REST_M = 0.5

@@ -14,9 +14,10 @@ import numpy as np
 
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.deeds import is_open
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments, is_lengthwise
+from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import Route
 from scegen.scenario.concrete import LaneChange

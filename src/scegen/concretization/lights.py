@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.setup import Setup
 from scegen.motion.rules.intergreen import LEAST_GREEN_S, all_red_s, amber_s
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.concrete import AtTime

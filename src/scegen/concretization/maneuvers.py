@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import come_into_lane
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.obstacles import goes_round_a_thing
 from scegen.concretization.passing import be_faster, pass_drive
+from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 

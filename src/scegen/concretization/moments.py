@@ -8,10 +8,11 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes, gap_m, same_way, seen
 from scegen.concretization.boxes import box_on
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LEAD_IN_S
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.others import gained
+from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous, walking_time_s
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind

@@ -17,7 +17,7 @@ from scegen.claims.boxes import apart
 from scegen.concretization.boxes import box_of, box_on
 from scegen.concretization.clock import same_lane
 from scegen.concretization.courses import SpeedChange
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import culprits, same_arm, victims
 from scegen.concretization.lane_choice import lanes_in, neighbour_lane
 from scegen.concretization.limits import HARD_BRAKING_MPS2
@@ -25,6 +25,7 @@ from scegen.concretization.meetings import drives_meet
 from scegen.concretization.objects import caused_by_nobody, lying_in_the_way, made_of, shape_of
 from scegen.concretization.passing import calm_change_length_m, pass_standing
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import BLOCKS_AT_M
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Path

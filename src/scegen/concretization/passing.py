@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import pi, sqrt
 
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lane_choice import (
     change_lanes,
     entry_lanes,
@@ -18,6 +18,7 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.setup import Setup
 from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import HazardKind
 

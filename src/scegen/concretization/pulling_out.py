@@ -11,10 +11,11 @@ from dataclasses import dataclass
 from math import pi, sqrt
 
 from scegen.concretization.amounts import change_of_speed
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LATE_BRAKING_MPS2, LEAD_IN_S, SUDDEN_ACCELERATION_MPS2
 from scegen.concretization.meetings import nearest_s_m
 from scegen.concretization.others import PullDraft
+from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import towards_junction
 from scegen.concretization.walkers import Appointment
 from scegen.errors import MotionInfeasibleError

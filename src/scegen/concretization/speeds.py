@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import Setup
 from scegen.concretization.limits import CYCLING_MPS, JITTER
+from scegen.concretization.setup import Setup
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import Participant
 from scegen.scenario.vocabulary import ParticipantKind

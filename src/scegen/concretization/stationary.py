@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import LATE_BRAKING_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.others import StandDraft
 from scegen.concretization.passing import pass_standing
+from scegen.concretization.setup import Setup
 from scegen.motion.standing import standing_path
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import StandingMotion

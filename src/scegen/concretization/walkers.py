@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from math import sin, sqrt
 
 from scegen.concretization.asked import contact_wanted
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CYCLING_MPS,
     WALKING_MPS,
@@ -16,6 +16,7 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
 from scegen.concretization.others import WalkDraft
+from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s

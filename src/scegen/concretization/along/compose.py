@@ -9,15 +9,13 @@ from __future__ import annotations
 
 from scegen.concretization.along.auxiliary import fitted
 from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.frame import Frame, frame_of, road_of
 from scegen.concretization.along.laying import closest_s, lay
 from scegen.concretization.along.parked import park
 from scegen.concretization.along.story import Story
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.along.writing import (
-    Frame,
     ends_s,
-    frame_of,
-    road_of,
     walk_motion,
     written_parked,
     written_runner,

@@ -10,7 +10,7 @@ from __future__ import annotations
 from scegen.concretization.abreast import is_outward
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.courses import SpeedChange
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm, victims
 from scegen.concretization.lane_choice import (
     change_lanes,
@@ -29,6 +29,7 @@ from scegen.concretization.limits import (
 from scegen.concretization.meetings import STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.passing import be_faster, change_length_m, pass_drive, slowing_s_m
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocked_lane_ahead
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
 from scegen.concretization.courses import SpeedChange
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import (
     Rule,
     culprits,
@@ -17,6 +17,7 @@ from scegen.concretization.hazards.rule import (
     stops_for_walkers,
     victims,
 )
+from scegen.concretization.setup import Setup
 from scegen.concretization.turning import bend_of
 from scegen.scenario.acts import Act
 from scegen.scenario.functional import Hazard

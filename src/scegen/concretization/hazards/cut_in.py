@@ -8,13 +8,14 @@ front of another: they meet.
 from __future__ import annotations
 
 from scegen.concretization.courses import SpeedChange
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import close_before, come_into_lane
 from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm
 from scegen.concretization.lane_choice import change_lanes, choose_ring_lane, lanes_in, routes_of
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S
 from scegen.concretization.meetings import Meeting, nearest_s_m
 from scegen.concretization.passing import change_length_m, speed_for_change_mps
+from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.motion.stretches import Stretch

@@ -6,10 +6,11 @@ at the leader's speed.
 
 from __future__ import annotations
 
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import Rule, culprits, in_line_before, pairs, same_arm
 from scegen.concretization.limits import FAST_LATERAL_MPS2, TAILGATING_HEADWAY_S
 from scegen.concretization.meetings import STRUCTURAL, Meeting
+from scegen.concretization.setup import Setup
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.speed_limits import limit_for_kind_mps

@@ -17,12 +17,13 @@ from scegen.concretization.backing import (
     brakes_from,
     in_each_others_way,
 )
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.concretization.lane_choice import entry_lanes
 from scegen.concretization.meetings import DANGER, Meeting, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.room import NeedsLongerArms
+from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill
 from scegen.scenario.functional import Hazard
@@ -42,7 +43,6 @@ _SEEN_BY_THEN_S = 0.6
 _LEAST_RUN_UP_M = 15.0
 _LEAST_WAIT_S = 1.5
 _RESUMING_MPS2 = 1.5
-_IN_LINE_M = 3.0
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 

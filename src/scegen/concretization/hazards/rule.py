@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from scegen.concretization.amounts import GAINING
-from scegen.concretization.drafts import DriveDraft, Setup
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import Meeting, drives_meet, meeting_point
+from scegen.concretization.setup import Setup
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind

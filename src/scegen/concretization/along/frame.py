@@ -1,0 +1,180 @@
+"""Where the road of a story along it lies: its arms, its joint, its bend."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import ceil, copysign
+
+from scegen.concretization.along.auxiliary import fitted, gaps_m, joint_m, room_m
+from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.parked import Parked
+from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.story import Story
+from scegen.errors import MotionInfeasibleError
+from scegen.motion.paths import END_MARGIN_M
+from scegen.road.geometry import Pose, Segment
+from scegen.road.straight import Curve, curve_of
+from scegen.scenario.concrete import (
+    RoadParameters,
+)
+from scegen.scenario.logical import Drive
+
+_ARM_MARGIN_M = 3.0
+_JOINT_CLEAR_M = 8.0
+_LEAST_ARM_M = 40.0
+_ROUND_M = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Where the road lies on the story's axis: from ``begin_m`` to ``end_m``, joint between.
+
+    The axis is the middle of the ego's lane, ``axis_y_m`` left of the centre line; ``curve`` is the
+    road's bend as the ego drives it. ``met_s`` is when each runner is where the story has it: who
+    drives in another lane of a bend comes along it faster or slower than on the axis.
+    ``gaps_m`` is how far from the joint the inner ends of arms 0 and 1 are: a ramp parts them.
+    """
+
+    begin_m: float
+    joint_m: float
+    end_m: float
+    ego_arm: int
+    lasts_s: float = 0.0
+    curve: Curve | None = None
+    axis_y_m: float = 0.0
+    met_s: Mapping[str, float] = field(default_factory=dict)
+    gaps_m: tuple[float, float] = (0.0, 0.0)
+
+    def station_m(self, runner: Runner, x_m: float) -> float:
+        """The place on a drive, from the outer end of its entry arm."""
+        straight = x_m - self.begin_m if runner.forward else self.end_m - x_m
+        if self.curve is None:
+            return straight
+        met_m = runner.x_m(self.met_s[runner.id])
+        lane_y = runner.lane_y_m(runner.lane_at(self.met_s[runner.id]))
+        outer_m = self.begin_m if runner.forward else self.end_m
+        own = abs(self._beside_m(met_m, lane_y) - self._beside_m(outer_m, lane_y))
+        return straight + own - (abs(met_m - outer_m))
+
+    def _beside_m(self, x_m: float, y_m: float) -> float:
+        """How far beyond the joint a place of the axis is, measured ``y_m`` left of the centre."""
+        away = x_m - self.joint_m
+        if self.curve is None:
+            return away
+        k, half = self.curve.curvature_1pm, self.curve.half_arc_m
+        arc, own = half * (1.0 - k * self.axis_y_m), half * (1.0 - k * y_m)
+        inside = min(abs(away), arc)
+        return copysign(inside * own / arc + abs(away) - inside, away)
+
+    def joint_station_m(self, runner: Runner) -> float:
+        """Where the joint is on a drive, by the length of the lane in which it starts."""
+        lane_y = runner.lane_y_m(runner.lane)
+        return abs(self._beside_m(self.begin_m if runner.forward else self.end_m, lane_y))
+
+    def centre_m(self, x_m: float) -> float:
+        """How far beyond the joint a place of the axis is, measured along the centre line."""
+        return self._beside_m(x_m, 0.0)
+
+    def from_junction_m(self, arm: int, x_m: float) -> float:
+        """How far a place is before the inner end of an arm."""
+        beyond = self.centre_m(x_m)
+        before = (-beyond if arm == self.ego_arm else beyond) - self.gaps_m[arm]
+        if before < 0.0 < self.gaps_m[arm]:
+            raise MotionInfeasibleError(
+                f"somebody is {-before:.0f} m inside the junction of a ramp, beside arm {arm}",
+                hint="Say where it is, or leave the ramp out.",
+            )
+        return max(before, 0.0)
+
+    def pose(self, x_m: float, y_m: float) -> Pose:
+        """The place in a frame whose origin is where the ego comes into the bend."""
+        beyond = self.centre_m(x_m)
+        if self.curve is None:
+            return Pose(beyond, y_m, 0.0)
+        k, half = self.curve.curvature_1pm, self.curve.half_arc_m
+        arc = Segment(Pose(0.0, 0.0, 0.0), 2 * half, k)
+        s = min(max(beyond + half, 0.0), 2 * half)
+        return arc.pose(s).shifted(forward_m=beyond + half - s, left_m=y_m)
+
+
+def frame_of(
+    story: Story,
+    walks: list[Walk],
+    parked: list[Parked],
+    road: RoadParameters,
+    closest_s: float,
+    lasts_s: float,
+) -> Frame:
+    """A road long enough for everybody until the end, with the joint where their arms need it.
+
+    A bend lies about where the ego is when the others come closest.
+    """
+    assignment = story.logical.assignment(story.ego.id)
+    arm = assignment.entry if isinstance(assignment, Drive) else 0
+    lows, highs = [], []
+    for runner in story.runners.values():
+        for time_s in (0.0, lasts_s):
+            low, high = runner.ends_m(time_s)
+            lows.append(low)
+            highs.append(high)
+    own = [w.x_m for w in walks if w.crossing.arm == arm]
+    own += [p.x_m + p.body.length_m for p in parked if p.standing.arm == arm]
+    far = [w.x_m for w in walks if w.crossing.arm != arm]
+    far += [p.x_m - p.body.length_m for p in parked if p.standing.arm != arm]
+    forward = [r.ends_m(0.0)[1] for r in story.runners.values() if r.forward]
+    backward = [r.ends_m(0.0)[0] for r in story.runners.values() if not r.forward]
+    everything = [*own, *far]
+    begin = min([*lows, *everything]) - _ARM_MARGIN_M - _LEAST_ARM_M
+    end = max([*highs, *everything]) + _ARM_MARGIN_M + END_MARGIN_M
+    least = max([*own, *forward], default=begin) + _JOINT_CLEAR_M
+    most = min([*far, *backward], default=end) - _JOINT_CLEAR_M
+    joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
+    curve = curve_of(road)
+    if curve is None:
+        if road.auxiliary is not None:
+            joint = joint_m(story.functional, story.runners, joint)
+            before, after = room_m(fitted(road, story.functional, story.runners, joint))
+            begin, end = min(begin, joint - before), max(end, joint + after)
+        joint = max(joint, begin + _LEAST_ARM_M)
+        end = max(end, joint + _LEAST_ARM_M)
+        return Frame(
+            joint - ceil((joint - begin) / _ROUND_M) * _ROUND_M,
+            joint,
+            joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
+            arm,
+            lasts_s,
+            gaps_m=gaps_m(road),
+        )
+    joint = max(joint, min(story.ego.x_m(closest_s), max(most, joint)))
+    if arm == 1:
+        curve = Curve(-curve.curvature_1pm, curve.half_arc_m)
+    axis_y = story.ego.lane_y_m(story.ego.lane)
+    arc = curve.half_arc_m * (1.0 - curve.curvature_1pm * axis_y)
+    joint = max(joint, begin + _LEAST_ARM_M)
+    begin, end = min(begin, joint - arc - _LEAST_ARM_M), max(end, joint + arc + _LEAST_ARM_M)
+    met = {name: _met_s(runner, story.ego, closest_s) for name, runner in story.runners.items()}
+    return Frame(begin, joint, end, arm, lasts_s, curve, axis_y, met)
+
+
+def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:
+    """When it matters most where somebody is: as it moves aside, as it meets who comes along."""
+    if runner.moves:
+        return min(move.begins_s for move in runner.moves)
+    if runner.forward == ego.forward:
+        return closest_s
+    times = [closest_s * n / 50 for n in range(101)]
+    return min(times, key=lambda t: abs(runner.x_m(t) - ego.x_m(t)))
+
+
+def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
+    """The road with arms as long as the frame."""
+    near, beyond = -frame.centre_m(frame.begin_m), frame.centre_m(frame.end_m)
+    lengths = [
+        (near if arm.id == frame.ego_arm else beyond) - frame.gaps_m[arm.id] for arm in road.arms
+    ]
+    arms = tuple(
+        arm.model_copy(update={"length_m": round(length, 3)})
+        for arm, length in zip(road.arms, lengths, strict=True)
+    )
+    return road.model_copy(update={"arms": arms})

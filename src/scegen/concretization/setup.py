@@ -1,0 +1,140 @@
+"""Everything about one scenario at a junction while its numbers are being chosen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from scegen.concretization.amounts import GAINING, SLOWING, spelled_out
+from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.others import PullDraft, StandDraft, WalkDraft
+from scegen.errors import MotionInfeasibleError
+from scegen.road.model import RoadNetwork
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.concrete import (
+    Change,
+    RoadParameters,
+)
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.objects import StaticObject
+from scegen.scenario.signals import SignalPlan
+from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.things import Thing
+
+
+@dataclass
+class Setup:
+    """Everything about one scenario in the making.
+
+    ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers with the
+    things that are to cause them, ``objects`` the things that have a place, ``signals`` what its
+    lights show: on the clock of the ego's course until everybody has a start, then on the
+    scenario's.
+    """
+
+    functional: FunctionalScenario
+    logical: LogicalScenario
+    road: RoadParameters
+    network: RoadNetwork
+    rng: np.random.Generator
+    obstacles: bool = True
+    drives: dict[str, DriveDraft] = field(default_factory=dict)
+    walks: dict[str, WalkDraft] = field(default_factory=dict)
+    stands: dict[str, StandDraft] = field(default_factory=dict)
+    pulls: dict[str, PullDraft] = field(default_factory=dict)
+    expected: list[tuple[Hazard, Thing]] = field(default_factory=list)
+    objects: list[StaticObject] = field(default_factory=list)
+    caused: dict[Hazard, Hazard] = field(default_factory=dict)
+    changes: list[Change] = field(default_factory=list)
+    signals: SignalPlan | None = None
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with the things that cause them."""
+        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
+
+    def add_object(self, thing: StaticObject, hazard: Hazard, who: str) -> None:
+        """Place a thing, which causes a danger to somebody."""
+        self.objects.append(thing)
+        to = hazard.to or (who,)
+        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
+
+    @property
+    def limit_mps(self) -> float:
+        """The speed limit of the junction."""
+        return self.functional.junction.speed_limit_mps or min(
+            implied_limit_mps(self.functional), self.road.arms[0].speed_limit_mps
+        )
+
+    @property
+    def ego(self) -> DriveDraft:
+        """The ego's drive.
+
+        Raises:
+            MotionInfeasibleError: the ego does not drive.
+        """
+        name = self.functional.ego.id
+        if name not in self.drives:
+            raise MotionInfeasibleError("the ego must drive through the junction", where=name)
+        return self.drives[name]
+
+    @property
+    def blocked(self) -> bool:
+        """Whether somebody stands in a lane."""
+        return any(stand.standing.in_lane for stand in self.stands.values())
+
+    def concerned(self, name: str) -> list[DriveDraft]:
+        """Whose way somebody may come into: named sufferers first, then the ego, then others."""
+        named = [to for hazard in self.functional.hazards if name in hazard.by for to in hazard.to]
+        ranked = dict.fromkeys([*named, self.ego.id, *self.drives])
+        return [self.drives[other] for other in ranked if other in self.drives]
+
+    def allowed(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
+        """The range of a parameter of the logical scenario."""
+        for parameter in self.logical.parameters:
+            if parameter.name == name:
+                return parameter.low, parameter.high
+        return default
+
+    @property
+    def acts(self) -> tuple[Act, ...]:
+        """What the text tells that happens, in order."""
+        return spelled_out(self.logical.acts or self.functional.acts)
+
+    def act(self, name: str) -> Act:
+        """An act by its id."""
+        return next(act for act in self.acts if act.id == name)
+
+    def speed_acts(self, name: str) -> list[Act]:
+        """The changes of speed that the text tells of somebody, in order."""
+        return [a for a in self.acts if a.participant == name and a.kind in SLOWING | GAINING]
+
+    def first_act(self, name: str, kind: ActKind) -> Act | None:
+        """The first act of somebody that is of a kind."""
+        return next((a for a in self.acts if a.participant == name and a.kind is kind), None)
+
+    def sets_off(self, name: str) -> bool:
+        """Whether the first that one does is to set off: it stands until then."""
+        return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])
+
+    def is_loose(self, name: str | None) -> bool:
+        """Whether an act of the text is one of which nothing says when it begins."""
+        return name is not None and self.act(name).when is None
+
+    def has_said_speed(self, name: str) -> bool:
+        """Whether the text says how fast somebody is."""
+        return self.functional.participant(name).speed_mps is not None
+
+    def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
+        """Record who set a parameter and why."""
+        self.changes.append(
+            Change(
+                parameter=parameter,
+                by="concretization",
+                before=before,
+                after=round(after, 3),
+                reason=reason,
+            )
+        )
