@@ -221,14 +221,8 @@ def _from_acts(
             words = f"{name} changes into the lane of {into.id}"
             wishes.append(Wish((name, into.id), SAID, _beside(name, into.id, back), words))
         elif step is not None:
-            wishes.append(
-                Wish(
-                    (name,),
-                    LIKELY,
-                    _room(name, step, count),
-                    f"{name} has a lane on its {act.side}",
-                )
-            )
+            words = f"{name} has a lane on its {act.side}"
+            wishes.append(Wish((name,), LIKELY, _room(name, step, count), words))
     return wishes
 
 
