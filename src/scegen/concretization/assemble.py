@@ -23,6 +23,7 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,
+    Motion,
     SpeedPhase,
     Travelled,
 )
@@ -74,38 +75,30 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
 
 
 def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
-    name = participant.id
+    name, speed = participant.id, 0.0
+    program: tuple[SpeedPhase, ...] = ()
+    motion: Motion
     if name in scene.drives:
         draft = scene.drives[name]
         speed, program = _program(draft)
-        return ConcreteParticipant(
-            id=name,
-            kind=participant.kind,
-            role=participant.role,
-            speed_mps=speed,
-            motion=draft.motion(draft.laid.station_m(draft.start_m)),
-            speed_program=program,
-        )
-    mover = scene.walks.get(name) or scene.pulls.get(name)
-    if mover is not None:
-        return ConcreteParticipant(
-            id=name,
-            kind=participant.kind,
-            role=participant.role,
-            speed_mps=0.0,
-            motion=mover.motion,
-            speed_program=tuple(mover.program),
-        )
-    if name in scene.stands:
-        return ConcreteParticipant(
-            id=name,
-            kind=participant.kind,
-            role=participant.role,
-            parked=True,
-            speed_mps=0.0,
-            motion=scene.stands[name].motion,
-        )
-    raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
+        motion = draft.motion(draft.laid.station_m(draft.start_m))
+    elif name in scene.stands:
+        motion = scene.stands[name].motion
+    elif name in scene.walks:
+        motion, program = scene.walks[name].motion, scene.walks[name].program
+    elif name in scene.pulls:
+        motion, program = scene.pulls[name].motion, tuple(scene.pulls[name].program)
+    else:
+        raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
+    return ConcreteParticipant(
+        id=name,
+        kind=participant.kind,
+        role=participant.role,
+        parked=name in scene.stands,
+        speed_mps=speed,
+        motion=motion,
+        speed_program=program,
+    )
 
 
 def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:

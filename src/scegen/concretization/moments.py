@@ -13,7 +13,7 @@ from scegen.concretization.limits import LEAD_IN_S
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
-from scegen.concretization.walkers import partner_of, rendezvous, walking_time_s
+from scegen.concretization.walkers import partner_of, rendezvous
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES
@@ -53,7 +53,7 @@ class Moments:
         if name in self.scene.walks:
             begins = self.leaves_s(name)
             walk = self.scene.walks[name]
-            return begins, begins + walking_time_s(walk, walk.path.length_m)
+            return begins, begins + walk.runs_s(walk.path.length_m)
         if name in self.scene.pulls:
             pull, begins = self.scene.pulls[name], self.leaves_s(name)
             return begins, begins + pull.speed_mps / pull.rate_mps2
@@ -112,7 +112,7 @@ class Moments:
 
     def _walks_s(self, name: str) -> float:
         walk = self.scene.walks[name]
-        return walking_time_s(walk, self._rendezvous(name)[2] + walk.back_m)
+        return walk.runs_s(self._rendezvous(name)[2] + walk.back_m)
 
     def _rendezvous(self, name: str) -> tuple[DriveDraft, float, float]:
         found = self._partners[name]

@@ -10,9 +10,22 @@ from scegen.concretization.limits import WALKING_START_MPS2
 from scegen.motion.model import Array, Path
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.bodies import BODIES, Body
-from scegen.scenario.concrete import CrossingMotion, DriveMotion, SpeedPhase, StandingMotion
+from scegen.scenario.concrete import (
+    CrossingMotion,
+    DriveMotion,
+    SpeedPhase,
+    StandingMotion,
+    Travelled,
+    Trigger,
+)
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+
+_STOPS_SHORT_M = 0.15
+_CROSSES = {
+    ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
+    ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
+}
 
 
 def gained(speed_mps: float, rate_mps2: float, since_s: Array) -> tuple[Array, Array]:
@@ -24,17 +37,13 @@ def gained(speed_mps: float, rate_mps2: float, since_s: Array) -> tuple[Array, A
 
 
 @dataclass
-class WalkDraft:
-    """One who crosses an arm, in the making; it starts ``back_m`` farther out than it was laid."""
+class Walker:
+    """One who goes across a road, on foot or by bicycle, at a steady pace from where it starts."""
 
     id: str
     kind: ParticipantKind
     crossing: Crossing
     speed_mps: float
-    motion: CrossingMotion
-    path: Path
-    back_m: float = 0.0
-    program: list[SpeedPhase] = field(default_factory=list)
 
     @property
     def body(self) -> Body:
@@ -42,14 +51,49 @@ class WalkDraft:
         return BODIES[self.kind]
 
     @property
-    def stops(self) -> bool:
-        """Whether it stops in somebody's way."""
-        return self.motion.stops_after_m is not None
-
-    @property
     def rate_mps2(self) -> float:
         """How fast it gains speed, and loses it."""
         return min(WALKING_START_MPS2, self.body.max_acceleration_mps2)
+
+    def runs_s(self, way_m: float) -> float:
+        """How long it takes from setting off until so much way is behind it."""
+        return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
+
+    def program_to(
+        self, trigger: Trigger, length_m: float, act: str | None, *, stops: bool
+    ) -> tuple[SpeedPhase, SpeedPhase]:
+        """Set off, and come to rest just before the end of its way; ``stops``: in somebody's."""
+        end = max(0.0, length_m - self.speed_mps**2 / (2 * self.rate_mps2) - _STOPS_SHORT_M)
+        return (
+            SpeedPhase(
+                trigger=trigger,
+                target_speed_mps=round(self.speed_mps, 4),
+                rate_mps2=self.rate_mps2,
+                hazard=_CROSSES.get(self.kind),
+                act=act,
+            ),
+            SpeedPhase(
+                trigger=Travelled(participant=self.id, distance_m=round(end, 3)),
+                target_speed_mps=0.0,
+                rate_mps2=self.rate_mps2,
+                hazard=HazardKind.STOPPING if stops else None,
+            ),
+        )
+
+
+@dataclass
+class WalkDraft(Walker):
+    """One who crosses an arm, in the making; it starts ``back_m`` farther out than it was laid."""
+
+    motion: CrossingMotion
+    path: Path
+    back_m: float = 0.0
+    program: tuple[SpeedPhase, ...] = ()
+
+    @property
+    def stops(self) -> bool:
+        """Whether it stops in somebody's way."""
+        return self.motion.stops_after_m is not None
 
 
 @dataclass

@@ -23,7 +23,7 @@ from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.model import LaneType
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES, Body
-from scegen.scenario.concrete import AtTime, CrossingMotion, SpeedPhase, Travelled, Trigger
+from scegen.scenario.concrete import AtTime, CrossingMotion, Travelled, Trigger
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
@@ -46,11 +46,6 @@ _SETTLE_S = 0.5
 _ABREAST_M = 0.9
 _OF_PEAK = 0.9
 """Of the pace at which one who sets off must begin to stop, the share that is used."""
-
-_HAZARD = {
-    ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
-    ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,11 +138,6 @@ def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint]
     return None
 
 
-def walking_time_s(walk: WalkDraft, distance_m: float) -> float:
-    """From the order to go until ``distance_m`` are covered, with the start from rest."""
-    return distance_m / walk.speed_mps + walk.speed_mps / (2 * walk.rate_mps2)
-
-
 def appointments(scene: Setup) -> list[Appointment]:
     """What walkers ask of the drivers' schedule."""
     result = []
@@ -156,7 +146,7 @@ def appointments(scene: Setup) -> list[Appointment]:
         if found is not None:
             draft, point = found
             place, distance = rendezvous(scene, draft, walk, point)
-            least = walking_time_s(walk, distance) + _SETTLE_S
+            least = walk.runs_s(distance) + _SETTLE_S
             result.append(Appointment(draft.id, place, least))
     return result
 
@@ -216,7 +206,6 @@ def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:
     """Step off when the driver has come so far that both arrive together; stop at the far side."""
     for walk in scene.walks.values():
         found = partner_of(scene, walk)
-        kind = _HAZARD.get(walk.kind)
         act = next((a for a in scene.acts if a.participant == walk.id and _crosses(a)), None)
         go = leaves_s(walk.id)
         trigger: Trigger = AtTime(time_s=round(max(0.0, go), 3))
@@ -227,23 +216,8 @@ def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:
             if draft.course.speed_then(own) > _MOVES_MPS or distance <= 0.0:
                 trigger = Travelled(participant=draft.id, distance_m=round(max(0.0, distance), 3))
             scene.note(f"{walk.id}.starts_at_m", distance, f"arrives when {draft.id} does")
-        braking = walk.speed_mps**2 / (2 * walk.rate_mps2)
-        end = max(0.0, walk.path.length_m - braking - _STOP_SHORT_M)
-        walk.program = [
-            SpeedPhase(
-                trigger=trigger,
-                target_speed_mps=walk.speed_mps,
-                rate_mps2=walk.rate_mps2,
-                hazard=kind,
-                act=None if act is None else act.id,
-            ),
-            SpeedPhase(
-                trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
-                target_speed_mps=0.0,
-                rate_mps2=walk.rate_mps2,
-                hazard=HazardKind.STOPPING if walk.stops else None,
-            ),
-        ]
+        name = None if act is None else act.id
+        walk.program = walk.program_to(trigger, walk.path.length_m, name, stops=walk.stops)
 
 
 def stop_in_the_way(scene: Setup) -> None:

@@ -17,6 +17,7 @@ from scegen.concretization.limits import (
     WALKING_MPS,
     WALKING_START_MPS2,
 )
+from scegen.concretization.others import Walker
 from scegen.concretization.profile import NEVER_S
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
@@ -41,18 +42,14 @@ _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, Hazard
 
 
 @dataclass
-class Walk:
+class Walk(Walker):
     """One who goes across: at ``x_m`` of the road, ``sets_off_s`` after the start.
 
     ``setback_m`` is how far outside the carriageway it starts, ``stops_after_m`` where its way
     ends if it does not go across.
     """
 
-    id: str
-    kind: ParticipantKind
-    crossing: Crossing
     from_left: bool
-    speed_mps: float
     x_m: float
     setback_m: float
     sets_off_s: float
@@ -61,26 +58,12 @@ class Walk:
     timed: bool = False
     act: str | None = None
 
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return BODIES[self.kind]
-
-    def runs_s(self, way_m: float) -> float:
-        """How long it takes from setting off until so much way is behind it."""
-        return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
-
     def way_m(self, time_s: float) -> float:
         """How far it has come."""
         since, gains = max(0.0, time_s - self.sets_off_s), self.speed_mps / self.rate_mps2
         way = self.speed_mps * (since - gains / 2)
         way = way if since > gains else self.rate_mps2 * since**2 / 2
         return way if self.stops_after_m is None else min(way, self.stops_after_m)
-
-    @property
-    def rate_mps2(self) -> float:
-        """How fast it gains speed, and loses it."""
-        return min(WALKING_START_MPS2, self.body.max_acceleration_mps2)
 
 
 def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
@@ -117,7 +100,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback
     walk = Walk(
-        participant.id, participant.kind, crossing, from_left, speed, 0.0, setback, 0.0, meets.id
+        participant.id, participant.kind, crossing, speed, from_left, 0.0, setback, 0.0, meets.id
     )
     walk.act = None if act is None else act.id
     _time(story, walk, meets, act, walk.runs_s(to_aim + setback))

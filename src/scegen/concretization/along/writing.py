@@ -29,16 +29,10 @@ from scegen.scenario.concrete import (
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.reversing import BacksUp
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
-_STOPS_SHORT_M = 0.15
 _LEAST_MOVE_M = 2.0
 _SPARE_M = 3.0
 _MOVES_MPS = 0.1
-_KINDS = {
-    ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
-    ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
-}
 
 
 def written_runner(story: Story, frame: Frame, participant: Participant) -> ConcreteParticipant:
@@ -141,8 +135,6 @@ def _come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
 def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
     """One who goes across the road; ``length_m`` is how long its way is."""
     participant = story.functional.participant(walk.id)
-    braking = walk.speed_mps**2 / (2 * walk.rate_mps2)
-    end = max(0.0, length_m - braking - _STOPS_SHORT_M)
     meets = story.runners[walk.meets]
     trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
     if not walk.timed:
@@ -154,21 +146,7 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
         role=participant.role,
         speed_mps=0.0,
         motion=walk_motion(frame, walk),
-        speed_program=(
-            SpeedPhase(
-                trigger=trigger,
-                target_speed_mps=round(walk.speed_mps, 4),
-                rate_mps2=walk.rate_mps2,
-                hazard=_KINDS.get(walk.kind),
-                act=walk.act,
-            ),
-            SpeedPhase(
-                trigger=Travelled(participant=walk.id, distance_m=round(end, 3)),
-                target_speed_mps=0.0,
-                rate_mps2=walk.rate_mps2,
-                hazard=HazardKind.STOPPING if stops else None,
-            ),
-        ),
+        speed_program=walk.program_to(trigger, length_m, walk.act, stops=stops),
     )
 
 
