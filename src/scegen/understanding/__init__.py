@@ -1,4 +1,9 @@
-"""From an English description to a functional scenario, by rules, offline."""
+"""From an English description to a functional scenario, by rules, offline.
+
+What one stage hands to the next has one name everywhere: ``tokens``, ``terms`` (what the lexicon
+makes of them), ``chunks`` (mentions, places, things, events), ``events`` with their parts,
+``clause`` (an event with who is in it), and ``draft`` in its ``context``: the scenario in the making.
+"""
 
 from scegen.understanding.reader import MAX_CHARACTERS, read
 from scegen.understanding.report.cases import Case, load_cases, paper_cases

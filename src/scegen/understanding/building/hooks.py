@@ -14,11 +14,6 @@ def alongside(draft: Draft, ego: Entity, tokens: list[Token]) -> None:
     """A rider on the side to which the ego turns, and who goes on, is beside it.
 
     One who comes *from* that side comes out of the road there.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-        tokens: the tokens of the text.
     """
     for entity in draft.entities:
         basis = entity.approach_basis

@@ -16,12 +16,7 @@ _FEWEST_WITH_A_MIDDLE = 3
 
 
 def settle_along(draft: Draft, ego: Entity) -> None:
-    """On a straight road, who stands or walks in the lane is ahead; lanes of one name are one.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
+    """On a straight road, who stands or walks in the lane is ahead; lanes of one name are one."""
     for entity in draft.entities:
         if entity is ego:
             continue
@@ -60,24 +55,14 @@ def _in_the_same_lane(entity: Entity, ego: Entity) -> None:
 
 
 def beside_of(entity: Entity) -> Approach | None:
-    """On which side of the ego the lane of somebody beside it lies.
-
-    Args:
-        entity: a participant.
-    """
+    """On which side of the ego the lane of somebody beside it lies."""
     if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
         return None
     return Approach(entity.beside[0])
 
 
 def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
-    """The lane that the text names, counted from 1 at the centre line outwards.
-
-    Args:
-        entity: a participant.
-        junction: where it drives.
-        draft: the scenario in the making.
-    """
+    """The lane that the text names, counted from 1 at the centre line outwards."""
     count = min(junction.lanes, default=1)
     count -= draft.ramp is not None and count > 2
     if entity.start_lane is None or count < 2:
@@ -92,12 +77,7 @@ def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]
 
 
 def circulates(entity: Entity, junction: Junction) -> bool:
-    """Whether somebody is said to be in the roundabout already.
-
-    Args:
-        entity: a participant.
-        junction: where it drives.
-    """
+    """Whether somebody is said to be in the roundabout already."""
     return junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
 
 

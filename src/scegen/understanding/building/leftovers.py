@@ -19,13 +19,7 @@ _MOST_NOTES = 200
 
 
 def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
-    """Adds a note for everything that is not expressed.
-
-    Args:
-        draft: the scenario in the making.
-        terms: the terms of the text.
-        chunks: its chunks.
-    """
+    """Adds a note for everything that is not expressed."""
     labels = {c.label_at for c in chunks if isinstance(c, Mention)}
     _unknown(draft, [t for t in terms if t.i not in labels])
     for term in terms:

@@ -10,12 +10,7 @@ _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKin
 
 
 def in_the_way(draft: Draft, ego: Entity) -> None:
-    """On a straight road, who endangers the ego by going slowly or stopping is ahead of it.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
+    """On a straight road, who endangers the ego by going slowly or stopping is ahead of it."""
     placed = {p.entity.index for p in draft.placements} | {
         p.reference.index for p in draft.placements if p.reference is not None
     }
@@ -31,12 +26,7 @@ def in_the_way(draft: Draft, ego: Entity) -> None:
 
 
 def from_the_strip(draft: Draft, ego: Entity) -> None:
-    """On a straight road, who was parked and sets off is parked at first and pulls out.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
+    """On a straight road, who was parked and sets off is parked at first and pulls out."""
     for entity in draft.entities:
         if entity is ego or entity.was_parked is None or not entity.is_vehicle:
             continue
@@ -49,12 +39,7 @@ def from_the_strip(draft: Draft, ego: Entity) -> None:
 
 
 def abreast(draft: Draft, ego: Entity) -> None:
-    """On a straight road, a vehicle on the left is not one that comes out of a road there.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
+    """On a straight road, a vehicle on the left is not one that comes out of a road there."""
     along = draft.access is None and not draft.from_kerb
     for entity in draft.entities if along else []:
         side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
@@ -78,12 +63,7 @@ def abreast(draft: Draft, ego: Entity) -> None:
 
 
 def both_change_lanes(draft: Draft, ego: Entity) -> None:
-    """Who changes lanes as the ego does, or along the same road, comes from another lane.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        ego: its ego.
-    """
+    """Who changes lanes as the ego does, or along the same road, comes from another lane."""
     placed = {p.entity.index for p in draft.placements}
     both = Maneuver.LANE_CHANGE in ego.maneuvers
     for entity in draft.entities:

@@ -9,12 +9,7 @@ from scegen.understanding.words.tokens import Token
 
 
 class Proofs:
-    """The evidence of a scenario in the making.
-
-    Args:
-        text: the description.
-        tokens: its tokens.
-    """
+    """The evidence of a scenario in the making."""
 
     def __init__(self, text: str, tokens: list[Token]) -> None:
         self._text = text

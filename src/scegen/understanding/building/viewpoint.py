@@ -23,11 +23,7 @@ _PARTIES = ("insured", "claimant")
 
 
 def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
-    """The ego with the reason for the choice; adds one if no vehicle moves.
-
-    Args:
-        draft: the scenario in the making.
-    """
+    """The ego with the reason for the choice; adds one if no vehicle moves."""
     named = next((e for e in draft.entities if e.ego), None)
     if named is not None:
         named.parked = False
@@ -160,12 +156,7 @@ def relative_to(ego: str, other: str) -> set[Approach]:
 def settle_positions(
     draft: Draft, ego: Entity
 ) -> list[tuple[Entity, Entity, set[Approach], Basis]]:
-    """Fills in ``approaches`` of everybody; returns the relations between others.
-
-    Args:
-        draft: the scenario in the making.
-        ego: its ego.
-    """
+    """Fills in ``approaches`` of everybody; returns the relations between others."""
     own = _own_side(draft, ego)
     relations: list[tuple[Entity, Entity, set[Approach], Basis]] = []
     for placement in draft.placements:

@@ -8,11 +8,7 @@ from scegen.understanding.clauses.state import State
 
 
 def auxiliary(state: State) -> bool:
-    """Whether an auxiliary stands before the verb.
-
-    Args:
-        state: what the clause reader remembers.
-    """
+    """Whether an auxiliary stands before the verb."""
     return any(word.startswith("aux:") for word in state.between)
 
 

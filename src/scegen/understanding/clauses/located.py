@@ -46,11 +46,7 @@ def loci_of(mention: Mention) -> set[str]:
 
 
 def placed_last(state: State) -> Mention | None:
-    """``I find the car behind me much too close``: the car, if its place was named last.
-
-    Args:
-        state: what the clause reader remembers.
-    """
+    """``I find the car behind me much too close``: the car, if its place was named last."""
     for mention in reversed(state.mentions):
         for prep in mention.pps:
             here = prep.target is None or prep.target in (state.anchor, state.last_pp)

@@ -85,10 +85,6 @@ def _acts(k: int, chunks: list[Chunk]) -> bool:
 def close(event: Event, state: State) -> bool:
     """Gives the verb of such a clause its subject and object; the clause around it goes on.
 
-    Args:
-        event: the verb.
-        state: what the clause reader remembers.
-
     Returns:
         Whether there was such a clause.
     """

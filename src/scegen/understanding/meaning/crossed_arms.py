@@ -19,13 +19,7 @@ _OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
 
 
 def note_arms(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
-    """``crosses the road that the ego turns into``, ``walks over the exit``.
-
-    Args:
-        chunks: the chunks of the text.
-        clauses: what happens, in the order of the text.
-        context: the scenario in the making.
-    """
+    """``crosses the road that the ego turns into``, ``walks over the exit``."""
     used = _used_by_drivers(clauses)
     for clause in clauses:
         whom = clause.walkers + [e for e in clause.actors if context.is_cyclist(e) and not e.ego]
@@ -113,10 +107,6 @@ def settle_arms(draft: Draft, ego: Entity) -> None:
     """From which side they come who walk as the ego drove before it turned, or against it.
 
     That leads over the road into which it turns. What is said of the side itself comes first.
-
-    Args:
-        draft: the scenario in the making.
-        ego: its ego.
     """
     for entity in draft.entities:
         if entity.course is None or len(ego.maneuvers & set(_SIDES)) != 1:

@@ -29,13 +29,7 @@ _REASON = "the oncoming lane is used to get past something"
 
 
 def get_past(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
-    """Lets the ego overtake what is in its way, where its way leads round it.
-
-    Args:
-        chunks: the chunks of the text, mentions resolved.
-        clauses: what happens, in the order of the text.
-        context: the scenario in the making.
-    """
+    """Lets the ego overtake what is in its way, where its way leads round it."""
     ego = next((e for e in context.draft.entities if e.ego), None)
     if ego is None or ego.maneuvers & _SETTLED or context.junction.crossing:
         return

@@ -14,11 +14,7 @@ _LONGEST = 5
 
 
 def name_hiders(chunks: list[Chunk]) -> list[Chunk]:
-    """The chunks, with unknown nouns after "behind" and "hidden by" as things.
-
-    Args:
-        chunks: the chunks of the text.
-    """
+    """The chunks, with unknown nouns after "behind" and "hidden by" as things."""
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):

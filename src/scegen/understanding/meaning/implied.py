@@ -21,12 +21,7 @@ _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
 def positions(clauses: list[Clause], context: Context) -> None:
-    """Places who is driven up to, and who comes out of the next lane or the oncoming one.
-
-    Args:
-        clauses: what happens, in the order of the text.
-        context: the scenario in the making.
-    """
+    """Places who is driven up to, and who comes out of the next lane or the oncoming one."""
     for clause in clauses:
         say("positions.any", clause, context)
         _driven_up_to(clause, context)

@@ -15,11 +15,7 @@ _SIDES = frozenset({"left", "right"})
 
 
 class Lanes:
-    """Notes in which lane somebody drives, and on which side of the ego that is.
-
-    Args:
-        draft: the scenario in the making.
-    """
+    """Notes in which lane somebody drives, and on which side of the ego that is."""
 
     def __init__(self, draft: Draft) -> None:
         self._draft = draft

@@ -86,12 +86,7 @@ def undertake(clause: Clause, context: Context) -> None:
 
 
 def follow_movement(clause: Clause, context: Context) -> None:
-    """Where a clause says that those who act go.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
+    """Where a clause says that those who act go."""
     rule = _RULES.get(clause.event.name)
     if rule is not None:
         rule(clause, context)

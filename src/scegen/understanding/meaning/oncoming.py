@@ -10,11 +10,7 @@ _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
 def turned_across(context: Context) -> None:
-    """``the ego turns left across the path of a motorcyclist``: who comes towards it.
-
-    Args:
-        context: the scenario in the making.
-    """
+    """``the ego turns left across the path of a motorcyclist``: who comes towards it."""
     for danger in context.draft.dangers:
         if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or not any(e.ego for e in danger.by):
             continue
@@ -37,11 +33,7 @@ def _from_the_front(entity: Entity, context: Context) -> bool:
 
 
 def unseen(context: Context) -> None:
-    """``an oncoming truck hides the lane beside it, from which a van comes``: from the front.
-
-    Args:
-        context: the scenario in the making.
-    """
+    """``an oncoming truck hides the lane beside it, from which a van comes``: from the front."""
     draft = context.draft
     for danger in draft.dangers:
         hidden = [e for e in danger.by if e.moving_vehicle and not e.ego]

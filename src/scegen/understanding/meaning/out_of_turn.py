@@ -15,13 +15,7 @@ _FIRST = frozenset({"first", "earlier", "turn"})
 
 
 def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> None:
-    """``the ego was at the four-way stop first, but the van goes``: the van had to wait.
-
-    Args:
-        chunks: the chunks of the text, mentions resolved.
-        events: its events.
-        context: the scenario in the making.
-    """
+    """``the ego was at the four-way stop first, but the van goes``: the van had to wait."""
     if context.junction.control is not Control.ALL_WAY_STOP:
         return
     tokens = context.tokens

@@ -89,11 +89,7 @@ _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
 
 
 class Placer:
-    """Applies words of place to participants.
-
-    Args:
-        draft: the scenario in the making.
-    """
+    """Applies words of place to participants."""
 
     def __init__(self, draft: Draft) -> None:
         self._draft = draft

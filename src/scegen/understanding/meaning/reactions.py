@@ -11,11 +11,7 @@ _REAR = frozenset({"rear", "back"})
 
 
 def mark_answers(events: list[Event]) -> None:
-    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer.
-
-    Args:
-        events: the events of a text.
-    """
+    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
     avoiding = [e for e in events if e.name == "avoid"]
     for event in events:
         if event.name in _BRAKING and not event.nominal:
@@ -23,12 +19,7 @@ def mark_answers(events: list[Event]) -> None:
 
 
 def mark_late(events: list[Event], context: Context) -> None:
-    """``failed to stop and hit it from behind``: for the one in front, not for a sign.
-
-    Args:
-        events: the events of a text.
-        context: the scenario in the making.
-    """
+    """``failed to stop and hit it from behind``: for the one in front, not for a sign."""
     standing = {
         e.index
         for event in events
@@ -70,9 +61,5 @@ def _together(one: Event, other: Event) -> bool:
 
 
 def endangered(context: Context) -> bool:
-    """Whether others have already put the ego in danger, so that it answers.
-
-    Args:
-        context: the scenario in the making.
-    """
+    """Whether others have already put the ego in danger, so that it answers."""
     return any(d.by and not any(e.ego for e in d.by) for d in context.draft.dangers)

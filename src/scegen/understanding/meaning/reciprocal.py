@@ -13,13 +13,7 @@ _TOWARDS = frozenset({"approach", "move", "collide", "speed"})
 
 
 def towards_each_other(chunks: list[Chunk], events: list[Event], context: Context) -> None:
-    """Places those who face each other, or stand next to each other.
-
-    Args:
-        chunks: the chunks of the text, mentions resolved.
-        events: its events.
-        context: the scenario in the making.
-    """
+    """Places those who face each other, or stand next to each other."""
     for event in events:
         members = [e for m in event.subject for e in m.entities]
         mutual = [event.object, *(p.target for p in event.pps)]

@@ -18,13 +18,7 @@ _GOING = frozenset({"enter", "cross", "move", "turn", "accelerate", "speed", "pu
 
 
 def on_red(chunks: list[Chunk], events: list[Event], context: Context) -> None:
-    """Finds out who goes although their light is said to be red.
-
-    Args:
-        chunks: the chunks of the text, mentions resolved.
-        events: its events.
-        context: the scenario in the making.
-    """
+    """Finds out who goes although their light is said to be red."""
     for k, chunk in enumerate(chunks):
         if not (isinstance(chunk, Place) and chunk.kind == "signal"):
             continue

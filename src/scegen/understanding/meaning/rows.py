@@ -17,13 +17,7 @@ _ORDERS = {"row": Approach.AHEAD, "abreast": Approach.ADJACENT}
 
 
 def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
-    """``three cars in a row``, ``two vans drive one behind the other``.
-
-    Args:
-        chunks: the chunks of the text, mentions resolved.
-        events: its events.
-        draft: the scenario in the making.
-    """
+    """``three cars in a row``, ``two vans drive one behind the other``."""
     for chunk in chunks:
         if isinstance(chunk, Mention):
             members = [e for m in chain(chunk) for e in m.entities]

@@ -9,11 +9,7 @@ _WAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.STRAIGHT})
 
 
 def ways_left(entity: Entity) -> set[Maneuver]:
-    """The ways over a junction that are not ruled out; empty where nothing is said.
-
-    Args:
-        entity: a participant.
-    """
+    """The ways over a junction that are not ruled out; empty where nothing is said."""
     if not entity.excluded & _WAYS or not entity.is_vehicle:
         return set()
     return set(_WAYS - entity.excluded)

@@ -16,13 +16,7 @@ _REACH = 7
 
 
 def share(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
-    """Places people and cyclists at the side of what hides them.
-
-    Args:
-        chunks: the chunks of the text, mentions resolved.
-        clauses: what happens, in the order of the text.
-        context: the scenario in the making.
-    """
+    """Places people and cyclists at the side of what hides them."""
     for clause in clauses:
         event = clause.event
         hides = event.name == "hide" and not event.negated

@@ -14,10 +14,6 @@ def set_off(events: list[Event], context: Context) -> None:
     """Whoever is parked and then drives is not parked for the whole scenario.
 
     On a plain road it stands beside it and pulls out; elsewhere it drives from the start.
-
-    Args:
-        events: the events of the text, mentions resolved.
-        context: the scenario in the making.
     """
     for event in events:
         moves = event.name in _MOVING and not event.nominal and event.premod_of is None

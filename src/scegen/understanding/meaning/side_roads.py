@@ -44,12 +44,7 @@ def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) ->
 
 
 def access(clause: Clause, context: Context) -> None:
-    """A vehicle that comes out of a side road needs that road.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
+    """A vehicle that comes out of a side road needs that road."""
     described = [
         p.target
         for m in clause.event.subject

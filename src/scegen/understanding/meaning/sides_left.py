@@ -11,12 +11,7 @@ _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 
 
 def sides_left(chunks: list[Chunk], context: Context) -> None:
-    """Gives such a side to the one who crosses, if only one does of whom no side is said.
-
-    Args:
-        chunks: the chunks of the text, all else understood.
-        context: the scenario in the making.
-    """
+    """Gives such a side to the one who crosses, if only one does of whom no side is said."""
     lateral = set(_SIDES.values())
     placed = {p.entity.index for p in context.draft.placements if p.approaches & lateral}
     used = [(p.basis.i, p.basis.j) for p in context.draft.placements if not p.entity.ego]

@@ -19,12 +19,7 @@ _REACH = 3
 
 
 def stand(clause: Clause, context: Context) -> None:
-    """``a van stands in the lane``, ``a bus has stopped``: from the start, and all the time.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
+    """``a van stands in the lane``, ``a bus has stopped``: from the start, and all the time."""
     event = clause.event
     if event.negated or event.modal or event.nominal or _until(event, context):
         return

@@ -13,12 +13,7 @@ _SIDES = frozenset({"side", "sides", "hand"})
 
 
 def both_sides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks with "one from each side" spelled out.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
-    """
+    """The chunks with "one from each side" spelled out."""
     chunks = _one_and_the_other(_each_of(chunks))
     found: list[Chunk] = []
     k = 0

@@ -9,11 +9,7 @@ _ENDS = frozenset({",", ".", ";", ")"})
 
 
 def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
-    """The chunks with every second name of somebody in brackets of its own.
-
-    Args:
-        chunks: the chunks of the text.
-    """
+    """The chunks with every second name of somebody in brackets of its own."""
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):

@@ -12,12 +12,7 @@ _SIDES = frozenset({"left", "right", "adjacent", "opposite"})
 
 
 def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks with such lanes as places.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
-    """
+    """The chunks with such lanes as places."""
     found: list[Chunk] = []
     skipped: set[int] = set()
     for k, chunk in enumerate(chunks):

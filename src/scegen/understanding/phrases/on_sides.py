@@ -37,12 +37,7 @@ def each_side(prep: Prep) -> bool:
 
 
 def sides_of(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
-    """Mentions of those who come one from each of some sides -> how many sides; 0: all.
-
-    Args:
-        events: the events of the text.
-        chunks: its chunks.
-    """
+    """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
     for event in events:
         sides = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}

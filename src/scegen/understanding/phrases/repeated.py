@@ -16,10 +16,6 @@ _SIDES = frozenset({"left", "right", "opposite"})
 def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """Gives "that lane", "from that side" and "there" the directions of what was named last.
 
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
-
     Returns:
         The chunks, "there" replaced by "in" and the lane that it stands for.
     """

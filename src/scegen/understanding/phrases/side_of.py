@@ -9,11 +9,7 @@ _SIDES = frozenset({"left", "right"})
 
 
 def sides_of(chunks: list[Chunk]) -> list[Chunk]:
-    """The chunks with a side that somebody is on as the place that it is.
-
-    Args:
-        chunks: the chunks of the text.
-    """
+    """The chunks with a side that somebody is on as the place that it is."""
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Word) and _is_place(chunk, k, chunks):

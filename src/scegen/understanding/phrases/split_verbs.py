@@ -7,12 +7,7 @@ from scegen.understanding.words.tokens import Token
 
 
 def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``cuts the van off`` is "cut off" with its object inside.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
-    """
+    """``cuts the van off`` is "cut off" with its object inside."""
     dropped: set[int] = set()
     for k, chunk in enumerate(chunks):
         if not (isinstance(chunk, Event) and chunk.name == "cut"):

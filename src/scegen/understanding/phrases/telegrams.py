@@ -23,11 +23,7 @@ _DOER = frozenset({"of", "by"})
 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
-    """The chunks with what telegraphic style leaves out.
-
-    Args:
-        chunks: the chunks of the text.
-    """
+    """The chunks with what telegraphic style leaves out."""
     chunks = _told_by_nobody(_after_headings(_cast(_from_titles(_in_lanes(chunks)))))
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):

@@ -21,10 +21,6 @@ _WALKING = frozenset({"cross", "walk", "dash", "move", "appear", "approach", "en
 def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """Takes clauses that only tell a road or a course out of the sentence around them.
 
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
-
     Returns:
         The chunks without these clauses; the place tells which arm it is, a word of manner which
         course. A clause that tells more (who turns, and which way) is a sentence of its own.

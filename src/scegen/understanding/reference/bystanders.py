@@ -13,12 +13,7 @@ _PUT_REACH = 3
 
 
 def mark_bystanders(chunks: list[Chunk], events: list[Event]) -> None:
-    """Marks people as nobody who only hear of it, or are only said to be hurt.
-
-    Args:
-        chunks: the chunks of the text.
-        events: its events.
-    """
+    """Marks people as nobody who only hear of it, or are only said to be hurt."""
     _listeners(events)
     doing = [e for e in events if e.name != "harm" and not e.says]
     named = {id(m) for e in doing for m in (*e.subject, e.object)}
@@ -65,12 +60,7 @@ def _his(mention: Mention) -> bool:
 
 
 def put_there(chunks: list[Chunk], tokens: list[Token]) -> None:
-    """``a cone left behind by workers``: they are not about any more.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
-    """
+    """``a cone left behind by workers``: they are not about any more."""
     for k, chunk in enumerate(chunks):
         by, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
         put = any(t.low in _PUT for t in tokens[max(0, chunk.i - _PUT_REACH) : chunk.j])

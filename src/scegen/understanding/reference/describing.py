@@ -27,13 +27,7 @@ _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motor
 
 
 def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
-    """Marks mentions by what they do, before it is decided whom they mean.
-
-    Args:
-        chunks: the chunks of the text.
-        events: its events.
-        tokens: the tokens of the text.
-    """
+    """Marks mentions by what they do, before it is decided whom they mean."""
     for event in events:
         for mention in event.subject:
             _by_doing(mention, event, tokens)

@@ -59,11 +59,7 @@ def kin(reading: Reading, mention: Mention) -> bool:
 
 
 def tells(mention: Mention) -> bool:
-    """Whether it is the one who tells it ("I", "we").
-
-    Args:
-        mention: a mention.
-    """
+    """Whether it is the one who tells it ("I", "we")."""
     return any("speaks" in h.data or "me" in h.data for h in mention.heads)
 
 

@@ -15,10 +15,6 @@ _BY_ARMS = {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}
 def share_arms(chunks: list[Chunk], events: list[Event]) -> list[tuple[Mention, list[Mention]]]:
     """Marks "one" in "three cars meet, one from each arm" as nobody new.
 
-    Args:
-        chunks: the chunks of the text.
-        events: its events.
-
     Returns:
         Each such "one" with those of whom it is said.
     """

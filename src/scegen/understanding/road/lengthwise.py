@@ -37,11 +37,7 @@ class Lengthwise:
 
 
 def read_lengthwise(terms: list[Term]) -> Lengthwise:
-    """What the words for roads say of their length.
-
-    Args:
-        terms: the terms of the text.
-    """
+    """What the words for roads say of their length."""
     found = Lengthwise()
     for k, term in enumerate(terms):
         if term.cat != "place" or absent.negated(terms, k):

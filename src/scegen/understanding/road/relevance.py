@@ -32,10 +32,6 @@ _EXAMPLE = "For example: 'A car turns left at a T-intersection while a pedestria
 def require_traffic(terms: list[Term], tokens: list[Token]) -> None:
     """Refuses text in which nothing belongs to traffic.
 
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens.
-
     Raises:
         NotTrafficError: if there is neither a participant nor a road.
     """

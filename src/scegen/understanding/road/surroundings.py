@@ -75,12 +75,7 @@ class Surroundings:
 
 
 def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
-    """The conditions that a text names.
-
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens.
-    """
+    """The conditions that a text names."""
     found = Surroundings()
     for k, term in enumerate(terms):
         basis = Basis(term.i, term.j)

@@ -27,10 +27,6 @@ _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", 
 def keep_along(clause: Clause, context: Context) -> bool:
     """``walks along the road``, ``runs down the street``, ``on the pavement``: not across.
 
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-
     Returns:
         Whether that is said.
     """

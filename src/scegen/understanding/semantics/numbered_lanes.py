@@ -13,13 +13,7 @@ _SIDEWAYS = frozenset({"out", "over", "across"})
 
 
 def note_lanes(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
-    """Notes the lane in which somebody is said to drive at first.
-
-    Args:
-        chunks: the chunks of the text, mentions resolved.
-        events: its events.
-        tokens: its tokens.
-    """
+    """Notes the lane in which somebody is said to drive at first."""
     phrases: list[tuple[list[Entity], Prep]] = [
         (c.entities, p) for c in chunks if isinstance(c, Mention) for p in c.pps
     ]
@@ -61,12 +55,7 @@ def leaves_it(event: Event, entities: list[Entity], tokens: list[Token]) -> bool
 
 
 def beside(draft: Draft, ego: Entity) -> None:
-    """Places those in other lanes than the ego's next to it.
-
-    Args:
-        draft: the scenario in the making.
-        ego: its ego.
-    """
+    """Places those in other lanes than the ego's next to it."""
     for entity in draft.entities:
         lanes = entity.lane is not None and ego.lane is not None and entity.lane != ego.lane
         if lanes and entity is not ego and not entity.approaches:

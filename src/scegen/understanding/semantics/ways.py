@@ -32,12 +32,7 @@ _ASIDE = frozenset({"access", "parking", "shoulder", "sidewalk", "junction", "bu
 
 
 def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
-    """Directions that belong to a verb of motion, with their words.
-
-    Args:
-        event: the verb.
-        tokens: the tokens of the text.
-    """
+    """Directions that belong to a verb of motion, with their words."""
     found = {
         DIRECTIONS[t.value]: span(event, t.i, t.j)
         for t in event.dirs
@@ -164,11 +159,7 @@ def only_signalled(event: Event, context: Context) -> bool:
 
 
 def without_arrow(context: Context) -> bool:
-    """``a plain green, no arrow``: nothing holds the oncoming traffic back.
-
-    Args:
-        context: the scenario in the making.
-    """
+    """``a plain green, no arrow``: nothing holds the oncoming traffic back."""
     words = [t.low for t in context.tokens]
     return any(
         word in {"arrow", "arrows"} and {"no", "without", "nor"} & set(words[max(0, k - 3) : k])
@@ -177,12 +168,7 @@ def without_arrow(context: Context) -> bool:
 
 
 def overtaking(clause: Clause, context: Context) -> bool:
-    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
+    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody."""
     if clause.event.name != "pass" or clause.targets:
         return True
     if clause.event.link == "inf" and clause.event.parent is not None and clause.drivers:
@@ -201,12 +187,7 @@ def overtaking(clause: Clause, context: Context) -> bool:
 
 
 def past_the_roadside(clause: Clause, context: Context) -> bool:
-    """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
+    """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane."""
     sides = {Approach.LEFT, Approach.RIGHT}
     named = clause.event.name in {"bypass", "pass"} and bool(clause.targets)
     return named and all(

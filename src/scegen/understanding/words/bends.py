@@ -21,10 +21,6 @@ def whole_bends(terms: Sequence[Term], tokens: list[Token]) -> list[Term]:
     """The terms, those of a bend's side and radius joined to it.
 
     A bend behind which something happens is a feature of the road elsewhere.
-
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens.
     """
     found = list(terms)
     for k in reversed(range(len(terms))):

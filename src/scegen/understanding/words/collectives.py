@@ -17,12 +17,7 @@ _OPENERS = frozenset({"det", "possessive"})
 
 
 def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
-    """The terms with such a noun and its "of" made part of the words before the noun after it.
-
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens.
-    """
+    """The terms with such a noun and its "of" made part of the words before the noun after it."""
     found: list[Term] = []
     k = 0
     while k < len(terms):

@@ -19,10 +19,6 @@ def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """``three cars: A turns, B follows A``: each letter is one of them.
 
     A letter counts where its neighbour in the alphabet stands for somebody, too.
-
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens.
     """
     used = {
         tokens[t.i].text

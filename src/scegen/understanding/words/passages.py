@@ -8,11 +8,7 @@ _SIDES = frozenset({"left", "right"})
 
 
 def from_side_to_side(terms: list[Term]) -> list[Term]:
-    """The terms with an empty "from" before such a pair.
-
-    Args:
-        terms: the terms of the text.
-    """
+    """The terms with an empty "from" before such a pair."""
     found: list[Term] = []
     for k, term in enumerate(terms):
         previous = terms[k - 1] if k else None

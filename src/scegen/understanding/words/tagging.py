@@ -96,11 +96,7 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
 
 
 def tag(tokens: list[Token]) -> list[Term]:
-    """Terms that cover all tokens in order.
-
-    Args:
-        tokens: the tokens of the text.
-    """
+    """Terms that cover all tokens in order."""
     terms: list[Term] = []
     i = 0
     while i < len(tokens):

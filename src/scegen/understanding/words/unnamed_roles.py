@@ -15,12 +15,7 @@ _GOVERNED = frozenset({"of", "to", "matter"})
 
 
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
-    """``First car stops, second brakes``: the first car, the second.
-
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens.
-    """
+    """``First car stops, second brakes``: the first car, the second."""
     found: list[Term] = []
     listed = sum(_names(terms, k, tokens) for k in range(len(terms))) > 1
     for k, term in enumerate(terms):
