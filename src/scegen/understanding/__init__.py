@@ -2,7 +2,7 @@
 
 What one stage hands to the next has one name everywhere: ``tokens``, ``terms`` (what the lexicon
 makes of them), ``chunks`` (mentions, places, things, events), ``events`` with their parts,
-``clause`` (an event with who is in it), and ``draft`` in its ``context``: the scenario in the making.
+``clause`` (an event with who is in it), ``draft`` in its ``context``: the scenario in the making.
 """
 
 from scegen.understanding.reader import MAX_CHARACTERS, read

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning.approaches import INVERSE
 from scegen.understanding.meaning.mutual import allow, face_each_other, in_file
 from scegen.understanding.semantics import numbered_lanes
 
-_BARE = frozenset({"vehicle", "car", "driver", "truck", "van", "bus", "motorcycle"})
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
@@ -74,7 +74,7 @@ def _told_of(entity: Entity, draft: Draft) -> bool:
     i, j = entity.basis.i, entity.basis.j
     first = draft.tokens[0].low if draft.tokens else ""
     ahead = _placed(draft, entity, Approach.AHEAD)  # "Vehicle in front turns …"
-    return i == 0 and j == 1 and first in _BARE and not ahead
+    return i == 0 and j == 1 and first in word_list("bare") and not ahead
 
 
 def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:

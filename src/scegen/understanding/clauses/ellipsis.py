@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.clauses.late_braking import late_braking
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.phrases.predicates import complete
 from scegen.understanding.words.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
 _EMPTY = frozenset({"light", "try", "cause", "inert", "unknown", "likewise", "avoid"})
-_DOES = frozenset({"do", "does", "did"})
 _WAYS = frozenset({"left", "right", "straight"})
 _MOST_AFTER = 3
 
@@ -60,7 +60,11 @@ def _second_of_two(chunks: list[Chunk], k: int) -> bool:
 def _likewise(events: list[Event], tokens: list[Token]) -> None:
     """``and the van ahead does the same``: what somebody else was last said to do."""
     for k, event in enumerate(events):
-        if event.i and tokens[event.i].low in _DOES and tokens[event.i - 1].low in {"so", "as"}:
+        if (
+            event.i
+            and tokens[event.i].low in word_list("does")
+            and tokens[event.i - 1].low in {"so", "as"}
+        ):
             _turned_round(event)
         if event.name != "likewise":
             continue

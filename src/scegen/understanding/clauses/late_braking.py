@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Thing, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_BRAKES = frozenset({"brake", "brakes", "braking"})
 _LATE = frozenset({"late", "slow"})
 _ANSWERS = frozenset({"brake", "react", "slow", "stop"})
 _REACH = 5
@@ -25,7 +25,7 @@ def late_braking(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.name in _ANSWERS:
             _slow_to(chunk, k, chunks)
-        if not isinstance(chunk, Thing) or tokens[chunk.j - 1].low not in _BRAKES:
+        if not isinstance(chunk, Thing) or tokens[chunk.j - 1].low not in word_list("brakes"):
             continue
         late = _late_near(k, chunks)
         who = _whose_brakes(chunk, k, chunks)

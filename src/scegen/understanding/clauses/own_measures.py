@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
 _LINKS = frozenset({"of", "be", "speed", "mild", ":"})
 _FARTHEST = 6
-_LIKEWISE = frozenset({"also", "likewise", "itself", "too"})
 
 
 def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -48,7 +48,7 @@ def _possessor(chunks: list[Chunk], k: int) -> Mention | None:
 def _likewise(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
     """``meets a van, also at 50 km/h``: the van."""
     words = chunks[max(0, k - 3) : k]
-    said = [c for c in words if isinstance(c, Word) and tokens[c.i].low in _LIKEWISE]
+    said = [c for c in words if isinstance(c, Word) and tokens[c.i].low in word_list("likewise")]
     comma = next((m for m in range(k - 1, max(0, k - 4), -1) if _is_comma(chunks[m])), None)
     before = chunks[comma - 1] if comma else None
     return before if said and isinstance(before, Mention) else None

@@ -6,9 +6,9 @@ from scegen.understanding.lexicon.loader import (
     Spelling,
     load,
     load_languages,
-    load_lists,
     load_spelling,
     load_ways,
+    word_list,
 )
 
 __all__ = [
@@ -17,7 +17,7 @@ __all__ = [
     "Spelling",
     "load",
     "load_languages",
-    "load_lists",
     "load_spelling",
     "load_ways",
+    "word_list",
 ]

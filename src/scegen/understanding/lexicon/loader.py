@@ -110,7 +110,7 @@ def load_ways() -> dict[str, frozenset[str]]:
 
 
 @lru_cache(maxsize=1)
-def load_lists() -> dict[str, frozenset[str]]:
+def _lists() -> dict[str, frozenset[str]]:
     """Words of one kind, by the name of the list.
 
     Raises:
@@ -122,6 +122,11 @@ def load_lists() -> dict[str, frozenset[str]]:
             msg = f"lists.yaml: what stands in {name!r} must be quoted"
             raise TypeError(msg)
     return {name: frozenset(words) for name, words in lists.items()}
+
+
+def word_list(name: str) -> frozenset[str]:
+    """The words of a list."""
+    return _lists()[name]
 
 
 @dataclass(frozen=True, slots=True)

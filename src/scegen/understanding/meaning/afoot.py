@@ -5,10 +5,10 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Context
 
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
-_UPON = frozenset({"on", "in", "over", "across"})
 
 
 def on_the_road(mention: Mention, context: Context) -> None:
@@ -23,7 +23,7 @@ def on_the_road(mention: Mention, context: Context) -> None:
     for prep in mention.pps:
         place = prep.target
         on = prep.value == "in" and isinstance(place, Place) and place.kind in _WAY
-        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in _UPON:
+        if on and isinstance(place, Place) and context.tokens[prep.word.i].low in word_list("upon"):
             basis = Basis(mention.i, place.j)
             if walkers:
                 context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)

@@ -13,9 +13,9 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
-_ROUND = frozenset({"around", "round", "past"})
 _THERE = frozenset({"in", "into", "to", "for"})
 _TAKEN = frozenset({"use", "enter", "cross", "unknown", "move", "leave", "try"})
 _LEFT_OPEN = frozenset({"leave", "use", "enter"})
@@ -125,7 +125,7 @@ def _leads_past(prep: Prep, context: Context) -> bool:
 
 def _around(word: Word, target: NounPhrase | Event | Chunk | None, context: Context) -> bool:
     """``round the parked van``, ``past the skip``."""
-    if context.tokens[word.i].low not in _ROUND:
+    if context.tokens[word.i].low not in word_list("past"):
         return False
     if isinstance(target, Mention):
         return any(e.is_vehicle and not e.ego for e in target.entities)

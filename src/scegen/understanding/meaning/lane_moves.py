@@ -5,10 +5,9 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics import ways
 from scegen.understanding.semantics.context import Clause, Context
-
-_HALF = frozenset({"half", "halfway", "partly", "partially", "midway", "way"})
 
 
 def apply(clause: Clause, context: Context, values: set[Maneuver], basis: Basis) -> None:
@@ -39,7 +38,7 @@ def between_lanes(mention: Mention, context: Context) -> None:
     lanes = [p.target for p in mention.pps if isinstance(p.target, Place)]
     lanes = [p for p in lanes if p.kind == "lane" and ways.BESIDE & set(p.dirs)]
     movers = [e for e in mention.entities if e.moving_vehicle and not e.maneuvers]
-    for entity in movers if lanes and words & _HALF else []:
+    for entity in movers if lanes and words & word_list("half") else []:
         basis = Basis(mention.i, lanes[-1].j)
         context.lanes_implied(basis, "a lane change needs a second lane")
         context.draft.maneuver(entity, {Maneuver.LANE_CHANGE}, basis)

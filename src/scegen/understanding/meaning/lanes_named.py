@@ -5,12 +5,11 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Place, Prep
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import ends_a_quantity
 from scegen.understanding.words.tokens import Token
 
 _SIDE_REACH = 3
-_WITHIN_LANE = frozenset({"offset", "shifted", "displaced", "further", "slightly", "off"})
-"""Words before "to the left" that keep somebody in its lane."""
 _SIDES = frozenset({"left", "right"})
 
 
@@ -79,7 +78,9 @@ def within_the_lane(prep: Prep, entities: list[Entity], tokens: list[Token]) -> 
         return True
     number = ends_a_quantity(tokens, prep.word.i)
     share = number is not None and number.dimension == "percentage"  # "hit at 25 % from the left"
-    offset = before in _WITHIN_LANE or share or (number and number.dimension == "length")
+    offset = (
+        before in word_list("within_lane") or share or (number and number.dimension == "length")
+    )
     return bool(offset) and (prep.value in {"to", "in"} or (share and prep.value == "from"))
 
 

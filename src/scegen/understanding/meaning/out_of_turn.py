@@ -5,13 +5,11 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Control, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Context
 
 _GOING = frozenset({"move", "turn", "enter", "cross", "pull_out", "cut_in", "accelerate", "leave",
                     "sharp_turn", "speed", "breach", "dash"})  # fmt: skip
-_STILL = frozenset({"but", "yet", "however", "though", "although", "anyway", "anyhow", "still",
-                    "nevertheless", "nonetheless", "regardless"})  # fmt: skip
-_FIRST = frozenset({"first", "earlier", "turn"})
 
 
 def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> None:
@@ -19,8 +17,8 @@ def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> N
     if context.junction.control is not Control.ALL_WAY_STOP:
         return
     tokens = context.tokens
-    at = next((k for k, t in enumerate(tokens) if t.low in _FIRST), None)
-    if at is None or not _STILL & {t.low for t in tokens}:
+    at = next((k for k, t in enumerate(tokens) if t.low in word_list("first")), None)
+    if at is None or not word_list("still") & {t.low for t in tokens}:
         return
     who = _who(at, chunks)
     for event in events:

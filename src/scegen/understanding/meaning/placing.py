@@ -7,6 +7,7 @@ from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning.approaches import (
     AROUND,
     BY_DIR,
@@ -24,7 +25,6 @@ _STEADY = frozenset(
      "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl", "merge", "unpark"}
 )  # fmt: skip
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
-_BY_WAY_OF = frozenset({"via", "through", "across", "over"})
 
 
 def _between_lanes(approaches: frozenset[Approach], event: Event | None) -> frozenset[Approach]:
@@ -121,7 +121,8 @@ class Placer:
             return
         target = prep.target
         word = self._draft.tokens[prep.word.i].low
-        through = event is None and word in _BY_WAY_OF  # "gets past a bus via the oncoming lane"
+        # "gets past a bus via the oncoming lane"
+        through = event is None and word in word_list("by_way_of")
         if not isinstance(target, Place) or through:
             return
         if not self._on_both_sides(prep, target, entities):

@@ -5,11 +5,10 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.semantics.context import Context
 
-_CONCEDING = frozenset({"against", "although", "though", "despite", "even", "in", "regardless",
-                        "with", "while", "notwithstanding"})  # fmt: skip
 _SAYING = frozenset({"turn", "light", "encounter", "inert", "unknown", "stay", "move"})
 """Verbs that say of a light which colour it shows."""
 _HALTING = frozenset({"stop", "slow", "brake", "wait"})
@@ -122,7 +121,11 @@ def _marker(k: int, chunks: list[Chunk], context: Context) -> int | None:
             if chunk.cat == "punct":
                 return None
             opens = chunk.cat in {"sub", "prep"}
-            if opens and context.tokens[chunk.i].low in _CONCEDING and chunk.value != "in":
+            if (
+                opens
+                and context.tokens[chunk.i].low in word_list("conceding")
+                and chunk.value != "in"
+            ):
                 return m
     return None
 

@@ -5,17 +5,10 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 
 _OPENED_REACH = 11
 _TYRES = frozenset({"tire", "tyre"})
-_STATES = frozenset({"blown", "flat", "burst", "punctured", "bald", "front", "rear", "back", "worn",
-                     "deflated", "damaged", "left", "right", "spare", "failed"})  # fmt: skip
-_FLUNG = frozenset({"flung", "swung", "swings", "ajar"})
-_FALLING = frozenset({"fall", "drop", "spill", "tumble", "roll", "fly", "slide", "detach",
-                      "scatter", "blow", "shed"})  # fmt: skip
-_BURSTING = frozenset({"burst", "bursts", "bursting", "blows", "blew", "blown", "fails", "failed",
-                       "explodes", "exploded", "deflates", "deflated", "flat", "pops", "popped",
-                       "punctures", "punctured", "ruptures", "gives", "gave"})  # fmt: skip
 _IN_THE_WAY = 9
 _CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk"})
 _REACH = 4
@@ -73,7 +66,7 @@ def _bursts(thing: Thing, draft: Draft) -> bool:
     """``a tyre bursts``, ``a tire goes flat``: on the vehicle, not on the road."""
     tyre = draft.tokens[thing.j - 1].forms[-1][0] in {"tyre", "tire"}
     after = {t.low for t in draft.tokens[thing.j : thing.j + _REACH]}
-    return tyre and bool(after & _BURSTING)
+    return tyre and bool(after & word_list("bursting"))
 
 
 def _open(thing: Thing, draft: Draft) -> bool:
@@ -81,19 +74,19 @@ def _open(thing: Thing, draft: Draft) -> bool:
     around = draft.tokens[max(0, thing.i - 2) : thing.j + _OPENED_REACH]
     ends = next((k for k, t in enumerate(around) if k > 2 and t.kind == "punct"), len(around))
     around = around[:ends]
-    return any(t.low.startswith("open") or t.low in _FLUNG for t in around)
+    return any(t.low.startswith("open") or t.low in word_list("flung") for t in around)
 
 
 def _comes_off(thing: Thing, draft: Draft) -> bool:
     """``the truck's cargo falls onto the road``: no longer a part of it."""
     words = [t.forms[-1][0] for t in draft.tokens[thing.j : thing.j + _REACH]]
-    return bool(_FALLING & set(words))
+    return bool(word_list("falling") & set(words))
 
 
 def _part(thing: Thing, draft: Draft) -> bool:
     """``suffered a blown tyre``, ``its left front tire``: of a vehicle, not on the road."""
     words = [t.low for t in draft.tokens[max(0, thing.i - 1) : thing.j]]
-    return words[-1].rstrip("s") in _TYRES and bool(_STATES & set(words))
+    return words[-1].rstrip("s") in _TYRES and bool(word_list("states") & set(words))
 
 
 def _carried(thing: Thing, chunks: list[Chunk]) -> bool:

@@ -5,17 +5,15 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.on_sides import each_side
 from scegen.understanding.semantics.context import Clause, Context
 
-_WITHIN = frozenset({"in", "inside", "within", "through", "near", "around", "past", "by"})
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter", "cross"})
 
 
 _REACH = 8
-_SQUARE = frozenset({"angle", "angles", "perpendicular", "perpendicularly"})
-_ROADS = frozenset({"road", "street", "stem", "turning", "arm", "leg", "approach", "driveway"})
 
 
 def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) -> None:
@@ -33,7 +31,7 @@ def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) ->
     motor = [e for e in whom if e.moving_vehicle and not context.is_cyclist(e)]
     near = {t.low for t in context.tokens[event.i : event.i + _REACH]}
     riders = [e for e in whom if context.is_cyclist(e) and not e.maneuvers]
-    if prep.value == "from" and side and event.name in _COMING and near & _SQUARE:
+    if prep.value == "from" and side and event.name in _COMING and near & word_list("square"):
         for entity in riders:  # "a bicycle enters at a right angle from the left"
             context.draft.hazard(HazardKind.CROSSING_CYCLIST, Basis(event.i, event.j), [entity])
             context.draft.maneuver(entity, {Maneuver.CROSS}, Basis(event.i, event.j))
@@ -51,12 +49,18 @@ def access(clause: Clause, context: Context) -> None:
         for p in m.pps
         if p.value in {"from", "in"} and isinstance(p.target, Place) and p.target.kind == "access"
     ]  # "a van from a side road nudges out"
-    within = {id(p.target) for p in clause.event.pps if context.tokens[p.word.i].low in _WITHIN}
+    within = {
+        id(p.target)
+        for p in clause.event.pps
+        if context.tokens[p.word.i].low in word_list("within")
+    }
     for place in (*clause.places(), *described):
         if place.kind == "lane" and "adjacent" in place.dirs:
             basis = Basis(place.i, place.j)
             context.lanes_implied(basis, "there is a lane beside")
-        waits = clause.event.name == "wait" and context.tokens[place.j - 1].low in _ROADS
+        waits = clause.event.name == "wait" and context.tokens[place.j - 1].low in word_list(
+            "roads"
+        )
         if id(place) in within and not waits:
             continue  # "reverses in a car park": in it, not out of it
         left = place.kind in {"bus_stop", "parking"} and clause.event.name in _LEAVING

@@ -6,7 +6,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.lexicon import load_lists
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.terms import Term
 
@@ -14,7 +14,6 @@ _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", 
                    "shoulder"})  # fmt: skip
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
 _WAY = frozenset({"lane", "road", "highway", "middle", "path"})
-_SINCE = frozenset({"is", "are", "has", "have", "was", "were", "had", "already", "'s", "stopped"})
 _REACH = 3
 
 
@@ -24,7 +23,7 @@ def stand(clause: Clause, context: Context) -> None:
     if event.negated or event.modal or event.nominal or _until(event, context):
         return
     lemma = event.lemma
-    stands = event.name in {"wait", "stop"} and lemma in load_lists()["standing"]
+    stands = event.name in {"wait", "stop"} and lemma in word_list("standing")
     stands = stands or (event.name == "stop" and _over(event, context))
     if not stands:
         return
@@ -84,4 +83,4 @@ def _over(event: Event, context: Context) -> bool:
         return event.form == "ed"
     before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
     now = not context.told_in_the_past and not event.mods
-    return event.form == "ed" and (event.reduced or now or bool(before & _SINCE))
+    return event.form == "ed" and (event.reduced or now or bool(before & word_list("since")))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Mention
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -16,8 +17,6 @@ _BODIES = (
     frozenset({"minivan", "people carrier"}),
     frozenset({"limousine"}),
 )
-_EVERYBODY = frozenset({"vehicle", "car", "driver", "person", "people", "unit", "party", "one",
-                        "road user", "motorist", "motor vehicle", "passenger car"})  # fmt: skip
 
 
 def called(mention: Mention, tokens: list[Token]) -> set[str]:
@@ -29,7 +28,7 @@ def called(mention: Mention, tokens: list[Token]) -> set[str]:
     """
     nouns = {_word(head, tokens) for head in mention.heads}
     brands = {f"brand:{_word(h, tokens)}" for h in mention.heads if h.data.get("brand")}
-    return (nouns | brands) - _EVERYBODY
+    return (nouns | brands) - word_list("everybody")
 
 
 def _word(head: Term, tokens: list[Token]) -> str:

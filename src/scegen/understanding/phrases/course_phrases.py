@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _WAYS = frozenset({"left", "right", "straight"})
-_COURSES = frozenset({"way", "path", "course", "trajectory", "route", "line", "journey", "passage",
-                      "progress", "run", "itinerary", "track"})  # fmt: skip
-_ALONG = frozenset({"on", "along", "during", "by", "throughout", "with", "for", "upon"})
 _HOLDING = frozenset({"match", "follow", "use", "move", "light", "unknown", "try"})
 _BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
-_OVER = frozenset({"through", "across", "over"})
 
 
 def courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
@@ -28,7 +25,7 @@ def courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, NounPhrase) or isinstance(chunk, Mention):
             continue
-        if tokens[chunk.j - 1].forms[-1][0] not in _COURSES:
+        if tokens[chunk.j - 1].forms[-1][0] not in word_list("courses"):
             continue
         way = _way(chunk, k, chunks, tokens)
         who = _whose(chunk, k, chunks, events, tokens) if way is not None else []
@@ -58,7 +55,7 @@ def _way(noun: NounPhrase, k: int, chunks: list[Chunk], tokens: list[Token]) -> 
     if word.cat == "prep" and isinstance(target, Place):
         if word.value == "to" and target.kind == "side":
             return next((t for t in target.mods if t.value in _WAYS), None)
-        if tokens[word.i].low in _OVER and target.kind == "junction":
+        if tokens[word.i].low in word_list("over") and target.kind == "junction":
             return Term("dir", "straight", word.i, target.j)
     return None
 
@@ -73,7 +70,7 @@ def _whose(
         return verb.subject if verb.name in _HOLDING and not verb.passive else []
     prep = chunks[k - 1] if k else None
     prep = chunks[k - 2] if isinstance(prep, Mention) and k > 1 else prep
-    if not isinstance(prep, Word) or tokens[prep.i].low not in _ALONG:
+    if not isinstance(prep, Word) or tokens[prep.i].low not in word_list("along"):
         return []
     if noun.owner is not None:
         return [noun.owner]

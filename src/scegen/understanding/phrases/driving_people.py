@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Place
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
-_STEERING = frozenset({"pull", "steer", "swing", "drive", "roll", "turn"})
 _OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
 
 
 def _by_car(event: Event, tokens: list[Token]) -> bool:
-    return tokens[event.i].forms[-1][0] in _STEERING
+    return tokens[event.i].forms[-1][0] in word_list("steering")
 
 
 def in_traffic(event: Event, tokens: list[Token]) -> bool:

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Mention, Place, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
-
-_EACH = frozenset({"each", "either", "every", "both"})
-_SIDES = frozenset({"side", "sides", "hand"})
 
 
 def both_sides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -93,7 +91,11 @@ def _beside(second: Place, first: Place) -> Place:
 
 def _each(place: Place, tokens: list[Token], *, either: bool) -> bool:
     words = {t.low for t in tokens[place.i : place.j]}
-    return place.kind == "side" and bool(words & _SIDES) and (either or bool(words & _EACH))
+    return (
+        place.kind == "side"
+        and bool(words & word_list("sides"))
+        and (either or bool(words & word_list("each")))
+    )
 
 
 def _several(mention: Mention) -> bool:

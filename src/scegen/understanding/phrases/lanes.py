@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
-_CHANGING = frozenset({"change", "switch", "shift"})
 _CHANGE_REACH = 7
 
 
@@ -19,7 +19,9 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         tokens: its tokens.
     """
     for k, chunk in enumerate(chunks):
-        if not isinstance(chunk, Event) or tokens[chunk.i].forms[-1][0] not in _CHANGING:
+        if not isinstance(chunk, Event) or tokens[chunk.i].forms[-1][0] not in word_list(
+            "changing"
+        ):
             continue
         direct = chunks[k + 1] if k + 1 < len(chunks) else None
         if isinstance(direct, Place) and direct.kind == "lane":

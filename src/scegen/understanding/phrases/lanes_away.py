@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_OVER = frozenset({"over", "across", "away", "off", "along", "further", "apart"})
 _MOVING = frozenset({"move", "swerve", "try", "dash", "enter", "cross", "sharp_turn", "pull_out"})
 _SIDES = frozenset({"left", "right", "adjacent", "opposite"})
 
@@ -39,7 +39,11 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             before.name = "lane_change"  # "moves two lanes over"
             found.append(chunk)
             continue
-        skipped |= {id(after)} if tokens[getattr(after, "i", 0)].low in _OVER else set()
+        skipped |= (
+            {id(after)}
+            if tokens[getattr(after, "i", 0)].low in word_list("lanes_away_over")
+            else set()
+        )
         changed = isinstance(before, Event) and before.name == "lane_change"
         if changed or (isinstance(before, Word) and before.cat == "prep"):
             found.append(chunk)
@@ -89,7 +93,7 @@ def _aside(after: Chunk | None, chunks: list[Chunk], k: int, tokens: list[Token]
     if not isinstance(after, Word):
         return False
     single = chunks[k].i + 1 < len(tokens) and isinstance(chunks[k], Place)
-    if tokens[after.i].low in _OVER:
+    if tokens[after.i].low in word_list("lanes_away_over"):
         return single
     numbered = any(m.cat == "num" for m in getattr(chunks[k], "mods", []))
     return numbered and _side_after(chunks, k) is not None

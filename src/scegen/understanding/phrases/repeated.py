@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_POINTING = frozenset({"that", "this", "said"})
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
 
@@ -38,7 +38,7 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         kind = "side" if chunk.kind in _SIDED else chunk.kind
         if kind == "exit":
             last[kind] = chunk
-        points = chunk.mods and tokens[chunk.mods[0].i].low in _POINTING
+        points = chunk.mods and tokens[chunk.mods[0].i].low in word_list("pointing")
         if kind == "lane" and points and lane is not None and not chunk.dirs:
             chunk.mods = [*chunk.mods, *(m for m in lane.mods if m.cat == "dir")]
         elif kind == "side" and points and "side" in last and not chunk.dirs:

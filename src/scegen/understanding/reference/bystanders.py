@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
 _REFERRING = frozenset({"it", "him", "they"})
 _PEOPLE = frozenset({"driver", "pedestrian", "rider"})
-_PUT = frozenset({"left", "placed", "put", "dumped", "erected", "abandoned", "forgotten", "dropped",
-                  "lost", "set", "installed"})  # fmt: skip
 _PUT_REACH = 3
 
 
@@ -63,7 +62,7 @@ def put_there(chunks: list[Chunk], tokens: list[Token]) -> None:
     """``a cone left behind by workers``: they are not about any more."""
     for k, chunk in enumerate(chunks):
         by, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-        put = any(t.low in _PUT for t in tokens[max(0, chunk.i - _PUT_REACH) : chunk.j])
+        put = any(t.low in word_list("put") for t in tokens[max(0, chunk.i - _PUT_REACH) : chunk.j])
         before = any(isinstance(c, Thing) for c in chunks[max(0, k - _PUT_REACH) : k])
         agent = isinstance(by, Word) and by.value == "by" and isinstance(who, Mention)
         if not (agent and isinstance(who, Mention) and put and before):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.driving_people import in_traffic
 from scegen.understanding.reference.bystanders import mark_bystanders, put_there
 from scegen.understanding.reference.reference import tells
@@ -18,11 +19,8 @@ _ONLY_VEHICLES = frozenset(
 _UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
                        "follow", "speed"})  # fmt: skip
 _CYCLING = frozenset({"cycle", "pedal"})
-_WALKING = frozenset({"walk", "jog", "stroll"})
-_OPERATING = frozenset({"drive", "ride", "operate", "pilot"})
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
-_ABOARD = frozenset({"in", "on", "aboard", "inside"})
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
 
@@ -116,7 +114,7 @@ def _by_word(mention: Mention, word: Token) -> None:
     party = any("party" in h.data for h in mention.heads)
     if base in _CYCLING and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE
-    elif base in _WALKING and (party or any("driver" in h.data for h in mention.heads)):
+    elif base in word_list("walking") and (party or any("driver" in h.data for h in mention.heads)):
         mention.goes_by = ParticipantKind.PEDESTRIAN
 
 
@@ -132,7 +130,7 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         who = event.subject[-1]
         whose = what.mods[0] if what.mods else None
         own = whose is not None and whose.cat == "possessive" and whose.value == "its"
-        operates = tokens[event.i].forms[-1][0] in _OPERATING
+        operates = tokens[event.i].forms[-1][0] in word_list("operating")
         party = (who.label or "").startswith("#")  # "driver 2, who was riding a motorcycle"
         driven = operates and (_is_person(who) or who.pronoun is not None or tells(who) or party)
         driven = driven or (event.name == "reverse" and _is_person(who))  # "a man backs a van out"
@@ -144,7 +142,7 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
 def _drivers(events: list[Event], tokens: list[Token]) -> None:
     """``a van driven by a student``: the student drives it."""
     for event in events:
-        if tokens[event.i].forms[-1][0] not in _OPERATING or event.form != "ed":
+        if tokens[event.i].forms[-1][0] not in word_list("operating") or event.form != "ed":
             continue
         for prep in event.pps if event.subject else []:
             if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
@@ -178,12 +176,12 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
     """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
     for event in events:
         for prep in event.pps if event.subject else []:
-            if tokens[prep.word.i].low in _ABOARD and tells(event.subject[-1]):
+            if tokens[prep.word.i].low in word_list("aboard") and tells(event.subject[-1]):
                 _stands_for(event.subject[-1], prep.target)
     tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
     for teller in tellers:
         for prep in teller.pps:
-            if tokens[prep.word.i].low in _ABOARD:
+            if tokens[prep.word.i].low in word_list("aboard"):
                 _stands_for(teller, prep.target)
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.calling import called
 from scegen.understanding.words.tokens import Token
 
@@ -13,7 +14,6 @@ KINDS = {kind.value: kind for kind in ParticipantKind}
 _VAGUE_COUNTS = {"couple": 2, "pair": 2, "few": 3, "several": 3, "multiple": 3, "various": 3}
 _MANY = 4
 DEFAULT_COUNT = 2
-_GENERIC_WORDS = frozenset({"vehicle", "vehicles", "driver", "motorist"})
 
 
 @dataclass(slots=True)
@@ -77,7 +77,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     parked = any(m.cat == "state" and m.value == "parked" for m in mention.mods)
     return Reading(
         kind=kind,
-        generic=not specific and (last.forms[-1][0] in _GENERIC_WORDS or not kinds),
+        generic=not specific and (last.forms[-1][0] in word_list("generic_words") or not kinds),
         det=det_value,
         count=count,
         plural=count > 1 or plural,

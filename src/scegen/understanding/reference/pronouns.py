@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.everybody import everybody
 from scegen.understanding.reference.roster import Roster
 from scegen.understanding.words.ordinals import POSITIONS
@@ -15,9 +16,7 @@ from scegen.understanding.words.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
-_PERSONAL = frozenset({"he", "she", "him"})
 _SUFFERING = frozenset({"him", "her"})
-_FIRST_PERSON = frozenset({"i", "we", "me", "us", "my", "our", "mine", "ours"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +82,7 @@ class Pronouns:
             return self.roster.landmark
         subject, recent = self.roster.subject, self.roster.recent
         word = self.tokens[mention.i].low
-        if word in _PERSONAL and self._told_in_the_first_person():
+        if word in word_list("personal") and self._told_in_the_first_person():
             return self._somebody(mention, exclude, subject)
         if word == "it":
             recent = [e for e in recent if e.is_vehicle] or recent
@@ -120,7 +119,7 @@ class Pronouns:
         return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
     def _told_in_the_first_person(self) -> bool:
-        return any(t.low in _FIRST_PERSON and t.text != "i" for t in self.tokens)
+        return any(t.low in word_list("first_person") and t.text != "i" for t in self.tokens)
 
     def _somebody(
         self, mention: Mention, exclude: list[Entity], subject: list[Entity]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.clauses.located import share_places
 from scegen.understanding.clauses.relatives import aside
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
@@ -14,7 +15,6 @@ _CLOSING_IN = frozenset({"avoid"})
 _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
 _BEHIND = frozenset({"follow", "tailgate"})
 _BACK = frozenset({"it", "him", "they"})
-_PARTS = frozenset({"one", "count", "both", "other", "another", "ordinal"})
 
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
@@ -84,7 +84,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
             continue
         if id(chunk) in held:
             continue
-        if chunk.partitive and chunk.pronoun in _PARTS:
+        if chunk.partitive and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
             continue
         if chunk.pronoun in _BACK and _named_later(chunk, chunks):

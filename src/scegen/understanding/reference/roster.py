@@ -8,6 +8,7 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.calling import contradict
 from scegen.understanding.reference.groups import Group, in_list
 from scegen.understanding.reference.mention_words import Reading
@@ -18,7 +19,6 @@ _MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
 _RIDDEN = ParticipantKind.MOTORCYCLE
 _REST = 12
 """Within so many words "the other" tells that somebody is one of two."""
-_INCLUDING = frozenset({"including", "among", "amongst"})
 
 
 @dataclass(slots=True)
@@ -126,7 +126,7 @@ class Roster:
         while head.joined is not None and head.joined is not head:
             head = head.joined
         word = head.prep
-        listed = word is not None and self.tokens[word.i].low in _INCLUDING
+        listed = word is not None and self.tokens[word.i].low in word_list("including")
         listed = listed or (head.i > 0 and self.tokens[head.i - 1].low == ":")
         listed = listed or self._after_colon(reading, mention)
         if not listed or reading.generic:

@@ -8,21 +8,18 @@ from scegen.errors import InfeasibleError
 from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
 from scegen.understanding.draft import Basis
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words import absent
 from scegen.understanding.words.angles import kind_of
 from scegen.understanding.words.shape_words import named_by_letter, only_counted
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_BROKEN = frozenset({"broken", "failed", "inoperative", "malfunctioning", "defective", "faulty",
-                     "dead", "inoperable"})  # fmt: skip
 _OFF = ("out of order", "out of service", "not working", "switched off", "turned off", "not in use")
 _CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "but"})
 _BROKEN_REACH = 7
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
-_OF_SEVERAL = frozenset({"middle", "outside", "inside", "fast", "slow", "overtaking", "center",
-                         "centre", "passing"})  # fmt: skip
 _WINDOW = 6
 _FEWEST_ARMS = 3
 
@@ -101,13 +98,13 @@ def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     """``non-working traffic lights``, ``traffic lights that are out of order``."""
     i, j = terms[k].i, terms[k].j
     before = [t.low for t in tokens[max(0, i - 2) : i]]
-    if before[-1:] and (before[-1] in _BROKEN or before == ["non", "working"]):
+    if before[-1:] and (before[-1] in word_list("broken") or before == ["non", "working"]):
         return True
     after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
     ends = [m for m, word in enumerate(after) if word in _CLAUSES]
     after = after[: ends[0]] if ends else after
     words = " ".join(after)
-    return bool(_BROKEN & set(after[:4])) or any(phrase in words for phrase in _OFF)
+    return bool(word_list("broken") & set(after[:4])) or any(phrase in words for phrase in _OFF)
 
 
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
@@ -123,7 +120,7 @@ def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
             _set_kind(reading, JunctionKind(term.data["kind"]), basis)
     elif term.value in {"road", "highway", "lane"}:
         reading.road = reading.road or basis
-        lane = term.value == "lane" and tokens[term.i].low in _OF_SEVERAL
+        lane = term.value == "lane" and tokens[term.i].low in word_list("of_several")
         reading.highway = reading.highway or term.value == "highway" or lane
         before = terms[k - 1] if k else None
         if before is not None and before.value == "straight":

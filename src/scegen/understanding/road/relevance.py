@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.errors import NotTrafficError
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -10,20 +11,12 @@ _PLACES = frozenset(
     {"junction", "road", "highway", "lane", "crosswalk", "stop_sign", "yield_sign", "ramp",
      "access", "sidewalk", "centerline", "bike_lane", "bus_stop", "shoulder"}
 )  # fmt: skip
-_FIRST_PERSON = frozenset({"i", "we", "you", "me", "us"})
-_PEOPLE = frozenset(
-    {"person", "people", "man", "woman", "men", "women", "boy", "girl", "child", "children", "kid",
-     "kids", "guy", "lady", "gentleman", "teenager", "toddler", "senior", "mother", "father",
-     "student", "somebody", "someone", "runner", "walker", "agent", "opponent", "challenger",
-     "rider", "coach", "agents"}
-)  # fmt: skip
 _DRIVING = frozenset(
     {"overtake", "lane_change", "brake", "hard_brake", "tailgate", "swerve", "cut_off", "park",
      "cut_in", "pull_out", "u_turn", "unpark", "pull_over"}
 )  # fmt: skip
 _HINTS = frozenset({"pass", "stop", "slow", "accelerate", "speed", "reverse", "collide", "follow",
                     "dash", "breach", "yield", "cross"})  # fmt: skip
-_LOUD = frozenset({"horn", "honk", "beep", "hoot", "toot"})
 _ENOUGH = 2
 """So many hints, none of which would do alone, make a story of the road."""
 _EXAMPLE = "For example: 'A car turns left at a T-intersection while a pedestrian crosses.'"
@@ -48,7 +41,7 @@ def _about_traffic(term: Term, tokens: list[Token]) -> bool:
         return term.value in _PLACES or (term.value == "signal" and term.j - term.i > 1)
     if term.cat == "actor":
         words = {t.low for t in tokens[term.i : term.j]}
-        return not words & (_FIRST_PERSON | _PEOPLE)
+        return not words & (word_list("relevance_first_person") | word_list("people"))
     if "pace" in term.data:
         return True
     if term.cat == "verb":
@@ -61,7 +54,7 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     term = terms[k]
     after = terms[k + 1] if k + 1 < len(terms) else None
     if term.cat == "verb":
-        loud = tokens[term.j - 1].forms[-1][0] in _LOUD
+        loud = tokens[term.j - 1].forms[-1][0] in word_list("loud")
         sided = term.value == "turn" and after is not None and after.cat == "dir"
         towards = term.value == "approach" and after is not None and "me" in after.data
         return term.value in _HINTS or sided or loud or towards or "way" in term.data

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from scegen.scenario.functional import MAX_LANES, Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 from scegen.units import speed_mps
@@ -16,9 +17,6 @@ _SIGHT_REACH = 5
 _FRICTION_REACH = 3
 _LIMIT_BEFORE = 3
 _LOWEST_LIMIT, _HIGHEST_LIMIT = 5, 140
-_CARRIAGEWAYS = frozenset({"motorway", "motorways", "carriageway", "carriageways", "autobahn",
-                           "autobahns"})  # fmt: skip
-"""Roads whose lanes are counted in one direction; "a two-lane highway" has one each way."""
 
 
 @dataclass(slots=True)
@@ -208,4 +206,4 @@ def _one_way(after: list[Term], count: int, tokens: list[Token]) -> bool:
     words = {t.low for term in after for t in tokens[term.i : term.j]}
     odd = count > 1 and count % 2 == 1
     fast = any(term.value == "highway" for term in after)
-    return bool(words & _CARRIAGEWAYS) or (fast and odd)
+    return bool(words & word_list("carriageways")) or (fast and odd)

@@ -6,12 +6,11 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.which_road import AGAINST, ALONG
 from scegen.understanding.semantics.context import Clause, Context
 
-_LENGTHWISE = frozenset({"along", "down", "up", "beside"})
 _LEAVING = frozenset({"off", "from"})
-_ACROSS = frozenset({"over", "across", "into", "onto"})
 _REACH = 24
 _TOWARDS = ("towards", "toward", "opposite direction", "against", "facing", "oncoming",
             "other direction")  # fmt: skip
@@ -39,8 +38,10 @@ def keep_along(clause: Clause, context: Context) -> bool:
     free = not any(Maneuver.CROSS in e.maneuvers for e in clause.walkers)
     along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
     along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
-    along = along or (_own_word(event, context) in _LENGTHWISE and event.object is not None)
-    return aside or (along and not words & _ACROSS)
+    along = along or (
+        _own_word(event, context) in word_list("lengthwise") and event.object is not None
+    )
+    return aside or (along and not words & word_list("across"))
 
 
 def _after(clause: Clause, context: Context) -> str:
@@ -76,7 +77,7 @@ def _lengthwise(prep: Prep, context: Context) -> bool:
     place = prep.target
     if not isinstance(place, Place):
         return False
-    along = context.tokens[prep.word.i].low in _LENGTHWISE and place.kind in _WAYS
+    along = context.tokens[prep.word.i].low in word_list("lengthwise") and place.kind in _WAYS
     same = place.kind == "direction" and "same" in place.dirs
     edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
     return along or same or edge

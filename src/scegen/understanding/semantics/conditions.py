@@ -18,7 +18,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
-from scegen.understanding.lexicon import load_lists
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics import along, owed, patterns, ways
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.numbered_lanes import leaves_it
@@ -86,7 +86,7 @@ def _goal(rest: str) -> Test:
 
 def _words(rest: str) -> frozenset[str]:
     """Words, or those of a list of the lexicon ("@gently")."""
-    return load_lists()[rest[1:]] if rest.startswith("@") else frozenset(rest.split())
+    return word_list(rest[1:]) if rest.startswith("@") else frozenset(rest.split())
 
 
 def _ends(rest: str) -> Test:

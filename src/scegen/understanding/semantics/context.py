@@ -7,13 +7,12 @@ from dataclasses import dataclass, field
 from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.words.tokens import Token
 
 _SPAN_REACH = 6
 _ORDER_REACH = 3
-_ORDER = frozenset({"then", "after", "afterwards", "before", "later", "next", "subsequently",
-                    "finally", "thereafter"})  # fmt: skip
 
 
 @dataclass(slots=True)
@@ -134,7 +133,7 @@ class Context:
         if earlier is None or earlier.i is None or event.i <= earlier.i:
             return False
         between = self.tokens[max(0, earlier.i - _ORDER_REACH) : event.i]
-        return any(t.low in _ORDER for t in between)
+        return any(t.low in word_list("order") for t in between)
 
     def crosses(self, entity: Entity) -> bool:
         """Whether a cyclist is said to cross."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.tokens import Token
 
 _WITHIN = frozenset({"in", "from"})
-_SIDEWAYS = frozenset({"out", "over", "across"})
 
 
 def note_lanes(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -47,7 +47,7 @@ def leaves_it(event: Event, entities: list[Entity], tokens: list[Token]) -> bool
         entities: who moves.
         tokens: the tokens of the text.
     """
-    aside = event.j < len(tokens) and tokens[event.j].low in _SIDEWAYS
+    aside = event.j < len(tokens) and tokens[event.j].low in word_list("sideways")
     out_of = any(p.value == "from" and _number(p, tokens) is not None for p in event.pps)
     aside = aside or (out_of and tokens[event.j].low == "in")  # "moves in from lane 2"
     known = bool(entities) and all(e.lane is not None for e in entities)

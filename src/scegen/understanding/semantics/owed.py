@@ -7,7 +7,7 @@ from collections.abc import Callable
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Entity
-from scegen.understanding.lexicon import load_lists
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 _SIGNS = frozenset({"stop_sign", "stop_line", "yield_sign"})
@@ -101,8 +101,7 @@ def in_the_way(clause: Clause, context: Context) -> list[Entity]:
 def _no_leeway(clause: Clause, context: Context) -> bool:
     """``has no chance to stop``, ``with no time left to brake``: the other's fault."""
     before = {t.low for t in context.tokens[max(0, clause.event.i - _PHRASE) : clause.event.i]}
-    lists = load_lists()
-    return bool(before & lists["leeway"]) and bool(before & lists["none_of"])
+    return bool(before & word_list("leeway")) and bool(before & word_list("none_of"))
 
 
 def _it(mention: object, context: Context) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.understanding.chunks import Event, Mention, Prep, Thing
 from scegen.understanding.draft import Entity
-from scegen.understanding.lexicon import load_lists
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 
@@ -22,7 +22,7 @@ def _round(clause: Clause, context: Context) -> tuple[Prep, list[Entity]] | None
     """The phrase that names what somebody gets past, with the vehicles in it."""
     for prep in clause.event.pps if clause.event.object is None else []:
         passed = prep.target
-        if context.tokens[prep.word.i].low not in load_lists()["past"]:
+        if context.tokens[prep.word.i].low not in word_list("past"):
             continue
         thing = isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}
         who = passed.entities if isinstance(passed, Mention) else []

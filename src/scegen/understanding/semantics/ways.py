@@ -7,6 +7,7 @@ from collections.abc import Callable
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure
 from scegen.understanding.words.tokens import Token
@@ -21,10 +22,8 @@ BESIDE = frozenset({"adjacent", "left", "right"})
 _GOALS = frozenset({"side", "leg", "access"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
-_KEEPING = frozenset({"keep", "stay", "remain", "stick", "hold", "continue"})
 _WAY = frozenset({"road", "lane", "path", "highway"})
 _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
-_LAMPS = frozenset({"indicator", "indicators", "blinker", "blinkers", "signal", "flasher", "lamp"})
 _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
 _SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
@@ -111,7 +110,7 @@ def next_lane(event: Event, context: Context) -> bool:
     ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
     beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
     beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
-    keeps = event.lemma in _KEEPING
+    keeps = event.lemma in word_list("keeping")
     return beside and not keeps and not context.junction.crossing
 
 
@@ -154,7 +153,7 @@ def only_signalled(event: Event, context: Context) -> bool:
     after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
     before = {t.low for t in context.tokens[max(0, event.i - _LAMP_REACH) : event.i]}
-    signalled = signalled or (event.nominal and bool(before & _LAMPS))
+    signalled = signalled or (event.nominal and bool(before & word_list("lamps")))
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
 
 

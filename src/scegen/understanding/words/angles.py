@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import JunctionKind
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_ARMS = frozenset({"arm", "leg", "branch", "road", "approach", "angle", "street", "entry"})
-_DEGREES = frozenset({"degree", "degrees", "deg"})
 _JOINTS = frozenset({",", "and"})
 _REACH = 6
 _FEWEST = 3
@@ -40,7 +39,7 @@ def read_angles(tokens: list[Token], text: str) -> Angles | None:
         if not sign:
             continue
         before = {base for t in tokens[max(0, i - _REACH) : i] for base, _ in t.forms}
-        if len(values) >= _FEWEST and before & _ARMS:
+        if len(values) >= _FEWEST and before & word_list("arms"):
             return _rising(values, i, j)
         after = {base for t in tokens[j : j + 2] for base, _ in t.forms}
         if len(values) == 1 and "angle" in before | after:
@@ -57,7 +56,7 @@ def _run(tokens: list[Token], text: str, i: int) -> tuple[list[float], int, bool
         values.append(float(tokens[j].text.replace(",", ".")))
         sign = sign or text[tokens[j].end : tokens[j].end + 1] == "°"
         j += 1
-        if j < len(tokens) and tokens[j].low in _DEGREES:
+        if j < len(tokens) and tokens[j].low in word_list("degrees"):
             sign = True
             j += 1
         k = j

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _SIDES = frozenset({"left", "right"})
-_ELSEWHERE = frozenset({"behind", "after", "beyond", "past", "before"})
-"""Whoever is there is not in the bend."""
 _SMALL = frozenset({",", "is", "a", "an", "the", "with", "of", "and", "(", ")", "=", "sharp",
                     "tight", "gentle", "wide", "long", "about"})  # fmt: skip
 _RADIUS = frozenset({"radius", "r"})
@@ -89,4 +88,4 @@ def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
 def _elsewhere(tokens: list[Token], i: int) -> bool:
     """``behind a bend``."""
     before = [t.low for t in tokens[max(0, i - 3) : i] if t.low not in _SMALL]
-    return before[-1:] != [] and before[-1] in _ELSEWHERE
+    return before[-1:] != [] and before[-1] in word_list("elsewhere")

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_GATHERING = frozenset({"stream", "flow", "line", "queue", "row", "column", "string", "group",
-                        "convoy", "platoon", "crowd", "tailback", "wave", "procession", "chain",
-                        "file", "cluster", "bunch", "number", "series", "succession"})  # fmt: skip
 _DESCRIBING = frozenset({"unknown", "inert", "label", "manner", "noted", "state", "verb"})
 _TOLD = frozenset({"manner", "state", "verb", "noted"})
 _MOST_ADJECTIVES = 3
@@ -46,7 +44,7 @@ def _gathered(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     """Where the words end that only gather; None if the term does nothing of the kind."""
     term = terms[k]
     of = terms[k + 1] if k + 1 < len(terms) else None
-    noun = tokens[term.j - 1].forms[-1][0] in _GATHERING and term.j - term.i == 1
+    noun = tokens[term.j - 1].forms[-1][0] in word_list("gathering") and term.j - term.i == 1
     if not noun or term.cat in {"verb", "quant"} or of is None or of.value != "of":
         return None
     for after in terms[k + 2 : k + 2 + _MOST_ADJECTIVES]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.ahead import noun_follows
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term
@@ -12,8 +13,6 @@ from scegen.understanding.words.tokens import Token
 _LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
-_AGES = frozenset({"age", "aged", "ages"})
-_SEXES = frozenset({"male", "female", "males", "females"})
 
 
 def named_at(tokens: list[Token], i: int) -> Term | None:
@@ -73,13 +72,13 @@ def _road_number(tokens: list[Token], i: int) -> Term | None:
 def _aged(tokens: list[Token], i: int) -> Term | None:
     """``a 34-year-old cyclist``, ``the 17-year-old``: an age or a sex, or somebody of it."""
     after = tokens[i + 1] if i + 1 < len(tokens) else None
-    if tokens[i].low in _AGES and after is not None and after.kind == "number":
+    if tokens[i].low in word_list("ages") and after is not None and after.kind == "number":
         return Term("label", "quality", i, i + 2)  # "a pedestrian, aged 70, …"
     words = [t.low for t in tokens[i + 1 : i + 3]]
     aged = words == ["year", "old"] and tokens[i].kind == "number"
-    if not aged and tokens[i].low not in _SEXES:
+    if not aged and tokens[i].low not in word_list("sexes"):
         return None
     j = i + 3 if aged else i + 1
-    if noun_follows(tokens, j) or (j < len(tokens) and tokens[j].low in _SEXES):
+    if noun_follows(tokens, j) or (j < len(tokens) and tokens[j].low in word_list("sexes")):
         return Term("label", "quality", i, j)
     return Term("actor", "pedestrian", i, j)

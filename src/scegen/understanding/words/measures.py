@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Match, Term
 from scegen.understanding.words.tokens import Token
-
-_MEASURES = frozenset({"difference", "differential", "gap", "of", "is", "was", "about", "approx",
-                       "approximately", "around", "up"})  # fmt: skip
 
 
 def names_a_measure(match: Match, tokens: list[Token], previous: Term | None) -> bool:
@@ -25,4 +23,8 @@ def names_a_measure(match: Match, tokens: list[Token], previous: Term | None) ->
     if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
         return False
     following = tokens[match.j] if match.j < len(tokens) else None
-    return following is None or following.kind in {"number", "punct"} or following.low in _MEASURES
+    return (
+        following is None
+        or following.kind in {"number", "punct"}
+        or following.low in word_list("measures")
+    )

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
-_DURING = frozenset({"for", "during", "before", "after", "of", "through", "into", "to",
-                     "following", "upon"})  # fmt: skip
-_INTO = frozenset({"into", "through", "to", "of", "with"})
-"""Words after which only "a left", not "the left", is a turn."""
-_BEGINNING = frozenset({"start", "begin", "attempt", "try", "commence", "complete", "finish",
-                        "initiate", "perform", "execute", "make", "plan", "want", "risk",
-                        "abort", "await"})  # fmt: skip
 _NOUNS = ("verb", "place", "actor", "dir", "locus", "noted", "thing", "leg", "view")
 _ARTICLES = frozenset({"det", "possessive"})
 
@@ -43,10 +37,12 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         return qualified
     if before.low in {"to", "on"} and _of_a_lane(terms, k - 2):
         return False  # "in the lane to its left"
-    if before.low in _DURING:
+    if before.low in word_list("during"):
         own = (terms[k].cat == "possessive" and before.low != "to") or not definite
-        return own if before.low in _INTO else before.low != "after" or own
-    return before.forms[-1][0] in _BEGINNING and not (definite and terms[k].cat == "det")
+        return own if before.low in word_list("into") else before.low != "after" or own
+    return before.forms[-1][0] in word_list("beginning") and not (
+        definite and terms[k].cat == "det"
+    )
 
 
 def _of_a_lane(terms: list[Term], k: int) -> bool:

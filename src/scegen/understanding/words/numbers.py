@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from text_to_num import text2num
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
 _ATOMS = frozenset(
@@ -21,7 +22,6 @@ _DIGITS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight
 _FRACTION_DIGITS = 3
 _HALF = 0.5
 _PARTS = {"half": 2, "third": 3, "thirds": 3, "quarter": 4, "quarters": 4, "fifth": 5, "fifths": 5}
-_WIDTHS = frozenset({"width", "widths", "fronts", "overlap"})
 _WIDTH_REACH = 6
 
 
@@ -106,5 +106,9 @@ def share_at(tokens: list[Token], i: int) -> Number | None:
         return None
     after = [t.low for t in tokens[i + length : i + length + _WIDTH_REACH]]
     named = i > 0 and tokens[i - 1].low in {"overlap", "overlapping"}
-    wide = named or after[:1] == ["overlap"] or (after[:1] == ["of"] and bool(_WIDTHS & set(after)))
+    wide = (
+        named
+        or after[:1] == ["overlap"]
+        or (after[:1] == ["of"] and bool(word_list("widths") & set(after)))
+    )
     return Number(100 * count / part, length) if wide else None

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
 
-_LETTING = frozenset({"let", "make", "help", "see", "watch", "have"})
-_PARTICLES = frozenset({"through", "past", "over", "up", "by", "off", "out", "around", "round"})
-_ACROSS = frozenset({"across", "over", "into", "onto", "out", "off", "towards", "toward"})
-_RULES = frozenset({"rule", "rules", "law", "laws", "light", "lights", "signal", "signals", "code",
-                    "regulation", "regulations", "sign", "signs"})  # fmt: skip
 _TURN_REACH = 6
-_ITS = frozenset({"the", "its", "his", "her", "their", "my", "our", "your"})
 _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
@@ -30,7 +25,7 @@ def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
         return False
     following = longest_match(tokens, i + 1)
     located = following is not None and following.has("locus")
-    located = located or (tokens[i + 1].low in _PARTICLES and previous.cat == "verb")
+    located = located or (tokens[i + 1].low in word_list("particles") and previous.cat == "verb")
     located = located or (i + 2 < len(tokens) and tokens[i + 1].low == "at" and _me(tokens[i + 2]))
     return located and not previous.value.endswith("turn") and previous.cat != "det"
 
@@ -54,7 +49,7 @@ def then_a_side(tokens: list[Token], match: Match) -> bool:
     if not match.only("locus"):
         return False
     side = longest_match(tokens, match.j + 1)
-    return tokens[match.j].low in _ITS and side is not None and side.has("dir")
+    return tokens[match.j].low in word_list("its") and side is not None and side.has("dir")
 
 
 def then_a_noun(tokens: list[Token], match: Match) -> bool:
@@ -139,7 +134,7 @@ def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
     single = previous.cat == "actor" and previous.form == "base"
     single = single or (previous.cat == "pronoun" and previous.value in {"it", "him"})
     let = len(terms) > 1 and any(
-        tokens[t.i].forms[-1][0] in _LETTING for t in terms[-4:-1] if t.cat == "verb"
+        tokens[t.i].forms[-1][0] in word_list("letting") for t in terms[-4:-1] if t.cat == "verb"
     )
     return single and not let
 
@@ -178,7 +173,9 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     before = tokens[k - 2].low if k > 1 else ""
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
     after = tokens[k + 1].low if k + 1 < len(tokens) else ""
-    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "and"} | _ACROSS
+    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "and"} | word_list(
+        "particles_across"
+    )
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
@@ -195,7 +192,7 @@ def and_moves(token: Token, previous: Term, tokens: list[Token]) -> bool:
     k = tokens.index(token)
     after = tokens[k + 1].low if k + 1 < len(tokens) else ""
     joined = previous.cat in {"conj", "rel", "manner"} or previous.value == ","
-    return joined and after in _ACROSS
+    return joined and after in word_list("particles_across")
 
 
 def a_drive(tokens: list[Token], i: int) -> bool:
@@ -221,7 +218,7 @@ def no_way(tokens: list[Token], i: int, match: Match) -> bool:
     if tokens[i].low != "against" or not match.only("manner"):
         return False
     j = match.j
-    rules = j < len(tokens) and tokens[j].low in _RULES
+    rules = j < len(tokens) and tokens[j].low in word_list("rules")
     begin = max((k for k in range(i) if tokens[k].kind == "punct"), default=-1)
     near = tokens[max(begin + 1, i - _TURN_REACH) : i]
     words = {w for t in near for w in (t.low, t.forms[-1][0])}
@@ -246,10 +243,6 @@ def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> 
     return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
 
 
-_MEASURING = frozenset({"between", "of", "from", "up", "ranging", "around", "about", "below",
-                        "under", "above", "over"})  # fmt: skip
-
-
 def of_so_much(tokens: list[Token], match: Match) -> bool:
     """``at speeds of 10 to 80 km/h``: how fast is said by the number alone.
 
@@ -260,7 +253,7 @@ def of_so_much(tokens: list[Token], match: Match) -> bool:
     words = [t.low for t in tokens[match.j - 2 : match.j]]
     after = tokens[match.j].low if match.j < len(tokens) else ""
     bare = match.j >= 2 and words[0] == "at" and words[1] in {"speed", "speeds"}
-    return bare and after in _MEASURING
+    return bare and after in word_list("measuring")
 
 
 def _in_the_lane(tokens: list[Token], match: Match) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.noun_turns import names_a_turn
 from scegen.understanding.words.other_classes import other_class
 from scegen.understanding.words.paces import doing
@@ -11,10 +12,6 @@ from scegen.understanding.words.particles import measured
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 from scegen.understanding.words.unnamed_roles import role_alone
-
-_COLOURS = frozenset({"green", "red", "yellow", "amber"})
-_SHORT = frozenset({"only", "half", "within", "of", "just", "barely", "than", "for", "about",
-                    "under", "in"})  # fmt: skip
 
 
 def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
@@ -53,8 +50,6 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
 
 
 _NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
-_KERBS = frozenset({"kerb", "curb", "pavement", "sidewalk", "verge", "footpath", "footway",
-                    "roadside"})  # fmt: skip
 
 
 def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
@@ -66,7 +61,7 @@ def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
 def _changes_colour(tokens: list[Token], term: Term) -> bool:
     """``when it turns green``: the light does."""
     lit = (term.cat, term.value) == ("verb", "turn") and term.j < len(tokens)
-    return lit and tokens[term.j].low in _COLOURS
+    return lit and tokens[term.j].low in word_list("colours")
 
 
 def _word_at(tokens: list[Token], j: int) -> bool:
@@ -112,18 +107,13 @@ def _moment(tokens: list[Token], term: Term) -> bool:
         return False
     before = tokens[term.i - 1].low if term.i else ""
     after = tokens[term.j].low if term.j < len(tokens) else ""
-    return before in _SHORT or after in {"later", "ago", "before", "after"}
-
-
-_DONE = frozenset({"left", "parked", "stopped", "pulled", "turned", "stuck", "dumped", "broken"})
-_AFTER = frozenset({"a", "an", "the", "their", "his", "her", "my", "our", "on", "in", "right", "at",
-                    "half", "out", "up", "down", "across", "dead", "over"})  # fmt: skip
+    return before in word_list("short") or after in {"later", "ago", "before", "after"}
 
 
 def _has_done(tokens: list[Token], term: Term) -> bool:
     """``someone's left a van there``: has left, nothing of theirs."""
     done, after = (tokens[k].low if k < len(tokens) else "" for k in (term.j, term.j + 1))
-    return done in _DONE and after in _AFTER
+    return done in word_list("done") and after in word_list("after")
 
 
 def _governed(terms: list[Term]) -> bool:
@@ -137,7 +127,7 @@ def _governed(terms: list[Term]) -> bool:
 def _near_or_far(term: Term, tokens: list[Token]) -> Term:
     """``the far kerb``: the side across the road."""
     value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
-    kerb = term.j < len(tokens) and tokens[term.j].low in _KERBS
+    kerb = term.j < len(tokens) and tokens[term.j].low in word_list("kerbs")
     return Term("dir", value, term.i, term.j) if value is not None and kerb else term
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scegen.scenario.functional import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}
-_COUNTING = frozenset({"arm", "armed", "leg", "legged", "way"})
 
 
 def named_by_letter(terms: list[Term], k: int) -> bool:
@@ -36,7 +36,7 @@ def only_counted(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     """
     term = terms[k]
     kind = JunctionKind(term.value)
-    if kind not in _ARMS_SAID or tokens[term.j - 1].low not in _COUNTING:
+    if kind not in _ARMS_SAID or tokens[term.j - 1].low not in word_list("counting"):
         return None
     named: str | None = None
     for after in terms[k + 1 : k + 4]:

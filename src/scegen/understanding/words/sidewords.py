@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.understanding.lexicon import Entry
+from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
-
-_LEAVING = frozenset({"without", "from", "before", "after"})
 
 
 def left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
@@ -23,7 +21,7 @@ def left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> tu
     subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
     following = longest_match(tokens, match.j) if match.j < len(tokens) else None
     left = following is not None and following.has("det", "possessive", "place", "manner")
-    left = left or (match.j < len(tokens) and tokens[match.j].low in _LEAVING)
+    left = left or (match.j < len(tokens) and tokens[match.j].low in word_list("leaving"))
     return (match.get("verb") if subject and left else match.get("dir")), False
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.lexicon import Entry
+from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.collectives import gather
 from scegen.understanding.words.labels import named_at
@@ -36,9 +36,7 @@ from scegen.understanding.words.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
-_HELPS = frozenset({"is", "are", "was", "were", "be", "been", "being", "has", "have", "had"})
 _STEERED = frozenset({"driven", "ridden"})
-_UNIT_WORDS = frozenset({"unit", "veh", "v", "party"})
 
 
 def _first_person(tokens: list[Token], i: int) -> bool:
@@ -69,7 +67,11 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     if infinitive or previous.cat in {"aux", "neg"}:
         return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
-    helped = previous.cat == "manner" and previous.i > 0 and tokens[previous.i - 1].low in _HELPS
+    helped = (
+        previous.cat == "manner"
+        and previous.i > 0
+        and tokens[previous.i - 1].low in word_list("helps")
+    )
     adverb = adverb or (helped and token.low.endswith(("ed", "ing")))  # "is then startled by"
     one = previous.cat == "num" and previous.value == "one" and token.low.endswith("es")
     if previous.cat in {"actor", "pronoun", "rel"} or adverb or one:
@@ -256,7 +258,7 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})
     numbered = i + 1 < len(tokens) and tokens[i + 1].kind == "number"
-    if token.low in _UNIT_WORDS and numbered and quantity_at(tokens, i + 1) is None:
+    if token.low in word_list("unit_words") and numbered and quantity_at(tokens, i + 1) is None:
         return Term("actor", "car", i, i + 1)
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(tokens, i) else None

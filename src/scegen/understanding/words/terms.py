@@ -5,12 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from scegen.understanding.lexicon import Entry, load
+from scegen.understanding.lexicon import Entry, load, word_list
 from scegen.understanding.lexicon.loader import Node
 from scegen.understanding.words.tokens import Token
-
-_WHOSE = frozenset({"its", "his", "her", "their", "our", "my", "your", "the", "a"})
-"""What may stand for ``~`` in a phrase of the lexicon."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +58,7 @@ class Match:
 
 def _step(node: Node, token: Token) -> list[tuple[Node, str]]:
     found = [(node.following[base], form) for base, form in token.forms if base in node.following]
-    if "~" in node.following and token.low in _WHOSE:
+    if "~" in node.following and token.low in word_list("whose"):
         found.append((node.following["~"], "base"))
     return found
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.nominal import ORDINALS
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
@@ -10,8 +11,6 @@ _OPENERS = frozenset({"punct", "conj", "sub"})
 _VERBAL = frozenset({"s", "ed"})
 _MINOR = frozenset({"minor", "subordinate", "secondary", "side"})
 _ROADS = _MINOR | {"major", "main", "priority", "principal", "busier", "wider", "narrower"}
-_GOVERNED = frozenset({"of", "to", "matter"})
-"""After these, "the subject" is a topic."""
 
 
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -54,7 +53,7 @@ def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     word = tokens[term.i].low
     after = tokens[term.j].low if term.j < len(tokens) else ""
     definite = bool(terms) and (terms[-1].cat, terms[-1].value) == ("det", "def")
-    if word == "subject" and definite and after not in _GOVERNED:
+    if word == "subject" and definite and after not in word_list("governed"):
         return Term("actor", "ego", term.i, term.j, data={"ego": True})
     if word == "one" and tokens[term.i - 1].low in _ROADS and term.i > 1:
         kind = "access" if tokens[term.i - 1].low in _MINOR else "road"
