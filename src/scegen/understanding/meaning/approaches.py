@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Place
+from scegen.understanding.lexicon import word_list
 
 BY_DIR: dict[str, frozenset[Approach]] = {
     "opposite": frozenset({Approach.OPPOSITE}),
@@ -25,7 +26,6 @@ INVERSE = {
 }
 """How one sees another, by how the other sees the one."""
 SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
-AROUND = frozenset({"around", "round", "past"})
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip
 
@@ -51,7 +51,7 @@ def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     if place.kind not in _PLACES:
         return frozenset()
     dirs = place.dirs
-    if prep in AROUND and {"front", "rear"} & set(dirs):
+    if prep in word_list("past") and {"front", "rear"} & set(dirs):
         return frozenset()  # "runs around its front": past it, not there
     sides = {SIDES[d] for d in dirs if d in SIDES}
     if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):

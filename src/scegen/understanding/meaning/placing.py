@@ -9,7 +9,6 @@ from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning.approaches import (
-    AROUND,
     BY_DIR,
     INVERSE,
     SIDES,
@@ -179,7 +178,7 @@ class Placer:
         word = self._draft.tokens[prep.word.i].low
         edge = self._draft.tokens[target.j - 1].low == "edge" and prep.value == "in"
         entities = [e for e in entities if not (edge and e.is_vehicle)]  # within its lane
-        approaches = place_approaches(target, word if word in AROUND else prep.value)
+        approaches = place_approaches(target, word if word in word_list("past") else prep.value)
         approaches = _between_lanes(approaches, event)
         if not approaches:
             return

@@ -8,15 +8,16 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _BODIES = (
-    frozenset({"sedan", "saloon"}),
-    frozenset({"suv", "crossover", "jeep", "4x4"}),
-    frozenset({"hatchback"}),
-    frozenset({"taxi", "cab", "minicab", "black cab", "robotaxi"}),
-    frozenset({"coupe", "sports car", "supercar", "roadster", "convertible"}),
-    frozenset({"estate", "estate car", "station wagon"}),
-    frozenset({"minivan", "people carrier"}),
-    frozenset({"limousine"}),
+    "body_sedan",
+    "body_suv",
+    "body_hatchback",
+    "body_taxi",
+    "body_coupe",
+    "body_estate",
+    "body_minivan",
+    "body_limousine",
 )
+"""Lists of words for cars that are not each other."""
 
 
 def called(mention: Mention, tokens: list[Token]) -> set[str]:
@@ -45,5 +46,7 @@ def contradict(known: set[str], said: set[str]) -> bool:
     brands = [{n for n in nouns if n.startswith("brand:")} for nouns in (known, said)]
     if brands[0] and brands[1] and not brands[0] & brands[1]:
         return True
-    bodies = [{k for k, body in enumerate(_BODIES) if body & nouns} for nouns in (known, said)]
+    bodies = [
+        {k for k, body in enumerate(_BODIES) if word_list(body) & nouns} for nouns in (known, said)
+    ]
     return bool(bodies[0] and bodies[1]) and not bodies[0] & bodies[1]

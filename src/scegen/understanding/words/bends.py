@@ -10,8 +10,6 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _SIDES = frozenset({"left", "right"})
-_SMALL = frozenset({",", "is", "a", "an", "the", "with", "of", "and", "(", ")", "=", "sharp",
-                    "tight", "gentle", "wide", "long", "about"})  # fmt: skip
 _RADIUS = frozenset({"radius", "r"})
 _REACH = 5
 
@@ -63,7 +61,7 @@ def _with_radius(
         first, last = min(i, m), max(j, m)
         between = {t.low for t in tokens[terms[first].i : terms[last].j]}
         own = {t.low for n in (*range(i, j + 1), m) for t in tokens[terms[n].i : terms[n].j]}
-        if between - own - _SMALL - _RADIUS:
+        if between - own - word_list("within_bends") - _RADIUS:
             continue
         last += named_after and last == m
         return first, min(last, len(terms) - 1), term.data["quantity"].value.middle
@@ -77,7 +75,11 @@ def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
     for m, term in enumerate(terms):
         if (term.cat, term.value) != ("quantity", "length"):
             continue
-        before = [t.low for t in tokens[max(0, term.i - 4) : term.i] if t.low not in _SMALL]
+        before = [
+            t.low
+            for t in tokens[max(0, term.i - 4) : term.i]
+            if t.low not in word_list("within_bends")
+        ]
         if before[-1:] and before[-1] in _RADIUS:
             data = {"side": None, "radius_m": term.data["quantity"].value.middle}
             terms[m] = Term("place", "bend", term.i, term.j, data=data)
@@ -87,5 +89,5 @@ def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
 def _elsewhere(tokens: list[Token], i: int) -> bool:
     """``behind a bend``."""
-    before = [t.low for t in tokens[max(0, i - 3) : i] if t.low not in _SMALL]
+    before = [t.low for t in tokens[max(0, i - 3) : i] if t.low not in word_list("within_bends")]
     return before[-1:] != [] and before[-1] in word_list("elsewhere")

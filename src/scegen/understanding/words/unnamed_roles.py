@@ -9,8 +9,6 @@ from scegen.understanding.words.tokens import Token
 
 _OPENERS = frozenset({"punct", "conj", "sub"})
 _VERBAL = frozenset({"s", "ed"})
-_MINOR = frozenset({"minor", "subordinate", "secondary", "side"})
-_ROADS = _MINOR | {"major", "main", "priority", "principal", "busier", "wider", "narrower"}
 
 
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -55,8 +53,12 @@ def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     definite = bool(terms) and (terms[-1].cat, terms[-1].value) == ("det", "def")
     if word == "subject" and definite and after not in word_list("governed"):
         return Term("actor", "ego", term.i, term.j, data={"ego": True})
-    if word == "one" and tokens[term.i - 1].low in _ROADS and term.i > 1:
-        kind = "access" if tokens[term.i - 1].low in _MINOR else "road"
+    if (
+        word == "one"
+        and tokens[term.i - 1].low in (word_list("minor") | word_list("major"))
+        and term.i > 1
+    ):
+        kind = "access" if tokens[term.i - 1].low in word_list("minor") else "road"
         return Term("place", kind, term.i, term.j)  # "from the major road into a minor one"
     if word == "lead" and term.cat == "dir" and _alone(tokens, term.j):
         return Term("actor", "driver", term.i, term.j, data={"driver": True, "dir": "ahead"})
