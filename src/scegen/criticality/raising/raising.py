@@ -106,7 +106,7 @@ def raise_criticality(
     if not found and problem.never:
         give_up(stage, problem, problem.never)
         _fill(found, solutions, stage, problem, before, rng, None)
-    if not found:
+    if not found and problem.apart:
         found = [
             (made, _with_advice(proof, advice, led=False))
             for made, proof in _by_braking(stage, problem, before, rng, solutions)
@@ -241,6 +241,7 @@ def _solve(
         if not best.found:
             claims = {claim.id for claim in problem.claims}
             problem.never = frozenset(n for n, v in best.least.items() if v > 0.0 and n in claims)
+            problem.apart = best.missing.get("target", 0.0) > 0.0
             return None, reason or blocking(problem, best)
         evidence = _evidence(stage, problem, best, stage.concrete)
         if stage.stands(evidence):

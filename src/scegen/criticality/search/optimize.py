@@ -1,6 +1,6 @@
-"""The search itself: quasi-random batches with closer looks, then CMA-ES with restarts.
+"""The search itself: one variable at a time, quasi-random batches with closer looks, then CMA-ES.
 
-Every batch runs through the compiled simulator at once. What is found is then brought back
+Where many take part, mostly one or two are in the way: changing them alone is tried first. Every batch runs through the compiled simulator at once. What is found is then brought back
 towards the scenario as it was concretized, as far as the demands allow.
 """
 
@@ -21,6 +21,13 @@ CLOSER_SPANS = (0.5, 0.3, 0.15, 0.08)
 ROUNDS = 3
 RESTARTS = 2
 GENERATIONS = 40
+ALONE_ROUNDS = 6
+SOME_ROUNDS = 8
+SOME_BATCH = 96
+_MANY = 8
+_ALONE_ANYWHERE, _ALONE_NEAR = 4, 2
+_NEAR = 0.15
+_WORTH = 1e-3
 _SIGMA = 0.2
 _BACK_STEPS = 6
 _BACK_ROUNDS = 3
@@ -85,7 +92,12 @@ def search(
     if best.found or not len(span):
         return best
     u0 = (origin - low) / span
-    for _ in range(rounds):
+    _one_by_one(problem, best, low, span, rng)
+    if len(span) >= _MANY:
+        # In so many dimensions nothing is found by looking everywhere.
+        _some_at_once(problem, best, low, span, rng)
+        rounds, restarts = min(rounds, 1), min(restarts, 1)
+    for _ in range(0 if best.found else rounds):
         # A fresh look is not drawn to what looked best before and led nowhere.
         fresh = Best(origin, np.inf, {"all": np.inf}, best.least)
         points = halton(FIRST_BATCH, len(span), rng.random(len(span)))
@@ -134,6 +146,55 @@ def _look(problem: Problem, best: Best, low: Floats, span: Floats, u: Floats) ->
     """Evaluate points of the unit cube."""
     x = low + folded(u) * span
     best.take(x, problem.evaluate(x))
+
+
+def _one_by_one(
+    problem: Problem, best: Best, low: Floats, span: Floats, rng: np.random.Generator
+) -> None:
+    """Change every variable alone, then those together of which that was better, while it helps."""
+    n, tries = len(span), _ALONE_ANYWHERE + _ALONE_NEAR
+    for _ in range(ALONE_ROUNDS):
+        before = best.loss
+        u = (best.x - low) / span
+        shift = rng.random((2, n))
+        anywhere = (np.arange(_ALONE_ANYWHERE)[:, None] + shift[0]) / _ALONE_ANYWHERE
+        near = u + _NEAR * np.array([[-1.0], [1.0]]) * (0.1 + 0.9 * shift[1])
+        values = folded(np.concatenate([anywhere, near]))
+        tried = np.repeat(u[None, :], tries * n, axis=0)
+        rows = np.arange(tries * n).reshape(tries, n)
+        tried[rows, np.arange(n)] = values
+        x = low + tried * span
+        outcome = problem.evaluate(x)
+        best.take(x, outcome)
+        if best.found:
+            return
+        losses = outcome.loss.reshape(tries, n)
+        gains, at = before - losses.min(axis=0), losses.argmin(axis=0)
+        better = [int(k) for k in np.argsort(-gains, kind="stable") if gains[k] > _WORTH]
+        if len(better) > 1:
+            together = np.repeat(u[None, :], len(better) - 1, axis=0)
+            for row, k in enumerate(better):
+                together[max(row - 1, 0) :, k] = values[at[k], k]
+            x = low + together * span
+            best.take(x, problem.evaluate(x))
+        if best.found or best.loss > before - _WORTH:
+            return
+
+
+def _some_at_once(
+    problem: Problem, best: Best, low: Floats, span: Floats, rng: np.random.Generator
+) -> None:
+    """Change two, three or four variables of the best."""
+    n = len(span)
+    for _ in range(SOME_ROUNDS):
+        if best.found:
+            return
+        u = (best.x - low) / span
+        order = rng.random((SOME_BATCH, n)).argsort(axis=1).argsort(axis=1)
+        chosen = order < (2 + np.arange(SOME_BATCH) % 3)[:, None]
+        near = u + _NEAR * (2.0 * rng.random((SOME_BATCH, n)) - 1.0)
+        values = np.where(np.arange(SOME_BATCH)[:, None] % 2, near, rng.random((SOME_BATCH, n)))
+        _look(problem, best, low, span, np.where(chosen, values, u))
 
 
 def _evolve(

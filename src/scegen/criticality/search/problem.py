@@ -44,6 +44,7 @@ _NEVER = 3.0
 _SAME = 1e-6
 _STRANGE = 0.02
 _SPREAD = 0.12
+_HARD_MPS = 10.0
 
 
 @dataclass(frozen=True)
@@ -89,7 +90,8 @@ class Problem:
     Every claim is a demand, but those ``given_up``, those that are ``fixed`` (everybody gets to the
     end of its way, or ``finish`` is missing) and that on contacts; the proof judges them too. The
     target is none if ``untargeted``. A search
-    that fails tells in ``never`` which claims nothing met. It stays near ``home`` (n,), or near the
+    that fails tells in ``never`` which claims nothing met, and whether the pair stays ``apart`` even in
+    the best: somebody else is in the way of a target that is met. It stays near ``home`` (n,), or near the
     scenario as it was concretized. ``progress`` is told how far it is after every batch.
     """
 
@@ -106,6 +108,7 @@ class Problem:
     claims: Sequence[Claim] = ()
     given_up: frozenset[str] = frozenset()
     never: frozenset[str] = frozenset()
+    apart: bool = True
     untargeted: bool = False
     room: float = 1.0
     dt_s: float = SEARCH_DT_S
@@ -240,7 +243,10 @@ def unwanted(view: View, target: Target, pair: tuple[str, str]) -> Floats:
             near = np.zeros(view.count)
         else:
             near = np.maximum(0.0, CLEAR_M - view.summary.distance_m[:, p])
-        depth = np.nan_to_num(np.clip(-view.summary.pet_s[:, p], 0.0, 3.0), nan=1.0)
+        # One who runs into another in its lane has no PET: the slower, the nearer to none.
+        speed = np.minimum(np.nan_to_num(view.summary.impact_mps[:, p]) / _HARD_MPS, 1.0)
+        behind = -view.summary.pet_s[:, p]
+        depth = np.where(behind > 0.0, np.minimum(behind, 3.0), speed)
         missing += np.where(touches, 1.0 + depth, near)
     return missing
 
