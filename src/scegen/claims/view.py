@@ -19,6 +19,7 @@ from scegen.measures.evaluation import Summary, measure
 from scegen.measures.following import gaps_behind
 from scegen.measures.tables import Tables
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
+from scegen.motion.batch.kernels import kernel
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -159,8 +160,10 @@ class View:
 
     def reaches_s(self, name: str, place_m: float) -> Floats:
         """When somebody first reaches a place on its path; inf: never (c,)."""
-        reached = self.place_m(name) >= place_m
-        return np.where(reached.any(axis=1), self.time_of(reached.argmax(axis=1)), np.inf)
+        key = ("reaches", name, place_m)
+        return self.once(
+            key, lambda: _reaches_s(self.traces.tracks, self.index[name], place_m, self.dt_s)
+        )
 
     def areas(self, name: str, other: str) -> list[Area]:
         """The grounds that two use, in the order of the paths."""
@@ -197,6 +200,18 @@ class View:
         """Time of the greatest value."""
         time_s: Floats = np.argmax(series, axis=1) * self.dt_s
         return time_s
+
+
+@kernel
+def _reaches_s(tracks: Floats, participant: int, place_m: float, dt_s: float) -> Floats:
+    """When somebody first reaches a place on its path; inf: never (c,)."""
+    reached = np.full(tracks.shape[0], np.inf)
+    for c in range(tracks.shape[0]):
+        for t in range(tracks.shape[3]):
+            if tracks[c, participant, S, t] >= place_m:
+                reached[c] = t * dt_s
+                break
+    return reached
 
 
 def view_of(

@@ -15,9 +15,10 @@ from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.settling import settle
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.batch.playing import play
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path
-from scegen.motion.simulation import STANDING_MPS, simulate
+from scegen.motion.simulation import STANDING_MPS
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
@@ -152,7 +153,7 @@ def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
     """Nobody goes from forwards to backwards, or on again, at speed."""
     if not any(path.backwards for path in paths.values()):
         return
-    for name, trace in simulate(concrete, paths).items():
+    for name, trace in play(concrete, paths).items():
         for place in (place for part in paths[name].backwards for place in part):
             passed = np.flatnonzero((trace.s_m[1:] > place) & (trace.s_m[:-1] <= place))
             if place > 0.0 and passed.size and trace.speed_mps[passed[0]] > _TURNS_MPS:
@@ -166,7 +167,7 @@ def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
 
 def _duration_s(scene: Setup, concrete: ConcreteScenario, paths: dict[str, Path]) -> float | None:
     """Until everybody has left the junction and everything has happened; None if never."""
-    traces = simulate(concrete, paths)
+    traces = play(concrete, paths)
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])

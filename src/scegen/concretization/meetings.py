@@ -9,6 +9,7 @@ from math import cos, sin
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
+from scegen.measures.conflict_areas import nearest_points
 from scegen.motion.model import Array, Path
 
 _SAMPLE_M = 1.0
@@ -64,6 +65,11 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     )
 
 
+def _step_m(x: Array, y: Array) -> float:
+    """The greatest distance of two points that follow one another."""
+    return float(np.hypot(np.diff(x), np.diff(y)).max())
+
+
 def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
     """Where two ways that start apart first cross, merge or graze each other.
 
@@ -71,9 +77,7 @@ def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
     """
     s1, x1, y1, h1 = sampled(first)
     s2, x2, y2, h2 = sampled(second)
-    distance = np.hypot(x1[:, None] - x2[None, :], y1[:, None] - y2[None, :])
-    nearest = distance.argmin(axis=1)
-    gaps = distance[np.arange(len(s1)), nearest]
+    nearest, gaps = nearest_points(x1, y1, x2, y2, _step_m(x2, y2))
     touching = np.flatnonzero(gaps < _TOUCH_M)
     opposed = False
     if touching.size:
@@ -156,7 +160,7 @@ def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
     """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
     _, x1, y1, _ = sampled(first.laid.path)
     _, x2, y2, _ = sampled(second.laid.path)
-    gaps = np.hypot(x1[:, None] - x2[None, :], y1[:, None] - y2[None, :])
+    _, gaps = nearest_points(x1, y1, x2, y2, _step_m(x2, y2))
     return bool(gaps.min() < (first.body.width_m + second.body.width_m) / 2)
 
 

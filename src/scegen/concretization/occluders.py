@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from scegen.concretization.ground import boxes, taken_ground
 from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
 from scegen.concretization.things import SCREEN, Shape
+from scegen.motion.batch.playing import play
 from scegen.motion.model import Array, Trace
 from scegen.motion.paths import build_paths
-from scegen.motion.simulation import simulate
 from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import (
@@ -107,7 +107,7 @@ def _hide(
 ) -> ConcreteScenario:
     observer = next(iter(hazard.to), concrete.ego.id)
     paths = build_paths(concrete, network)
-    traces = simulate(concrete, paths, dt_s=_STEP_S)
+    traces = play(concrete, paths, dt_s=_STEP_S)
     ground = taken_ground(network, concrete, paths)
     best: tuple[float, str, StaticObject] | None = None
     for group in _hidden_ones(concrete, observer, thing):

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from scegen.motion.batch.playing import play
 from scegen.motion.model import Trace
 from scegen.motion.paths import build_path
-from scegen.motion.simulation import simulate
 from scegen.motion.trigger_steps import STEP_S
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import (
@@ -53,7 +53,7 @@ def _moved(
     if not isinstance(motion, DriveMotion):
         return None
     place = paths[who].backwards[0][end]
-    trace = simulate(concrete, paths, dt_s=STEP_S)[who]
+    trace = play(concrete, paths, dt_s=STEP_S)[who]
     rests = (trace.speed_mps == 0.0) & (np.abs(trace.s_m - place) < _NEAR_M)
     if not rests.any():
         return None

@@ -77,7 +77,7 @@ def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, flo
     spacing = min(SAMPLING_M, small)
     one, two = _sample(first, a, spacing), _sample(second, b, spacing)
     result = []
-    for rows, columns in _regions(touching(one, two)):
+    for rows, columns in _touching_parts(one, two):
         merge = merge_point(first, second, one.s[rows], two.s[columns])
         if merge is None:
             own, other = _cut(one, rows), _cut(two, columns)
@@ -95,6 +95,18 @@ def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, flo
                 )
             )
     return result
+
+
+def _touching_parts(one: _Sampled, two: _Sampled) -> list[tuple[slice, slice]]:
+    """Row and column ranges of the parts of both ways that touch; only where they are near."""
+    steps_m = np.hypot(np.diff(two.x), np.diff(two.y))
+    step_m = float(steps_m.max()) if steps_m.size else 0.0
+    top, bottom, left, right = _near(one, two, step_m)
+    touch = touching(_part(one, slice(top, bottom)), _part(two, slice(left, right)))
+    return [
+        (slice(r.start + top, r.stop + top), slice(c.start + left, c.stop + left))
+        for r, c in _regions(touch)
+    ]
 
 
 def _comes_backwards(first: Path, second: Path, merge: tuple[float, float]) -> bool:
@@ -127,9 +139,35 @@ def _at(path: Path, body: Body, s: Floats) -> _Sampled:
 
 def _cut(boxes: _Sampled, part: slice) -> _Sampled:
     """The boxes of a part and one more at either end."""
-    wide = slice(max(part.start - 1, 0), part.stop + 1)
-    s, x, y, cos, sin = (array[wide] for array in boxes[:5])
+    return _part(boxes, slice(max(part.start - 1, 0), part.stop + 1))
+
+
+def _part(boxes: _Sampled, part: slice) -> _Sampled:
+    s, x, y, cos, sin = (array[part] for array in boxes[:5])
     return _Sampled(s, x, y, cos, sin, boxes.half_length, boxes.half_width)
+
+
+@kernel
+def _near(one: _Sampled, two: _Sampled, step_m: float) -> tuple[int, int, int, int]:
+    """The first box of one and that behind the last one that may touch one of two, and of two.
+
+    Boxes of two that follow one another are at most ``step_m`` apart: none is looked at that
+    cannot be near.
+    """
+    reach = np.hypot(one.half_length, one.half_width) + np.hypot(two.half_length, two.half_width)
+    top, bottom, left, right = one.x.shape[0], 0, two.x.shape[0], 0
+    for m in range(one.x.shape[0]):
+        n = 0
+        while n < two.x.shape[0]:
+            away = np.hypot(two.x[n] - one.x[m], two.y[n] - one.y[m])
+            skip = 1
+            if away <= reach:
+                top, bottom = min(top, m), m + 1
+                left, right = min(left, n), max(right, n + 1)
+            elif step_m > 0.0:
+                skip = max(1, int((away - reach) / step_m))
+            n += skip
+    return (top, bottom, left, right) if bottom > 0 else (0, 0, 0, 0)
 
 
 @kernel
@@ -208,7 +246,7 @@ def merge_point(
     second_s = np.linspace(s_second[0], s_second[-1], 4 * len(s_second))
     h1 = np.interp(s_first, first.s_m, first.heading_rad)
     h2 = np.interp(second_s, second.s_m, second.heading_rad)
-    nearest, away = _nearest(
+    nearest, away = nearest_points(
         np.interp(s_first, first.s_m, first.x_m),
         np.interp(s_first, first.s_m, first.y_m),
         np.interp(second_s, second.s_m, second.x_m),
@@ -224,7 +262,9 @@ def merge_point(
 
 
 @kernel
-def _nearest(x: Floats, y: Floats, fx: Floats, fy: Floats, step_m: float) -> tuple[Ints, Floats]:
+def nearest_points(
+    x: Floats, y: Floats, fx: Floats, fy: Floats, step_m: float
+) -> tuple[Ints, Floats]:
     """For each point the nearest one of a line, the first of several, and its distance.
 
     Points of the line that follow one another are at most ``step_m`` apart: none is looked at that

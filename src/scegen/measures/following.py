@@ -20,6 +20,9 @@ from scegen.motion.model import Path
 
 SPACING_M = 0.5
 """Distance between the leader's positions in the table; interpolated linearly between."""
+_ON_PATH_M = 0.5
+"""How far from the tangent's foot the nearest point of a path may lie: farther is beyond its end.
+"""
 SAME_WAY_RAD = np.pi / 4
 """A body ahead counts as leader while its heading differs by less: else it is cross traffic."""
 
@@ -73,7 +76,12 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
     s = np.linspace(0.0, follower.length_m, int(np.ceil(follower.length_m / 0.25)) + 1)
     way = np.interp(s, follower.s_m, follower.heading_rad)
     fx, fy = np.interp(s, follower.s_m, follower.x_m), np.interp(s, follower.s_m, follower.y_m)
-    nearest, away = _nearest(x, y, heading, fx, fy, way, follower.length_m / max(len(s) - 1, 1))
+    step_m = follower.length_m / max(len(s) - 1, 1)
+    # Whoever is farther from the path than this is not in its corridor.
+    reach = np.hypot(
+        _ON_PATH_M, own.half_width_m + np.hypot(other.half_length_m, other.half_width_m)
+    )
+    nearest, away = _nearest(x, y, heading, fx, fy, way, step_m, float(reach) + step_m)
     way = way[nearest]
     turn = np.abs((heading - way + np.pi) % (2 * np.pi) - np.pi)
     dx, dy = x - fx[nearest], y - fy[nearest]
@@ -85,22 +93,30 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
     half_breadth = length * np.sin(turn) + width * np.cos(turn)
     inside = aside < own.half_width_m + half_breadth
     # Beyond either end of the follower's path there is nothing to project on.
-    on_path = (np.abs(ahead) <= 0.5) & np.isfinite(away)
+    on_path = (np.abs(ahead) <= _ON_PATH_M) & np.isfinite(away)
     return np.where(inside & on_path, s[nearest] + ahead - reach, nan)
 
 
 @kernel
 def _nearest(
-    x: Floats, y: Floats, heading: Floats, fx: Floats, fy: Floats, way: Floats, step_m: float
+    x: Floats,
+    y: Floats,
+    heading: Floats,
+    fx: Floats,
+    fy: Floats,
+    way: Floats,
+    step_m: float,
+    reach_m: float,
 ) -> tuple[Ints, Floats]:
     """For each pose the nearest point of a path with a similar heading, and its squared distance.
 
-    The distance is inf, the point the first, where no heading is similar. Points that follow one
-    another are at most ``step_m`` apart: none is looked at that cannot be nearer than the nearest
-    so far, and the one that was nearest to the pose before is looked at first.
+    The distance is inf, the point the first, where no such point is within reach. Points that
+    follow one another are at most ``step_m`` apart: none is looked at that cannot be nearer than
+    the nearest so far, and the one that was nearest to the pose before is looked at first.
     """
     index = np.zeros(x.shape[0], dtype=np.int64)
     away = np.full(x.shape[0], np.inf)
+    reach = reach_m * reach_m
     last = -1
     for n in range(x.shape[0]):
         if last >= 0:
@@ -113,15 +129,14 @@ def _nearest(
         while m < fx.shape[0]:
             dx, dy = x[n] - fx[m], y[n] - fy[m]
             squared = dx * dx + dy * dy
-            if squared < away[n]:
+            least = min(away[n], reach)
+            if squared < least:
                 turn = (heading[n] - way[m] + np.pi) % (2 * np.pi) - np.pi
                 if abs(turn) <= SAME_WAY_RAD:
                     away[n], index[n] = squared, m
                 m += 1
-            elif away[n] < np.inf:
-                m += max(1, int((np.sqrt(squared) - np.sqrt(away[n])) / step_m))
             else:
-                m += 1
+                m += max(1, int((np.sqrt(squared) - np.sqrt(least)) / step_m))
         last = index[n] if away[n] < np.inf else -1
     return index, away
 

@@ -11,8 +11,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from scegen.motion.batch.playing import play
 from scegen.motion.model import Array, Path, Trace
-from scegen.motion.simulation import STANDING_MPS, arrivals_s, simulate
+from scegen.motion.simulation import STANDING_MPS, arrivals_s
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -49,7 +50,7 @@ def put_between_steps(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> 
         concrete: the scenario.
         paths: its paths by participant.
     """
-    traces = simulate(concrete, paths, dt_s=STEP_S)
+    traces = play(concrete, paths, dt_s=STEP_S)
     changes: list[Change] = []
     people = [_clear(p, traces, paths, changes) for p in concrete.participants]
     if not changes:

@@ -74,7 +74,7 @@ def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:
         with np.errstate(invalid="ignore"):
             own = np.fmax(comes - they_go, they_come - goes - CLEAR_S)
         own = np.where(np.isfinite(comes) & np.isfinite(they_come), own, _ENOUGH_S)
-        own = np.clip(np.nan_to_num(own, nan=-NEVER), -_ENOUGH_S, _ENOUGH_S) + TIME_S
+        own = np.clip(np.where(np.isnan(own), -NEVER, own), -_ENOUGH_S, _ENOUGH_S) + TIME_S
         time_s = np.where(own < margin, np.where(np.isfinite(comes), comes, 0.0), time_s)
         margin = np.minimum(margin, own)
     return margin, time_s

@@ -19,9 +19,9 @@ from scegen.claims.view import View
 from scegen.criticality.reactivity.rendezvous import waits_until
 from scegen.criticality.search.proving import Evidence, examine
 from scegen.criticality.target import Target
+from scegen.motion.batch.playing import play
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Trace
-from scegen.motion.simulation import simulate
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
@@ -83,7 +83,7 @@ def braking_leaders(
     # Everybody against everybody: somebody else may drive in between.
     view = examine(concrete, network, list(combinations(drives, 2)), friction).view
     ways = {name: view.ways[name].path for name in view.ways}
-    traces = simulate(concrete, ways, dt_s=view.dt_s)
+    traces = play(concrete, ways, dt_s=view.dt_s)
     ego = concrete.ego.id
     ordered = sorted(((f, a) for p in free for f, a in (p, p[::-1])), key=lambda c: c[0] != ego)
     for follower, leader in ordered:

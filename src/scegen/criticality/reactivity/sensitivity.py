@@ -23,9 +23,9 @@ from scegen.claims.hazards.scenes import scene_of
 from scegen.criticality.encounter import closest_encounter
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.tables import Tables
-from scegen.motion import simulate
 from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate_batch
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.playing import play
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
@@ -105,7 +105,7 @@ def ego_start_sensitivity(
     people = concrete.entities
     ego = people.index(concrete.ego)
     if partner is None:
-        met = closest_encounter(concrete, simulate(concrete, paths))
+        met = closest_encounter(concrete, play(concrete, paths))
         if met is None:
             return None
         partner = met.other

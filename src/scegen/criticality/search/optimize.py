@@ -1,7 +1,8 @@
-"""The search itself: one variable at a time, quasi-random batches with closer looks, then CMA-ES.
+"""The search itself: quasi-random batches with closer looks, then CMA-ES with restarts.
 
-Where many take part, mostly one or two are in the way: changing them alone is tried first. Every batch runs through the compiled simulator at once. What is found is then brought back
-towards the scenario as it was concretized, as far as the demands allow.
+Where many take part, mostly one or two are in the way: changing them alone comes first. Every
+batch runs through the compiled simulator at once. What is found is then brought back towards the
+scenario as it was concretized, as far as the demands allow.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ GENERATIONS = 40
 ALONE_ROUNDS = 6
 SOME_ROUNDS = 8
 SOME_BATCH = 96
-_MANY = 8
+_MANY = 10
 _ALONE_ANYWHERE, _ALONE_NEAR = 4, 2
 _NEAR = 0.15
 _WORTH = 1e-3
@@ -92,9 +93,9 @@ def search(
     if best.found or not len(span):
         return best
     u0 = (origin - low) / span
-    _one_by_one(problem, best, low, span, rng)
     if len(span) >= _MANY:
         # In so many dimensions nothing is found by looking everywhere.
+        _one_by_one(problem, best, low, span, rng)
         _some_at_once(problem, best, low, span, rng)
         rounds, restarts = min(rounds, 1), min(restarts, 1)
     for _ in range(0 if best.found else rounds):

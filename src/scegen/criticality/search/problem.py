@@ -89,10 +89,10 @@ class Problem:
 
     Every claim is a demand, but those ``given_up``, those that are ``fixed`` (everybody gets to the
     end of its way, or ``finish`` is missing) and that on contacts; the proof judges them too. The
-    target is none if ``untargeted``. A search
-    that fails tells in ``never`` which claims nothing met, and whether the pair stays ``apart`` even in
-    the best: somebody else is in the way of a target that is met. It stays near ``home`` (n,), or near the
-    scenario as it was concretized. ``progress`` is told how far it is after every batch.
+    target is none if ``untargeted``. A search that fails tells in ``never`` which claims nothing
+    met, and whether the pair stays ``apart`` even in the best, or others are in the way of a target
+    that is met. It stays near ``home`` (n,), or near the scenario as it was concretized.
+    ``progress`` is told how far it is after every batch.
     """
 
     concrete: ConcreteScenario
