@@ -78,6 +78,11 @@ CASES = {
         [ego(50), other(50, AHEAD)],
         acts=[brakes(when=driven(30))],
     ),
+    "comes in as another is near": told(
+        "four_way",
+        [ego(40), other(40, RIGHT, kind="van")],
+        acts=[act("e", "x", "enter", when={**before(20), "participant": "ego"})],
+    ),
     "comes in so long after another": told(
         "four_way",
         [ego(30), other(40, RIGHT, kind="van")],

@@ -117,7 +117,7 @@ def _marks(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         elif own and when is None:
             then = _HOLDS_S
         place = 0.0
-        if isinstance(when, BeforeJunction) and then is None:
+        if isinstance(when, BeforeJunction) and when.participant is None and then is None:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
             if act.kind is ActKind.STOP:  # where it stands
                 place -= before**2 / (2 * rate)
@@ -131,7 +131,8 @@ def is_open(scene: Setup, mark: SpeedChange) -> bool:
     """Whether the place of an act is free: neither said, nor that of the act before it."""
     if mark.act is None or mark.then_s is not None:
         return False
-    return not isinstance(scene.act(mark.act).when, BeforeJunction)
+    when = scene.act(mark.act).when
+    return not isinstance(when, BeforeJunction) or when.participant is not None
 
 
 def _place(scene: Setup, draft: DriveDraft) -> None:

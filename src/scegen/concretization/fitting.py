@@ -19,7 +19,15 @@ from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments, is_lengthwise
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
-from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
+from scegen.scenario.acts import (
+    Act,
+    ActKind,
+    AfterAct,
+    AfterDistance,
+    AfterStart,
+    BeforeJunction,
+    WhenMeasure,
+)
 from scegen.scenario.spacings import CONTACT, START
 
 _SAID, _USUAL, _AS_IT_WAS = 1.0, 1e-3, 1e-6
@@ -146,8 +154,8 @@ def _said(scene: Setup) -> Iterator[Residual]:
                 yield _measured(when, act)
         elif isinstance(when, AfterStart):
             yield lambda m, act=act, when=when: m.begins_s(act) - when.delay_s.middle  # type: ignore[misc]
-        elif isinstance(when, AfterDistance):
-            yield from _driven(when, act, scene)
+        elif isinstance(when, AfterDistance | BeforeJunction):
+            yield from _on_its_way(when, act, scene)
         elif isinstance(when, AfterAct):
             other = scene.act(when.act)
             if other.participant in known and not _is_chained(scene, act):
@@ -170,10 +178,15 @@ def _measured(when: WhenMeasure, act: Act | None) -> Residual:
     return residual
 
 
-def _driven(when: AfterDistance, act: Act, scene: Setup) -> Iterator[Residual]:
+def _on_its_way(when: AfterDistance | BeforeJunction, act: Act, scene: Setup) -> Iterator[Residual]:
+    """How far one has come, or has still to go to the junction; one's own place is fixed."""
     name, way_m = when.participant or act.participant, when.distance_m.middle
-    if name in scene.drives:
+    if name not in scene.drives:
+        return
+    if isinstance(when, AfterDistance):
         yield lambda moments: _PER_M * (moments.gone_m(name, act) - way_m)
+    elif when.participant is not None:
+        yield lambda moments: moments.begins_s(act) - moments.before_junction_s(name, way_m)
 
 
 def _after(act: Act, other: Act, when: AfterAct) -> Residual:

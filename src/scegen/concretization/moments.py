@@ -68,7 +68,8 @@ class Moments:
             ends = draft.course.profile.settles_s(phase.begins_s)
             return late + phase.begins_s, late + ends
         marked = [mark.s_m for mark in draft.deeds if mark.act == act.id]
-        place = marked[0] if marked else draft.junction_s_m
+        front = draft.body.front_m if act.kind is ActKind.ENTER else 0.0
+        place = marked[0] if marked else draft.junction_s_m - front
         begins = late + draft.course.time_at(place)
         return begins, begins
 
@@ -165,6 +166,12 @@ class Moments:
             return profile.way_m(max(own, 0.0)) + min(own, 0.0) * profile.speed_mps(0.0)
 
         return way(self.begins_s(act)) - way(0.0)
+
+    def before_junction_s(self, name: str, far_m: float) -> float:
+        """When the front of one who drives is so far before the junction."""
+        draft = self.scene.drives[name]
+        place = draft.junction_s_m - draft.body.front_m - far_m
+        return self.offsets_s[name] + draft.course.time_at(place)
 
     def missing_m(
         self, measure: Measure, who: str, reference: str, value: float, time_s: float

@@ -117,9 +117,10 @@ class AfterDistance(FrozenModel):
 
 
 class BeforeJunction(FrozenModel):
-    """So far before the junction: the front of who acts from the end of its arm."""
+    """So far before the junction: the front of ``participant``, who acts if None, from there."""
 
     type: Literal["before_junction"] = "before_junction"
+    participant: Identifier | None = None
     distance_m: Interval
 
 

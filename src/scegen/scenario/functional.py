@@ -11,7 +11,7 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from scegen.scenario.acts import Act, AfterAct, AfterDistance, WhenMeasure
+from scegen.scenario.acts import Act, AfterAct, AfterDistance, BeforeJunction, WhenMeasure
 from scegen.scenario.bends import Bend
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
 from scegen.scenario.outcome import Outcome
@@ -313,7 +313,7 @@ class FunctionalScenario(FrozenModel):
         for act in self.acts:
             if isinstance(act.when, AfterAct):
                 moments.append(act.when.act)
-            elif isinstance(act.when, AfterDistance) and act.when.participant:
+            elif isinstance(act.when, AfterDistance | BeforeJunction) and act.when.participant:
                 named.append((act.when.participant, f"acts.{act.id}.when"))
             elif isinstance(act.when, WhenMeasure):
                 named += [

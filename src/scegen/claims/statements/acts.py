@@ -307,8 +307,13 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         statement = f"{does} after {amount(when.distance_m)} m{whose}"
         tolerance = tolerances.DISTANCE_M
         yield _claim(told, act, "when", statement, "m", _driven, when, tolerance=tolerance)
-    elif isinstance(when, BeforeJunction) and (drive := told.drive(act.participant)) is not None:
-        statement = f"{does} {amount(when.distance_m)} m before the junction"
+    elif isinstance(when, BeforeJunction):
+        who = when.participant or act.participant
+        drive = told.drive(who)
+        if drive is None:
+            return
+        whose = f" of {who}" if when.participant else ""
+        statement = f"{does} {amount(when.distance_m)} m{whose} before the junction"
         tolerance = tolerances.DISTANCE_M
         yield _claim(told, act, "when", statement, "m", _before, when, drive, tolerance=tolerance)
 
@@ -372,9 +377,9 @@ def _driven(told: Told, act: Act, when: AfterDistance, view: View) -> Judged:
 def _before(told: Told, act: Act, when: BeforeJunction, drive: Drive, view: View) -> Judged:
     """Where it begins; of one that stops, where it stands."""
     arm = arms_of(view)[drive.entry]
-    box = boxes(view, act.participant)
+    box = boxes(view, drive.participant)
     step = _begins(told, act, view)
-    if act.kind is ActKind.STOP:
+    if act.kind is ActKind.STOP and when.participant is None:
         run = act_run(view, told.functional, act)
         step = np.where(run.happens, run.end, view.steps)
     left = arm.length_m - at(arm.place(box)[0], step) - box.half_length

@@ -12,6 +12,8 @@ from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import Amount, Doing, Trigger, amount_of, exactly
 
+_SOON = 3
+"""So near after a time, a noun tells what takes it ("needs 6 s for its lane change")."""
 _WITHIN_M = 1.5
 """Who goes no farther aside stays in its lane."""
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
@@ -123,6 +125,8 @@ class Filler(Teller):
             own = [a for a in here if near & {a.i, *a.told}]
             own = own or self._named_by(event, fitting)
             own = own or [a for a in here if a.nominal and a.i < event.i and self._of(a, event)]
+            named = [a for a in here if a.nominal and 0 <= a.i - number.j <= _SOON]
+            own = own or named[:1]
             return own[-1] if own else None
         if event is not None and self._unread(event, number, kinds):
             return None

@@ -57,9 +57,11 @@ class Releaser(Teller):
         if opened and clause is not None and self._acts_inside(clause, number, subject):
             return False  # "when the truck moves over 30 m in front of it"
         if junction:
-            if subject is not doing.entity:
+            amount = amount_of(number)
+            moved = subject if subject is not doing.entity else None
+            if moved is not None and not moved.is_vehicle:
                 return False
-            doing.when = Trigger("junction", amount_of(number).basis, amount_of(number))
+            doing.when = Trigger("junction", amount.basis, amount, entity=moved)
             return True
         own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
         named = [e for e in (text.named(noun) if not own else []) if e is not subject]

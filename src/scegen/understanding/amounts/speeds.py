@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.draft import Basis, Entity
@@ -28,11 +29,6 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     quantity = number.quantity
     change = _from_to(number, text, found)
     taken = [e for e in context.draft.entities if _at(e.speed_basis, span)]
-    if not taken and any(number.around.preceded(w) for w in words()["afoot"]):
-        afoot = [e for e in context.draft.entities if not e.is_vehicle and e.speed is None]
-        for entity in afoot[:1]:
-            entity.speed, entity.speed_basis = quantity.value, Basis(*span, quantity.note)
-            return True
     for entity in [e for e in taken if e.stands is not None and not e.ego and e.sets_off < 0]:
         entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
     if change is not None:
@@ -42,11 +38,13 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     shared = {t.low for t in text.tokens[number.j : number.j + 1]} & {"each", "both"}
     if taken and not shared:
         return True
-    whose = [e for e in _whose(number, text, context) if e not in taken]
+    afoot = _afoot(number, context) if not taken else []
+    whose = afoot or [e for e in _whose(number, text, context) if e not in taken]
     whose = [e for e in whose if e.is_vehicle or quantity.value.low <= _RUNNING_MPS]
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
+    _move_along(whose, number, text)
     if whose and all(e.speed not in (None, quantity.value) for e in whose):
         whose = _without_speed(number, text) or whose
     for entity in whose:
@@ -58,6 +56,23 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
             found.further.append(("speed_mps", entity, Basis(*span)))
         taken.append(entity)
     return bool(taken)
+
+
+def _afoot(number: Measured, context: Context) -> list[Entity]:
+    """``walking speed 5 km/h``: of who walks."""
+    if not any(number.around.preceded(w) for w in words()["afoot"]):
+        return []
+    return [e for e in context.draft.entities if not e.is_vehicle and e.speed is None][:1]
+
+
+def _move_along(whose: list[Entity], number: Measured, text: Sentences) -> None:
+    """``sits 7 m behind the ego at 85 km/h``: it does not stand there."""
+    event = text.verb_at(number.i, number.j)
+    for entity in whose:
+        sits = event is not None and entity.stands is not None and entity.stands.i == event.i
+        if sits and number.quantity.value.low > 0:
+            entity.stands, entity.speed = None, None
+            entity.maneuvers -= {Maneuver.STAY}
 
 
 def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | None:

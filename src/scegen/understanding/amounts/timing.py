@@ -71,7 +71,11 @@ class Clock(Teller):
         """``1 s after the van``, and no verb: after it has done the same."""
         named = [m for m in self._text.mentions if m.i == number.j + 1 and m.entities]
         ends = bool(named) and self._text.tokens[named[0].j : named[0].j + 1]
-        if not (ends and ends[0].kind == "punct") or named[0].entities[0] is doing.entity:
+        goes_on = bool(named) and any(m.i == named[0].j for m in self._text.mentions)
+        if (
+            not ((ends and ends[0].kind == "punct") or goes_on)
+            or named[0].entities[0] is doing.entity
+        ):
             return None
         other = named[0].entities[0]
         if other.is_vehicle is not doing.entity.is_vehicle:

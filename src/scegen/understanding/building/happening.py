@@ -68,12 +68,12 @@ class Writer:
 
     def _when(self, trigger: Trigger) -> When | None:
         value = trigger.amount.value if trigger.amount is not None else _NONE
+        whose = trigger.entity.name if trigger.entity is not None else None
         if trigger.kind == "start":
             return AfterStart(delay_s=value)
         if trigger.kind == "junction":
-            return BeforeJunction(distance_m=value)
+            return BeforeJunction(participant=whose, distance_m=value)
         if trigger.kind == "driven":
-            whose = trigger.entity.name if trigger.entity is not None else None
             return AfterDistance(participant=whose, distance_m=value)
         if trigger.kind == "after" and trigger.act is not None and trigger.act.name:
             since = "begin" if trigger.since == "begin" else "end"

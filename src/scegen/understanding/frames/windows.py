@@ -9,6 +9,8 @@ from scegen.understanding.words.tokens import Token
 
 _REACH = 9
 _JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "where", "because"})
+_HEADS = frozenset({"collision", "gap", "distance", "headway", "ttc", "spacing", "overlap"})
+"""Nouns of a measure: a clause between one and its number says when."""
 _CLOSE = frozenset({"to", "by", "for", "in", "over", "at", "with", "after", "within", "until",
                     "till", "from", "only", "just", "following"})  # fmt: skip
 """Words that mean something only right before the number."""
@@ -101,11 +103,25 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
             words.insert(0, "between")
             k = pair - 1
             continue
-        if token.kind in {"punct", "number"} or token.low in _JOINTS or k + 1 in ends:
+        opened = _bracketed(tokens, k)
+        if opened is not None:  # "behind a van (70 km/h) at 1.8 s"
+            k = opened - 1
+            continue
+        measured = k > 0 and token.low == "when" and tokens[k - 1].low in _HEADS
+        if token.kind in {"punct", "number"} or k + 1 in ends:
+            break
+        if token.low in _JOINTS and not measured:
             break
         words.insert(0, token.low)
         k -= 1
     return f" {' '.join(words)} "
+
+
+def _bracketed(tokens: list[Token], k: int) -> int | None:
+    """Where brackets open that close at a token."""
+    if tokens[k].low != ")":
+        return None
+    return next((b for b in range(k - 1, max(-1, k - _REACH), -1) if tokens[b].low == "("), None)
 
 
 def _both_ends(tokens: list[Token], k: int) -> int | None:
