@@ -101,3 +101,17 @@ def test_nobody_moves_over_where_the_ego_meets_somebody_else():
     )
     assert apart_m(concrete, "ego", "third") < 1.0
     assert not any(p.motion.lane_changes for p in concrete.participants)
+
+
+@pytest.mark.parametrize("lane", [1, 2])
+def test_a_lane_that_is_said_is_driven_in(lane):
+    functional, _ = merging(
+        JunctionKind.FOUR_WAY, 4, (0, Maneuver.STRAIGHT), (1, Maneuver.STRAIGHT)
+    )
+    people = tuple(
+        p.model_copy(update={"lanes": frozenset({lane})}) if p.id == "other" else p
+        for p in functional.participants
+    )
+    said = functional.model_copy(update={"participants": people})
+    concrete = concretize(said, enumerate_scenarios(said).scenarios[0])
+    assert concrete.participant("other").motion.entry_lane == lane

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scegen.concretization import concretize
 from scegen.motion import simulate
 from scegen.motion.model import Path
-from scegen.motion.trigger_steps import STEP_S, put_between_steps
+from scegen.motion.trigger_steps import STEP_S, just_before_step_s, put_between_steps
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -90,3 +90,11 @@ def test_later_phases_of_a_waiting_one_are_cleared_too(cases):
     cleared = put_between_steps(scenario(cases, [stop, go, late]), PATHS)
     first, wait, last = (p.trigger for p in cleared.participants[0].speed_program)
     assert (first.distance_m, wait.duration_s, last.distance_m) == (20.2, 1.5, 149.75)
+
+
+@given(st.floats(0.0, 60.0))
+def test_coarse_and_fine_steps_fire_next_to_the_moment(moment):
+    trigger = just_before_step_s(moment)
+    fires = {dt: np.ceil(trigger / dt - 1e-9) * dt for dt in (STEP_S, STEP_S / 5)}
+    assert abs(fires[STEP_S] - moment) <= STEP_S / 2 + 1e-6
+    assert fires[STEP_S] == pytest.approx(fires[STEP_S / 5])
