@@ -20,7 +20,7 @@ _FAR_M = 1e3
 _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 24
-_ROUNDING = 1e-6
+_ROUNDING, _SOFTER = 1e-6, 0.8
 
 
 def react(story: Story) -> list[tuple[str, str]]:
@@ -135,14 +135,30 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
     rest = [s for s in who.steps if s is not own]
     before = who.steps
     sees_s = ceil((_sees_s(other) + REACTION_S) / _STEP_S) * _STEP_S
-    for rate in _rates_mps2(story, who, own, hard=bool(kinds)):
+    rates = _rates_mps2(story, who, own, hard=bool(kinds))
+    for rate in rates:
         found = _latest_s(who, other, rest, rate, sees_s, own)
         if found is not None:
             begins = floor(found / _STEP_S + _ROUNDING) * _STEP_S
-            who.steps = [*rest, _braking(begins, rate, who, other, own, hazard)]
+            enough = rate
+            if len(rates) > 1:
+                enough = _just_enough(who, other, rest, begins, rate, own)
+            who.steps = [*rest, _braking(begins, enough, who, other, own, hazard)]
             return True
     who.steps = before
     return False
+
+
+def _just_enough(
+    who: Runner, other: Runner, rest: list[Step], begins_s: float, rate: float, own: Step | None
+) -> float:
+    """As hard as leaves the same room, for one that begins in the step of a player before."""
+    low, high = rate * _SOFTER, rate
+    for _ in range(_ROUNDS // 2):
+        middle = (low + high) / 2
+        who.steps = [*rest, _braking(begins_s, middle, who, other, own, None)]
+        low, high = (low, middle) if _least_gap_m(who, other) >= CLOSEST_M else (middle, high)
+    return high
 
 
 def _rates_mps2(story: Story, who: Runner, own: Step | None, *, hard: bool) -> list[float]:
