@@ -83,6 +83,10 @@ class Entity:
     claimed: bool = False
     some: bool = False
     """It is one of so many of several alike, no matter which."""
+    by_ramp: Basis | None = None
+    """Words that say that it comes by a ramp, or in a lane that ends."""
+    exits: Basis | None = None
+    """Words that say that it leaves the road by a ramp."""
     pulls_out: bool = False
     was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)
@@ -149,7 +153,7 @@ class Draft:
     kerb: str = "right"
     """The side of the road on which traffic keeps."""
     ramp: Basis | None = None
-    """Somebody comes from a ramp, which is built as a further lane."""
+    """Words for a ramp, or a lane that ends."""
     crossing_implied: Basis | None = None
     from_kerb: bool = False
     lanes_implied: Basis | None = None

@@ -89,6 +89,7 @@ def read(text: str) -> FunctionalScenario:
     deny_of_everybody(events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
+    draft.ramp = lengthwise.auxiliary_basis
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))

@@ -179,7 +179,8 @@ def _turns(told: Told, name: str) -> bool:
     drive = told.drive(name)
     junction = told.functional.junction
     if drive is None or junction.kind is JunctionKind.STRAIGHT:
-        return drive is not None and drive.turn is Maneuver.U_TURN
+        exits = told.functional.participant(name).maneuvers == {Maneuver.EXIT}
+        return drive is not None and (drive.turn is Maneuver.U_TURN or exits)
     return (
         drive.turn is not Maneuver.STRAIGHT
         or junction.kind is JunctionKind.ROUNDABOUT

@@ -166,7 +166,7 @@ def _aside(doing: Doing, scene: Clause, text: Sentences, context: Context) -> No
             doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
     _into(doing, scene, context)
     _homewards(doing, context)
-    if context.draft.ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
+    if entity.by_ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
         doing.side = _OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
     homeward = doing.into is None or doing.into.ego
     beside = entity.beside or _comes_from(entity, context)

@@ -31,6 +31,7 @@ from scegen.understanding.building.open_road import (
     in_the_way,
 )
 from scegen.understanding.building.proving import Proofs
+from scegen.understanding.building.ramps import settle_ramp
 from scegen.understanding.building.some_of import some_of
 from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import choose_ego, settle_positions
@@ -86,6 +87,8 @@ class Builder:
             from_the_strip(self._draft, ego)
             settle_along(self._draft, ego)
             relations = past_people(relations)
+            if junction.auxiliary is not None:
+                settle_ramp(self._draft, ego, junction.auxiliary)
         else:
             alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)

@@ -64,7 +64,6 @@ def beside_of(entity: Entity) -> Approach | None:
 def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
     """The lane that the text names, counted from 1 at the centre line outwards."""
     count = min(junction.lanes, default=1)
-    count -= draft.ramp is not None and count > 2
     if entity.start_lane is None or count < 2:
         return frozenset()
     name = entity.start_lane[0]

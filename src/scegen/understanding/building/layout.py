@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, Junction
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
@@ -14,6 +14,7 @@ from scegen.scenario.vocabulary import (
     Maneuver,
 )
 from scegen.understanding.building.proving import Proofs
+from scegen.understanding.building.ramps import auxiliary_lane
 from scegen.understanding.draft import Basis, Draft
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
@@ -80,6 +81,7 @@ class Layout:
             carriageway=carriageway,
             strips=strips,
             bend=self._bend(kind, angles),
+            auxiliary=self._auxiliary(kind),
             kind=kind,
             arms=arms,
             arm_angles_deg=angles,
@@ -118,6 +120,14 @@ class Layout:
             Approach.OPPOSITE in entity.approaches or Maneuver.U_TURN in entity.maneuvers
             for entity in self._draft.entities
         )
+
+    def _auxiliary(self, kind: JunctionKind) -> AuxiliaryLane | None:
+        """The lane for a part of the road that somebody uses; none in a bend or at junctions."""
+        found = auxiliary_lane(self._draft, self._along.auxiliary)
+        if found is None or kind is not JunctionKind.STRAIGHT or self._along.bend is not None:
+            return None
+        self._proofs.add("junction.auxiliary", found[1])
+        return found[0]
 
     def _bend(self, kind: JunctionKind, angles: tuple[float, ...]) -> Bend | None:
         basis = self._along.bend_basis
@@ -199,16 +209,6 @@ class Layout:
         return arms, Basis(reason=f"follows from the shape {kind.value}")
 
     def _lanes(
-        self, kind: JunctionKind, arms: int
-    ) -> tuple[tuple[int, ...], int | None, Basis | None]:
-        counted = self._counted_lanes(kind, arms)
-        ramp, lanes = self._draft.ramp, counted[0]
-        if ramp is None or not lanes or max(lanes) >= _MOST_LANES:
-            return counted
-        reason = "the ramp is a further lane beside the others"
-        return tuple(n + 1 for n in lanes), counted[1], Basis(ramp.i, ramp.j, reason)
-
-    def _counted_lanes(
         self, kind: JunctionKind, arms: int
     ) -> tuple[tuple[int, ...], int | None, Basis | None]:
         around = self._around

@@ -8,7 +8,7 @@ from scegen.understanding.words.terms import Term
 
 _QUALITIES = frozenset({"colour", "quality"})
 _PLACES = {
-    "ramp": "ramps are not built; merging takes place on the road itself",
+    "ramp": "ramps are built where somebody joins or leaves by them; here the plain road is",
     "bus_stop": "bus stops are not built; the plain road is",
     "bike_lane": "bicycle lanes are not built; the plain road is",
     "feature": "this shape of road is not built; a level, plain road is",
@@ -25,7 +25,7 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
     for term in terms:
         if term.cat == "noted":
             draft.note(term.i, term.j, term.data["instead"])
-        elif term.cat == "place" and term.value in _PLACES:
+        elif term.cat == "place" and term.value in _PLACES and not _used(draft, term):
             draft.note(term.i, term.j, _PLACES[term.value])
         elif term.cat == "manner" and term.value == "aggressive":
             draft.note(term.i, term.j, "the manner of driving is not modelled; what is done is")
@@ -33,6 +33,12 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
         if isinstance(chunk, Mention):
             _mention(draft, chunk)
     del draft.notes[_MOST_NOTES:]
+
+
+def _used(draft: Draft, term: Term) -> bool:
+    """Whether a ramp is built, since somebody comes or leaves by it."""
+    users = (basis for e in draft.entities for basis in (e.by_ramp, e.exits))
+    return term.value == "ramp" and any(basis is not None for basis in users)
 
 
 def _unknown(draft: Draft, terms: list[Term]) -> None:

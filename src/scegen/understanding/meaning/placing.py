@@ -154,8 +154,8 @@ class Placer:
 
     def _from_a_ramp(self, entities: list[Entity], basis: Basis) -> None:
         """``merges from the on-ramp``: from a lane on the side of the kerb."""
-        self._draft.ramp = self._draft.ramp or basis
         for entity in entities:
+            entity.by_ramp = entity.by_ramp or basis
             entity.beside = entity.beside or (self._draft.kerb, basis)
             self._draft.place(entity, None, {Approach.ADJACENT}, basis)
 

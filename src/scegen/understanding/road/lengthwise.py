@@ -8,7 +8,7 @@ from pydantic import ValidationError
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.bends import RADII_M, Bend
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.draft import Basis
 from scegen.understanding.words import absent
@@ -26,6 +26,8 @@ class Lengthwise:
         strips: what lies beside its lanes, with the words for it.
         bend: the bend that is driven.
         bend_basis: the words for it.
+        auxiliary: a ramp, or a lane that ends.
+        auxiliary_basis: the words for it.
     """
 
     carriageway: Carriageway | None = None
@@ -34,6 +36,8 @@ class Lengthwise:
     strips: dict[Strip, Basis] = field(default_factory=dict)
     bend: Bend | None = None
     bend_basis: Basis | None = None
+    auxiliary: AuxiliaryLane | None = None
+    auxiliary_basis: Basis | None = None
 
 
 def read_lengthwise(terms: list[Term]) -> Lengthwise:
@@ -48,6 +52,9 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
         if "carriageway" in term.data and not known:
             found.carriageway = Carriageway(term.data["carriageway"])
             found.carriageway_basis, found.presumed = basis, presumed
+        if "auxiliary" in term.data and found.auxiliary is None:
+            found.auxiliary = AuxiliaryLane(term.data["auxiliary"])
+            found.auxiliary_basis = basis
         if term.value == "bend" and found.bend is None:
             found.bend, found.bend_basis = _bend(term), basis
         if "strip" in term.data:

@@ -52,7 +52,6 @@ class Surroundings:
     side: DrivingSide | None = None
     side_basis: Basis | None = None
     highway: Basis | None = None
-    ramp: Basis | None = None
     two_lane: Basis | None = None
 
     @property
@@ -98,8 +97,6 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             _two_lanes(found, term, tokens)
         elif term.cat == "place" and term.value == "highway":
             found.highway = found.highway or basis
-        elif term.cat == "place" and term.value == "ramp":
-            found.ramp = found.ramp or basis
     return found
 
 

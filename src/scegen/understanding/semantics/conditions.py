@@ -46,6 +46,13 @@ FACTS: dict[str, Test] = {
     "crossing": lambda _, context: context.junction.crossing,
     "highway": lambda _, context: context.junction.highway,
     "meeting": lambda _, c: c.junction.crossing or c.draft.crossing_implied is not None,
+    "kerbwards": lambda clause, c: any(
+        [
+            c.draft.kerb in [d for place in clause.places() for d in place.dirs],
+            c.draft.kerb in [term.value for term in clause.event.dirs],
+        ]
+    ),
+    "ramp": lambda _, context: context.draft.ramp is not None,
     "access": lambda _, context: context.draft.access is not None,
     "from_kerb": lambda _, context: context.draft.from_kerb,
     "controlled": lambda _, context: context.junction.control is not None,

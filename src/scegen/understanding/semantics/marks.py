@@ -27,6 +27,14 @@ def _waits(entity: Entity, basis: Basis) -> None:
     entity.waits = entity.waits or basis
 
 
+def _by_ramp(entity: Entity, basis: Basis) -> None:
+    entity.by_ramp = entity.by_ramp or basis
+
+
+def _exits(entity: Entity, basis: Basis) -> None:
+    entity.exits = entity.exits or basis
+
+
 def _forgets(entity: Entity, _: Basis) -> None:
     entity.maneuvers = set()
 
@@ -56,6 +64,8 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "waits": _waits,
     "on_straight": _on_straight,
     "through": _through,
+    "by_ramp": _by_ramp,
+    "exits": _exits,
     "forgets": _forgets,
 }
 """Mark -> what it sets; ``forgets``: what was said of its way before no longer holds."""

@@ -36,6 +36,7 @@ _FILTERS: dict[str, NounTest] = {
     "ranked": lambda n, _: n.head is not None and "ranked" in n.head.data,
     "compound": lambda n, _: n.head is not None and n.head.j - n.head.i > 1,
     "gap": lambda n, _: n.head is not None and "gap" in n.head.data,
+    "leads_off": lambda n, _: n.head is not None and n.head.data.get("auxiliary") == "off_ramp",
     "plural": lambda n, _: n.head is not None and n.head.form == "s",
     "headed": lambda n, _: n.head is not None,
     "roundabout": lambda n, _: n.head is not None and n.head.data.get("kind") == "roundabout",
