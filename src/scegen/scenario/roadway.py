@@ -44,19 +44,19 @@ class AuxiliaryLane(Word):
 
     ON_RAMP = (
         "on_ramp",
-        "a ramp joins: its lane runs beside the others (the acceleration lane) and ends",
+        "a ramp joins: its lane runs on beside the others for a while and ends",
         "a side road, which joins at a junction",
-        "merges from the on-ramp; on the slip road; at the end of the acceleration lane",
+        "merges from the slip road; in the acceleration lane",
     )
     OFF_RAMP = (
         "off_ramp",
-        "an exit: a lane begins beside the others (the deceleration lane) and leads off by a ramp",
-        "an exit of a roundabout or a car park",
-        "takes the exit; leaves the motorway",
+        "an exit: a lane begins beside the others and leads off by a ramp",
+        "an exit of a roundabout",
+        "leaves the motorway",
     )
     LANE_DROP = (
         "lane_drop",
         "the outermost lane ends, and who is in it must change",
         "`on_ramp`, whose lane comes from another road",
-        "the right lane ends; three lanes become two",
+        "the right lane ends",
     )

@@ -287,13 +287,13 @@ class Maneuver(Word):
     )
     MERGE = (
         "merge",
-        "is in the lane that ends (`junction.auxiliary`; at first on its ramp) and leaves it",
+        "comes by the ramp, or in the lane that ends, and leaves that",
         "`lane_change` between lanes that go on",
-        "merges from the on-ramp onto the motorway",
+        "merges from the on-ramp",
     )
     EXIT = (
         "exit",
-        "changes into the lane that leads off the road by a ramp, and leaves by it",
+        "leaves the road by a ramp",
         "`exit_1` of a roundabout; `right` at a junction",
         "takes the motorway exit",
     )

@@ -146,7 +146,7 @@ class Builder:
             self._proofs.add(f"{path}.role", None, "everybody but the ego")
         maneuvers = maneuvers_of(entity, junction, self._draft)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
-        lanes, circulating = lanes_of(entity, junction, self._draft), circulates(entity, junction)
+        lanes, circulating = lanes_of(entity, junction), circulates(entity, junction)
         crosses, crosses_basis = self._crosses(entity, maneuvers, junction)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),

@@ -61,7 +61,7 @@ def beside_of(entity: Entity) -> Approach | None:
     return Approach(entity.beside[0])
 
 
-def lanes_of(entity: Entity, junction: Junction, draft: Draft) -> frozenset[int]:
+def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
     """The lane that the text names, counted from 1 at the centre line outwards."""
     count = min(junction.lanes, default=1)
     if entity.start_lane is None or count < 2:
