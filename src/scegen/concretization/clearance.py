@@ -9,7 +9,7 @@ import numpy as np
 from scegen.claims.boxes import Boxes, apart
 from scegen.concretization.boxes import box_on
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.priorities import Manners
+from scegen.concretization.priorities import Manners, Waits
 from scegen.motion.model import Array
 
 _SAMPLE_S = 0.05
@@ -75,20 +75,40 @@ def clear_offset(
     """
     placed = [(other, offsets_s[other.id]) for other in others]
     everybody = [*placed, *((other, offsets_s[other.id]) for other in meeting)]
+    before = Waits.of([draft, *(other for other, _ in everybody)])
     for k in range(int(within_s / _STEP_S) + 1):
         signs = (direction,) if direction else (1, -1)
         for sign in signs:
             tried = offset_s + sign * k * _STEP_S
             if manners is not None:
                 manners.wait(draft, tried)
-                if manners.broken(draft, tried, everybody):
+                if not manners.settle(draft, tried, everybody):
+                    before.restore()
                     continue
             if not any(
                 touch(one, tried + later, other, at)
                 for one, later in ((draft, 0.0), *companions)
                 for other, at in placed
-            ):
+            ) and not _waiting_touch(before.changed(), draft, tried, everybody):
                 return tried
+            before.restore()
     if manners is not None:
         manners.wait(draft, offset_s)
     return offset_s
+
+
+def _waiting_touch(
+    waiting: Iterable[DriveDraft],
+    draft: DriveDraft,
+    offset_s: float,
+    everybody: Sequence[tuple[DriveDraft, float]],
+) -> bool:
+    """Whether one of those who wait for a new one, or it, touches anybody meanwhile."""
+    people = [(draft, offset_s), *everybody]
+    late = {one.id: at for one, at in people}
+    return any(
+        touch(one, late[one.id], other, at)
+        for one in waiting
+        for other, at in people
+        if other is not one
+    )

@@ -21,7 +21,7 @@ from scegen.concretization.meetings import (
     Meeting,
     shared_length_m,
 )
-from scegen.concretization.priorities import Manners
+from scegen.concretization.priorities import Manners, patient_ones
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import Appointment
 from scegen.motion.rules.giving_way import must_give_way
@@ -41,7 +41,7 @@ def arrange(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     while _arrange_one(scene, dangers, offsets, None):
         continue
     duties = must_give_way(scene.functional, scene.logical)
-    manners = Manners(lights_of(scene, offsets), duties)
+    manners = Manners(lights_of(scene, offsets), duties, patient_ones(scene, ordered))
     while len(offsets) < len(scene.drives):
         if _arrange_one(scene, ordered, offsets, manners):
             continue

@@ -34,6 +34,7 @@ from scegen.concretization.obstacles import (
     stop_short,
 )
 from scegen.concretization.occluders import hide
+from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import (
     program_pulls,
     pull_appointments,
@@ -203,6 +204,7 @@ def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
         scene.note(f"{name}.start_m", station, reason)
     set_triggers(scene, moments)
     set_lights(scene)
+    set_gaps(scene)
     start_farther_out(scene)
     return moments
 

@@ -57,7 +57,7 @@ class SpeedChange:
     resume_mps: float = 0.0
     resume_rate_mps2: float = 2.0
     resume_hazard: HazardKind | None = None
-    waits_for: ArrivalBelow | AtTime | None = None
+    waits_for: ArrivalBelow | AtTime | Travelled | None = None
     sort: Sort = Sort.DANGER
     then_s: float | None = None
     act: str | None = None

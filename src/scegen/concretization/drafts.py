@@ -26,6 +26,7 @@ from scegen.scenario.concrete import (
     DriveMotion,
     LaneChange,
     SpeedPhase,
+    Travelled,
     Trigger,
 )
 from scegen.scenario.logical import Drive
@@ -50,8 +51,9 @@ class DriveDraft:
     ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
     one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
     ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
-    somebody who crosses behind it. ``waits_s`` is how long it stands at a red light, if it does,
-    and ``goes_at`` when it goes on there. ``offset_s`` is how late it is against its course.
+    somebody who crosses behind it. ``waits_s`` is how long it stands at its line, at red or
+    until ``lets_by`` has passed (below 0: it goes on before it has come to rest), and ``goes_at``
+    what it goes on by. ``offset_s`` is how late it is against its course.
     """
 
     id: str
@@ -86,7 +88,8 @@ class DriveDraft:
     course_: Course | None = None
     line_back_m: float = 0.0
     waits_s: float | None = None
-    goes_at: AtTime | None = None
+    goes_at: AtTime | Travelled | None = None
+    lets_by: str | None = None
 
     @property
     def body(self) -> Body:

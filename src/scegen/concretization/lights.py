@@ -140,7 +140,7 @@ def set_lights(scene: Setup) -> None:
         return
     scene.signals = shifted(scene.signals, scene.ego.offset_s)
     for draft in scene.drives.values():
-        if draft.waits_s is None:
+        if draft.waits_s is None or draft.lets_by is not None:
             continue
         again = next(phase for phase in draft.course.phases if phase.resumes)
         draft.goes_at = AtTime(time_s=round(draft.offset_s + again.begins_s, 3))

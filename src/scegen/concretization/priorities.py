@@ -1,26 +1,79 @@
-"""Right of way while starts are chosen: nobody is placed where it takes another's way."""
+"""Right of way while starts are chosen: nobody is placed where it takes another's way.
+
+Who has to give way waits at its line, or slows down before it, until the other has passed; where
+that does not do, it is placed to come at another time.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
+from scegen.concretization.courses import Course, Phase
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
-from scegen.measures.grounds import grounds
+from scegen.concretization.limits import STOPS_FOR_S
+from scegen.concretization.meetings import ORDINARY, Meeting
+from scegen.concretization.setup import Setup
+from scegen.measures.grounds import Ground, grounds
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty
+from scegen.scenario.concrete import AtTime, Travelled
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import Control
 
 _ROOM_S = 0.3
 """More than a claim asks for: starts are rounded, and simulators step."""
+_AFTER_S = 0.6
+"""Who waits comes onto the ground so long after the other has left it: it looks at the other's
+tail, and is quicker than the 1 to 2 s lost by the first at a light (``lights``); this program's own
+choice."""
+_MORE_S = 1e-3
+_BRAKES_S = 0.6
+"""So long at least it slows down."""
+_LONGEST_S = 25.0
+"""Nobody is let wait longer for others: of a stream somebody comes later instead."""
+
+_SIGNED = frozenset({Control.YIELD, Control.STOP, Control.ALL_WAY_STOP})
+
+Placed = tuple[DriveDraft, float]
+
+
+@dataclass(frozen=True)
+class Waits:
+    """Who waits at its line for how long and for whom, to go back to."""
+
+    _before: tuple[tuple[DriveDraft, float | None, str | None, Course | None], ...]
+
+    @classmethod
+    def of(cls, drafts: Iterable[DriveDraft]) -> Waits:
+        """As it is now."""
+        return cls(tuple((d, d.waits_s, d.lets_by, d.course_) for d in drafts))
+
+    def restore(self) -> None:
+        """As it was."""
+        for draft, waits_s, lets_by, course in self._before:
+            draft.waits_s, draft.lets_by, draft.course_ = waits_s, lets_by, course
+
+    def changed(self) -> list[DriveDraft]:
+        """Those who wait otherwise than then."""
+        return [
+            d
+            for d, waits_s, lets_by, _ in self._before
+            if (d.waits_s, d.lets_by) != (waits_s, lets_by)
+        ]
 
 
 @dataclass(frozen=True)
 class Manners:
-    """What whoever is placed keeps to: its light, and the right of way of those placed before."""
+    """What whoever is placed keeps to: its light, and the right of way of those placed before.
+
+    ``patient`` are those who may be let wait at their line.
+    """
 
     lights: Lights | None
     duties: tuple[Duty, ...] = ()
+    patient: frozenset[str] = frozenset()
     _by_pair: dict[frozenset[str], Duty] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -31,25 +84,140 @@ class Manners:
         if self.lights is not None:
             self.lights.wait(draft, offset_s)
 
-    def broken(
-        self, draft: DriveDraft, offset_s: float, others: Iterable[tuple[DriveDraft, float]]
-    ) -> bool:
-        """Whether somebody takes another's way where a drive is so late."""
-        return any(self._taken(draft, offset_s, other, at) for other, at in others)
+    def settle(self, draft: DriveDraft, offset_s: float, others: Sequence[Placed]) -> bool:
+        """Let those wait who would take another's way where a drive is so late.
 
-    def _taken(self, one: DriveDraft, one_s: float, two: DriveDraft, two_s: float) -> bool:
-        duty = self._by_pair.get(frozenset((one.id, two.id)))
+        Returns whether nobody takes another's way then.
+        """
+        people = [(draft, offset_s), *others]
+        if draft.lets_by is not None:
+            draft.waits_s, draft.lets_by, draft.course_ = None, None, None
+        changed = {draft.id}
+        for _ in range(2 * len(people)):
+            taken = self._first_taken(changed, people)
+            if taken is None:
+                return True
+            (late, late_s), (other, other_s) = taken
+            if late.id not in self.patient or not _lets_by(late, late_s, other, other_s):
+                return False
+            changed.add(late.id)
+        return False
+
+    def _first_taken(
+        self, changed: Collection[str], people: Sequence[Placed]
+    ) -> tuple[Placed, Placed] | None:
+        """Who has to give way and does not, and before whom, of those who have changed."""
+        for one in people:
+            for two in people:
+                if one[0].id in changed and two[0] is not one[0]:
+                    found = self._taken(one, two)
+                    if found is not None:
+                        return found
+        return None
+
+    def _taken(self, one: Placed, two: Placed) -> tuple[Placed, Placed] | None:
+        """Who of two takes the other's way, and the other."""
+        duty = self._by_pair.get(frozenset((one[0].id, two[0].id)))
         if duty is None:
-            return False
-        if duty.by_arrival:
-            late = _rests_s(one, one_s) - _rests_s(two, two_s)
-            at_once = abs(late) <= TOGETHER_S + _ROOM_S
-            one_yields = (late > 0.0 and not at_once) or (at_once and duty.yields == one.id)
+            return None
+        yields, other = (one, two) if duty.yields == one[0].id else (two, one)
+        if duty.by_arrival and _rests_s(*yields) < _rests_s(*other) - TOGETHER_S - _ROOM_S:
+            yields, other = other, yields
+        return (yields, other) if _takes_way(*yields, *other) else None
+
+
+def patient_ones(scene: Setup, meetings: Iterable[Meeting]) -> frozenset[str]:
+    """Those who may be let wait: nothing is told of what they do, and they are to meet nobody.
+
+    Where the text asks for no danger and tells of no good end, a near miss with the ego is looked
+    for: those who meet it do not wait.
+    """
+    functional = scene.functional
+    if scene.road.control is Control.SIGNALS or functional.spacings:
+        return frozenset()
+    outcome, ego = functional.outcome, functional.ego.id
+    hazards = functional.hazards
+    told = {name for h in hazards for name in (*h.by, *h.to)}
+    near = outcome is None and not hazards
+    if outcome is not None and outcome.kind is not OutcomeKind.AVOIDED:
+        told |= {*outcome.between}
+        near = len(outcome.between) < 2
+    for meeting in meetings:
+        pair = {meeting.first, meeting.second}
+        if meeting.priority < ORDINARY or (near and ego in pair):
+            told |= pair
+    return frozenset(
+        draft.id
+        for draft in scene.drives.values()
+        if draft.id not in told
+        and not (draft.marks or draft.deeds or draft.reversal or draft.lane_changes)
+        and not (draft.stands or draft.halts_at_m is not None or draft.drive.circulating)
+        and not any(act.participant == draft.id for act in scene.acts)
+        and (scene.road.control in _SIGNED or not scene.has_said_speed(draft.id))
+    )
+
+
+def set_gaps(scene: Setup) -> None:
+    """Whoever waits for another goes on as that one has passed, wherever it starts."""
+    for draft in scene.drives.values():
+        if draft.lets_by is None:
+            continue
+        other, again = scene.drives[draft.lets_by], _going_on(draft)
+        goes_s = draft.offset_s + again.begins_s
+        way_m = round(other.course.s_at(goes_s - other.offset_s) - other.start_m, 3)
+        moves = other.course.speed_then(goes_s - other.offset_s) > 0.5
+        if moves and 0.0 < way_m < other.laid.path.length_m - other.start_m - 1.0:
+            draft.goes_at = Travelled(participant=other.id, distance_m=way_m)
         else:
-            one_yields = duty.yields == one.id
-        if one_yields:
-            return _takes_way(one, one_s, two, two_s)
-        return _takes_way(two, two_s, one, one_s)
+            draft.goes_at = AtTime(time_s=round(goes_s, 3))
+        draft.course_ = None
+        scene.note(f"{draft.id}.goes_s", goes_s, f"{other.id} has passed, who has right of way")
+
+
+def _going_on(draft: DriveDraft) -> Phase:
+    return next(phase for phase in draft.course.phases if phase.resumes)
+
+
+def _lets_by(late: DriveDraft, late_s: float, other: DriveDraft, other_s: float) -> bool:
+    """Let one wait until another is before it, and gone as it comes; whether it can."""
+    waited_s, served = late.waits_s, late.lets_by
+    late.waits_s, late.course_ = STOPS_FOR_S, None
+    again = _going_on(late).begins_s
+    stops = next(phase for phase in late.course.phases if phase.target_mps == 0.0)
+    rests_s = again - STOPS_FOR_S
+    # One that would still come too soon waits until the other is gone.
+    early = served != other.id
+    free_s = _free_s(late, again, other, other_s) if early else _gone_s(late, other, other_s)
+    wait_s = max(free_s - late_s - rests_s, stops.begins_s + _BRAKES_S - rests_s)
+    if late.stops_at_line:
+        wait_s = max(wait_s, STOPS_FOR_S)
+    late.waits_s, late.course_, late.lets_by = wait_s, None, other.id
+    return (waited_s is None or wait_s > waited_s + _MORE_S) and wait_s < _LONGEST_S
+
+
+def _free_s(late: DriveDraft, again_s: float, other: DriveDraft, other_s: float) -> float:
+    """When one may go on: the other is before it, and a little gone as it comes."""
+    soonest = -inf
+    for ground in grounds(late.laid.path, late.kind, other.laid.path, other.kind):
+        comes = other_s + other.course.time_at(ground.other_enters_m)
+        gone = other_s + other.course.time_at(_left_m(ground, other))
+        needs = max(late.course.time_at(ground.enter_m) - again_s, 0.0)
+        soonest = max(soonest, comes, gone + _AFTER_S - needs)
+    return soonest
+
+
+def _gone_s(late: DriveDraft, other: DriveDraft, other_s: float) -> float:
+    """When another has left all the ground that it shares with one, and a moment more."""
+    shared = grounds(late.laid.path, late.kind, other.laid.path, other.kind)
+    places = [_left_m(ground, other) for ground in shared]
+    return max((other_s + other.course.time_at(p) for p in places), default=-inf) + _AFTER_S
+
+
+def _left_m(ground: Ground, other: DriveDraft) -> float:
+    """Where another has left a ground; where both go on along one way, where it is ahead."""
+    if ground.other_leaves_m < inf:
+        return ground.other_leaves_m
+    return ground.other_enters_m + other.body.length_m
 
 
 def _rests_s(draft: DriveDraft, offset_s: float) -> float:

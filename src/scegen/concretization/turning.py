@@ -7,7 +7,7 @@ from math import sqrt
 
 from scegen.concretization.courses import Sort, SpeedChange
 from scegen.motion.polyline import LaidDrive
-from scegen.scenario.concrete import AtTime
+from scegen.scenario.concrete import AtTime, Travelled
 
 _WORTH_IT = 0.98
 _REACTION_M = 1.0
@@ -30,7 +30,7 @@ class Stop:
 
     line_s_m: float
     stands_s: float
-    goes_at: AtTime | None = None
+    goes_at: AtTime | Travelled | None = None
 
 
 def bend_of(laid: LaidDrive, cruise_mps: float, lateral_mps2: float) -> Bend | None:

@@ -83,6 +83,7 @@ def compose_along(
         MotionInfeasibleError: what is said of lanes, places and times cannot all be had.
     """
     story = story_of(functional, logical, road)
+    story.seed = seed
     walks = lay(story)
     _stay_on_their_side(story)
     parked = park(story, walks)

@@ -256,4 +256,7 @@ def _headway_s(story: Story, front: Runner, back: Runner, wider: float) -> float
         if hazard.kind is HazardKind.TAILGATING and back.id in hazard.by:
             return sum(TAILGATING_HEADWAY_S) / 2
     slows = any(s.target_mps < front.speed_mps for s in front.steps)
+    concerned = story.concern(front.id, back.id) or story.ego.id in {front.id, back.id}
+    if not slows and not concerned:
+        return story.driver(back.id).time_gap_s * wider
     return (_BRAKES_AT_S if slows else _FOLLOWING_S) * wider

@@ -11,6 +11,7 @@ from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.amounts import BRAKING, CLOSEST_M, answering_rates_mps2
 from scegen.concretization.limits import REACTION_S
+from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.vocabulary import HazardKind
 
@@ -21,6 +22,8 @@ _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 24
 _ROUNDING, _SOFTER = 1e-6, 0.8
+_KEEPS_M = 0.75 * STANDS_BEHIND_M
+"""Who follows keeps this free; simulators step, and bends are not as long in every lane."""
 
 
 def react(story: Story) -> list[tuple[str, str]]:
@@ -129,6 +132,8 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
 def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = None) -> bool:
     """Add the latest braking that keeps them apart; whether there is one."""
     own = loose or _loose_step(story, who)
+    if own is None and not story.concern(who.id, other.id) and _follow(story, who, other):
+        return True
     kinds = [h.kind for h in story.hazards if h.kind in BRAKING and who.id in h.by]
     thing = HazardKind.OBSTACLE if other.box is not None else None
     hazard = next(iter(kinds), thing)
@@ -146,6 +151,32 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
             who.steps = [*rest, _braking(begins, enough, who, other, own, hazard)]
             return True
     who.steps = before
+    return False
+
+
+def _follow(story: Story, who: Runner, other: Runner) -> bool:
+    """Let one that nothing is told of follow another, as drivers in traffic do; whether it can."""
+    alone = not (who.steps or who.moves or other.moves)
+    if not alone or not other.steps or not _same_way(story, who.id, other.id):
+        return False
+    driver, steps, speed = story.driver(who.id), list[Step](), other.speed_mps
+    for step in sorted(other.steps, key=lambda s: s.begins_s):
+        ahead = Change(step.begins_s, step.target_mps, step.rate_mps2)
+        if step.target_mps < speed:
+            gap = gap_m(who, other, step.begins_s)
+            found = None if steps else brakes(driver, who.speed_mps, gap, speed, ahead)
+        else:
+            found = goes_on(driver, who.speed_mps, ahead) if steps else None
+        if found is None:
+            return False
+        begins = floor(found.begins_s / _STEP_S + _ROUNDING) * _STEP_S
+        steps.append(Step(begins, found.to_mps, found.rate_mps2, reacts_to=other.id))
+        speed = step.target_mps
+    hardest = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
+    who.steps = steps
+    if max(s.rate_mps2 for s in steps) <= hardest and _least_gap_m(who, other) >= _KEEPS_M:
+        return True
+    who.steps = []
     return False
 
 

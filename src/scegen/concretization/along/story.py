@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.asked import contact_wanted as said_to_touch
 from scegen.concretization.asked import dangers, hazard_of
+from scegen.motion.following import Driver, driver_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind
@@ -33,6 +35,7 @@ class Story:
     things: tuple[Thing, ...] = ()
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
+    seed: int = 0
 
     @property
     def innermost(self) -> int:
@@ -63,6 +66,23 @@ class Story:
             if (relation.participant, relation.reference) == (name, reference):
                 found |= relation.approaches
         return found
+
+    def driver(self, name: str) -> Driver:
+        """Who drives somebody."""
+        return driver_of(self.seed, list(self.runners).index(name))
+
+    def concern(self, first: str, second: str) -> bool:
+        """Whether what is to happen is between these two: a danger, or how it ends.
+
+        Where the text tells of neither, it is between the ego and everybody.
+        """
+        pair, ego = {first, second}, self.ego.id
+        outcome = self.functional.outcome
+        if outcome is not None and outcome.kind is not OutcomeKind.AVOIDED:
+            return pair <= {*outcome.between} if len(outcome.between) > 1 else ego in pair
+        if not self.hazards:
+            return outcome is None and ego in pair
+        return any(pair <= {*hazard.by, *hazard.to} for hazard in self.hazards)
 
     def act(self, name: str) -> Act:
         """An act by its id."""

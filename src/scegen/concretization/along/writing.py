@@ -121,6 +121,8 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
         participant = any(p.id == other.id for p in story.functional.participants)
         if closing and participant:
             return DistanceBelow(participant=other.id, distance_m=round(apart, 3))
+        if participant and step.act is None:
+            return _come_so_far((other, story.ego, runner), moment)
     return _come_so_far((story.ego, runner), moment)
 
 
