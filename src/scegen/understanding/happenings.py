@@ -13,6 +13,8 @@ from scegen.scenario.vocabulary import BodySide, Side
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 
+STILL = Interval(low=0.0, high=0.0)
+
 
 @dataclass(frozen=True, slots=True)
 class Amount:

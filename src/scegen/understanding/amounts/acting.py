@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import ActFrame, acts
-from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.frames import ActFrame, acts, words
+from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.semantics.context import Clause, Context
 
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
@@ -111,8 +110,6 @@ def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
         begins = bool({event.lemma, event.parent.lemma if event.parent else ""} & _BEGINNING)
         crosses = Maneuver.CROSS in entity.maneuvers
         return (ActKind.CROSS if crosses else ActKind.SET_OFF) if begins else None
-    if event.name == "pull_out" and Maneuver.LANE_CHANGE in entity.maneuvers:
-        return ActKind.CHANGE_LANE
     if event.name == "pull_out" and Maneuver.OVERTAKE in entity.maneuvers:
         return ActKind.OVERTAKE
     if (
@@ -234,23 +231,9 @@ def _to_standstill(doing: Doing, text: Sentences) -> None:
         return
     end = text.bounds(doing.i)[1]
     later = [s.event.i for s in text.within(doing.i + 1, end) if s.event.name not in _RESTING]
-    phrase = text.says("standstill", doing.i, min([end, *later]))
-    if phrase is not None:
-        span = _find(text, phrase, doing.i)
-        doing.amounts["target_speed_mps"] = Amount(_zero(), Basis(*span))
-
-
-def _zero() -> Interval:
-    return Interval(low=0.0, high=0.0)
-
-
-def _find(text: Sentences, phrase: str, i: int) -> tuple[int, int]:
-    """Where a phrase stands from a token on."""
-    wanted = phrase.split()
-    for k in range(max(0, i), len(text.tokens)):
-        if [t.low for t in text.tokens[k : k + len(wanted)]] == wanted:
-            return k, k + len(wanted)
-    return i, i + 1
+    span = text.find(words()["standstill"], doing.i, min([end, *later]))
+    if span is not None:
+        doing.amounts["target_speed_mps"] = Amount(STILL, Basis(*span))
 
 
 def _continued(doing: Doing, found: list[Doing], text: Sentences) -> bool:
@@ -263,7 +246,7 @@ def _continued(doing: Doing, found: list[Doing], text: Sentences) -> bool:
         if same:
             before.told.append(doing.i)
         return same
-    before.amounts["target_speed_mps"] = Amount(_zero(), doing.basis)
+    before.amounts["target_speed_mps"] = Amount(STILL, doing.basis)
     before.told.append(doing.i)
     return True
 

@@ -45,40 +45,37 @@ def _joined(text: Sentences) -> None:
 
 
 def _likewise(text: Sentences) -> None:
-    """``the lead creeps at 10 km/h, ego too``: as fast as who was told of before."""
-    for mention in text.mentions:
-        after = [t.low for t in text.tokens[mention.j : mention.j + 2]]
-        start, _ = text.bounds(mention.i)
-        before = [e for m in text.mentions if start <= m.i < mention.i for e in m.entities]
-        told = before[-1] if before and after[:1] == ["too"] and after[1:] != ["fast"] else None
-        if told is None or told.speed is None or text.within(mention.i, mention.j + 1):
+    """``the ego does 50 km/h, the van behind it too``: as fast as who was told of before."""
+    for k, token in enumerate(text.tokens):
+        after = text.tokens[k + 1 : k + 2]
+        part = text.elided(k) if token.low == "too" else None
+        if part is None or (after and after[0].kind != "punct"):
             continue
-        for entity in mention.entities:
+        start, _ = text.bounds(k)
+        before = [e for m in text.mentions if start <= m.i < part[0] for e in m.entities]
+        for entity in part[1] if before else []:
             if entity.speed is None and entity.is_vehicle:
-                entity.speed = told.speed
-                entity.speed_basis = Basis(mention.i, mention.j + 1, "as fast as the other")
+                entity.speed = before[-1].speed
+                entity.speed_basis = Basis(part[0], k + 1, "as fast as the other")
 
 
 def _alike(text: Sentences, context: Context) -> None:
     """``equally fast``, ``at the same speed``: as fast as the other."""
-    lows = [t.low for t in text.tokens]
-    for phrase in words()["alike"]:
-        wanted = phrase.split()
-        for k in range(len(lows) - len(wanted) + 1):
-            if lows[k : k + len(wanted)] != wanted:
-                continue
-            start, end = text.bounds(k)
-            named = [e for m in text.mentions if start <= m.i < end for e in m.entities]
-            near = [e for m in text.mentions if m.i < k for e in m.entities]
-            who = list(dict.fromkeys(e for e in reversed(named) if not e.parked))
-            for entity in list(who):
-                other = counterpart(entity, context, near) if len(who) < _PAIR else None
-                who += [other] if other is not None and other not in who else []
-            known = [e for e in who if e.speed is not None]
-            for entity in who if known else []:
-                if entity.speed is None and entity.is_vehicle and not entity.still:
-                    entity.speed = known[0].speed
-                    entity.speed_basis = Basis(k, k + len(wanted), "as fast as the other")
+    span = text.find(words()["alike"], 0, len(text.tokens))
+    if span is None:
+        return
+    start, end = text.bounds(span[0])
+    named = [e for m in text.mentions if start <= m.i < end for e in m.entities]
+    near = [e for m in text.mentions if m.i < span[0] for e in m.entities]
+    who = list(dict.fromkeys(e for e in reversed(named) if not e.parked))
+    for entity in list(who):
+        other = counterpart(entity, context, near) if len(who) < _PAIR else None
+        who += [other] if other is not None and other not in who else []
+    known = [e for e in who if e.speed is not None]
+    for entity in who if known else []:
+        if entity.speed is None and entity.is_vehicle and not entity.still:
+            entity.speed = known[0].speed
+            entity.speed_basis = Basis(*span, "as fast as the other")
 
 
 def _followed(text: Sentences, context: Context) -> None:
@@ -99,11 +96,10 @@ def _followed(text: Sentences, context: Context) -> None:
 
 def _in_one_lane(text: Sentences, context: Context) -> None:
     """``ego 50 km/h, target 20 km/h, same lane``: whom the faster one comes up to is ahead."""
-    lows = [t.low for t in text.tokens]
-    k = next((k for k in range(len(lows) - 1) if lows[k : k + 2] == ["same", "lane"]), None)
+    span = text.find(["same lane"], 0, len(text.tokens))
     ego = ego_of(context)
     others = [e for e in context.draft.entities if e is not ego and e.is_vehicle]
-    if k is None or ego is None or ego.speed is None or len(others) != 1:
+    if span is None or ego is None or ego.speed is None or len(others) != 1:
         return
     other = others[0]
     free = other.speed is not None and not (other.maneuvers or other.parked or other.heading)
@@ -111,7 +107,7 @@ def _in_one_lane(text: Sentences, context: Context) -> None:
     if other.speed is None or not free or placed or other.speed == ego.speed:
         return
     where = Approach.AHEAD if other.speed.high < ego.speed.high else Approach.BEHIND
-    basis = Basis(k, k + 2, "in one lane, the slower one is in front")
+    basis = Basis(*span, "in one lane, the slower one is in front")
     context.draft.place(other, None, {where}, basis)
 
 

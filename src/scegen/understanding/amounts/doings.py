@@ -10,7 +10,7 @@ from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
-from scegen.understanding.happenings import Amount, Doing, Trigger, amount_of, exactly
+from scegen.understanding.happenings import STILL, Amount, Doing, Trigger, amount_of, exactly
 
 _SOON = 3
 """So near after a time, a noun tells what takes it ("needs 6 s for its lane change")."""
@@ -87,7 +87,7 @@ class Filler(Teller):
         amount = exactly(number) if plain else amount_of(number)
         if role == "rate" and doing.kind is ActKind.STOP:
             doing.kind = ActKind.BRAKE
-            doing.amounts.setdefault("target_speed_mps", Amount(_still(), doing.basis))
+            doing.amounts.setdefault("target_speed_mps", Amount(STILL, doing.basis))
         if role == "speed_change":
             changed = self._changed(doing, number)
             if changed is None:
@@ -206,10 +206,8 @@ class Filler(Teller):
         doing.told += [event.i] if event is not None and event.i < number.i else []
         _, end = self._text.bounds(number.i)
         if kind is ActKind.BRAKE and self._text.says("standstill", number.i, end) is not None:
-            doing.amounts["target_speed_mps"] = Amount(_still(), doing.basis)
-        self._happenings.acts.append(doing)
-        self._happenings.acts.sort(key=lambda a: a.i)
-        return doing
+            doing.amounts["target_speed_mps"] = Amount(STILL, doing.basis)
+        return self.add(doing)
 
     def _changed(self, doing: Doing, number: Measured) -> Amount | None:
         """``slows by 20 km/h``: from the speed that it had."""
@@ -253,7 +251,3 @@ class Filler(Teller):
         doing.when = Trigger("after" if before else "start", amount.basis, amount)
         doing.when.act = before[-1] if before else None
         return True
-
-
-def _still() -> Interval:
-    return Interval(low=0.0, high=0.0)

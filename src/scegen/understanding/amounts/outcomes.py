@@ -102,13 +102,7 @@ class Judge(Teller):
 
     def _phrase(self, name: str, start: int, end: int) -> tuple[int, int] | None:
         """Where a phrase of a list stands between two tokens."""
-        lows = [t.low for t in self._text.tokens[start:end]]
-        for phrase in words()[name]:
-            wanted = phrase.split()
-            for k in range(len(lows) - len(wanted) + 1):
-                if lows[k : k + len(wanted)] == wanted:
-                    return start + k, start + k + len(wanted)
-        return None
+        return self._text.find(words()[name], start, end)
 
     def _of_phrases(self) -> list[Ending]:
         found = []

@@ -150,10 +150,7 @@ class Releaser(Teller):
             crossers = [e for e in mention.entities if Maneuver.CROSS in e.maneuvers]
             if crossers:
                 basis = crossers[0].maneuver_basis or Basis(mention.i, mention.j)
-                doing = Doing(ActKind.CROSS, crossers[0], basis, mention.i, always=False)
-                self._happenings.acts.append(doing)
-                self._happenings.acts.sort(key=lambda a: a.i)
-                return doing
+                return self.add(Doing(ActKind.CROSS, crossers[0], basis, mention.i, always=False))
         return None
 
     def _acts_inside(self, clause: tuple[int, int, str], number: Measured, subject: Entity) -> bool:

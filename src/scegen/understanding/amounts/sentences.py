@@ -53,6 +53,16 @@ class Sentences:
         text = self.low(i, j)
         return next((p for p in words()[name] if f" {p} " in text), None)
 
+    def find(self, phrases: Iterable[str], start: int, end: int) -> tuple[int, int] | None:
+        """Where the first of some phrases stands whole between two tokens."""
+        lows = [t.low for t in self.tokens[start:end]]
+        for phrase in phrases:
+            wanted = phrase.split()
+            for k in range(len(lows) - len(wanted) + 1):
+                if lows[k : k + len(wanted)] == wanted:
+                    return start + k, start + k + len(wanted)
+        return None
+
     def scene_at(self, i: int, j: int) -> Clause | None:
         """The clause in which a number stands.
 

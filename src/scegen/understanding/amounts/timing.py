@@ -181,13 +181,9 @@ class Clock(Teller):
 
     def _then(self, before: Doing, doing: Doing) -> tuple[int, int] | None:
         start = max(before.basis.j or before.i, self._text.bounds(doing.i)[0])
-        for phrase in words()["then"]:
-            wanted = phrase.split()
-            for k in range(start, doing.i):
-                if [t.low for t in self._text.tokens[k : k + len(wanted)]] == wanted:
-                    forwards = phrase != "before"
-                    return (k, k + len(wanted)) if forwards else None
-        return None
+        span = self._text.find(words()["then"], start, doing.i)
+        forwards = span is not None and self._text.tokens[span[0]].low != "before"
+        return span if forwards else None
 
     def _clauses(self) -> None:
         """``as soon as the lead brakes, the ego changes lanes``."""
