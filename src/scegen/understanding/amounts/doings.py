@@ -127,6 +127,8 @@ class Filler(Teller):
             own = own or [a for a in here if a.nominal and a.i < event.i and self._of(a, event)]
             named = [a for a in here if a.nominal and 0 <= a.i - number.j <= _SOON]
             own = own or named[:1]
+            if number.around.preceded("needing") or number.around.preceded("taking"):
+                own = own or [a for a in here if a.i < number.i and self._of(a, event)]
             return own[-1] if own else None
         if event is not None and self._unread(event, number, kinds):
             return None

@@ -17,11 +17,12 @@ from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.timing import Clock
 from scegen.understanding.chunks import Chunk
-from scegen.understanding.frames import Measured, Numbers
+from scegen.understanding.frames import Measured, Numbers, amounts
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import Quantity
 
+_UNSAID = "a length that nothing says what it is of"
 _HARD_MPS2 = 3.5
 """Below this nobody calls braking hard (UN R152: 5 m/s² in an emergency)."""
 
@@ -42,6 +43,7 @@ def read_amounts(
     judge = Judge(text, context, found)
     judge.read()
     measured = _in_lists([_measured(q, numbers, text) for q in numbers.quantities], text)
+    measured = [_of_who_is_there(n, text, context) for n in measured]
     for number in (n for n in measured if n.frame.role == "speed"):
         if not held(number, text, context, found):
             _note(number, context)
@@ -95,6 +97,17 @@ def _in_lists(measured: list[Measured], text: Sentences) -> list[Measured]:
         if between[:1] in (["and"], [","]) and named and named[-1].j == following.i:
             found[k] = replace(one, frame=following.frame, around=following.around)
     return found
+
+
+def _of_who_is_there(number: Measured, text: Sentences, context: Context) -> Measured:
+    """``the car ahead (25 m, 60 km/h)``: a bare length beside one who is ahead is how far."""
+    if number.frame.instead != _UNSAID:
+        return number
+    who = text.adjacent(number.i)
+    along = (Approach.AHEAD, Approach.BEHIND)
+    there = [e for e in who if not e.ego and any(context.placed(e, a) for a in along)]
+    gap = next(f for f in amounts() if (f.dimension, f.role) == ("length", "gap"))
+    return replace(number, frame=gap) if there else number
 
 
 def _note(number: Measured, context: Context) -> None:
