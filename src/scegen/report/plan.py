@@ -11,7 +11,7 @@ from math import asin, atan2, cos, hypot, pi, radians, sin
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import Crossing, Drive, Heading, Reverses, Standing, Walking
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver, Side
 
 Point = tuple[float, float]
@@ -35,7 +35,8 @@ class Plan:
 
     ``lane`` is the width of a lane, ``half`` of each arm's carriageway, ``side`` is +1 where
     traffic keeps right, ``inner`` the distance from the centre at which the arms begin; a
-    ``shoulder`` lies beyond the lanes on either side.
+    ``shoulder`` lies beyond the lanes on either side, an ``auxiliary`` lane beside those of the
+    direction from arm 0 to arm 1.
     """
 
     angles: tuple[float, ...]
@@ -46,6 +47,7 @@ class Plan:
     kind: JunctionKind
     carriageway: Carriageway = Carriageway.UNDIVIDED
     shoulder: bool = False
+    auxiliary: AuxiliaryLane | None = None
 
     @property
     def is_ring(self) -> bool:
@@ -113,6 +115,7 @@ def make_plan(junction: Junction) -> Plan:
         junction.kind,
         junction.carriageway,
         shoulder,
+        junction.auxiliary,
     )
 
 
@@ -162,8 +165,59 @@ def _lanes_of(plan: Plan, drive: Drive) -> tuple[int, int]:
     return lane_in, lane_out
 
 
+_BEGINS, _ENDS = 0.3, 0.45
+"""Where a ramp's lane meets the others and where it is gone, as shares of an arm."""
+
+
+def auxiliary_area(plan: Plan) -> list[Point]:
+    """The outline of the auxiliary lane, with its ramp; nothing if there is none."""
+    if plan.auxiliary is None:
+        return []
+    begins = REACH if plan.auxiliary is AuxiliaryLane.LANE_DROP else _BEGINS * REACH
+    ends, gone = -_ENDS * REACH, -(_ENDS + 0.2) * REACH
+    outer = [(REACH, _ramp_m(plan, REACH) + plan.lane), (begins, plan.lane), (ends, plan.lane)]
+    inner = [(gone, 0.0), (begins, 0.0), (REACH, _ramp_m(plan, REACH))]
+    sense = -1.0 if plan.auxiliary is AuxiliaryLane.OFF_RAMP else 1.0
+    half = plan.half(0)
+    return [plan.at(0, sense * d, plan.side * (half + aside)) for d, aside in (*outer, *inner)]
+
+
+def _ramp_m(plan: Plan, distance: float) -> float:
+    """How far beside the lanes a ramp's lane is; in the drawing it parts more than it does."""
+    if plan.auxiliary is AuxiliaryLane.LANE_DROP:
+        return 0.0
+    share = (distance / REACH - _BEGINS) / (1.0 - _BEGINS)
+    return 0.9 * plan.lane * max(share, 0.0)
+
+
+def _auxiliary_line(plan: Plan, start_at: float, spread: float) -> list[Point]:
+    """Out of the auxiliary lane into the outermost, or the other way round onto the ramp."""
+    leaves = plan.auxiliary is AuxiliaryLane.OFF_RAMP
+    outermost = plan.half(0) - plan.lane / 2
+    points = []
+    for i in range(_ARC_STEPS + 1):
+        along = start_at + i / _ARC_STEPS * (6.0 - REACH - start_at)
+        distance = -along if leaves else along
+        beside = 1.0 - _ease((0.1 - distance / REACH) / 0.3)
+        aside = outermost + beside * plan.lane + _ramp_m(plan, distance)
+        points.append(plan.at(0, along, plan.side * aside + spread))
+    return points
+
+
+def _uses_auxiliary(plan: Plan, drive: Drive) -> bool:
+    """Whether a change of lane is one out of the auxiliary lane, or into the exit lane."""
+    if plan.auxiliary is None or drive.entry != 0 or drive.maneuver is not Maneuver.LANE_CHANGE:
+        return False
+    kerb = Side.RIGHT if plan.side == 1 else Side.LEFT
+    if plan.auxiliary is AuxiliaryLane.OFF_RAMP:
+        return drive.changes_to is kerb
+    return drive.lane is not None and drive.lane > plan.lanes[0]
+
+
 def _straight_line(plan: Plan, drive: Drive, start_at: float, spread: float) -> list[Point]:
     """Along a road without a junction, with the shifts that the maneuver makes."""
+    if _uses_auxiliary(plan, drive):
+        return _auxiliary_line(plan, start_at, spread)
     lane_in, lane_out = _lanes_of(plan, drive)
     first = plan.side * plan.aside(drive.entry, lane_in) + spread
     last = plan.side * plan.aside(drive.exit, lane_out) + spread

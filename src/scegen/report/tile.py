@@ -10,6 +10,7 @@ from scegen.report.plan import (
     REACH,
     Plan,
     Point,
+    auxiliary_area,
     crossing_line,
     drive_line,
     make_plan,
@@ -30,7 +31,7 @@ from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import REVERSES
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Walking
-from scegen.scenario.roadway import Carriageway
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 TILE_WIDTH = 240
@@ -204,6 +205,8 @@ def _roads(plan: Plan, functional: FunctionalScenario, theme: Theme) -> str:
         if plan.kind is not JunctionKind.STRAIGHT or plan.bends:
             radius = plan.ring + plan.lane if plan.is_ring else _core(plan)
             layers.append(circle(MIDDLE, MIDDLE, radius + wider / 2, paint))
+    if aside := auxiliary_area(plan):
+        layers.append(area(in_tile(aside), theme.road))
     if plan.is_ring:
         island = plan.ring - plan.lane
         layers.append(
@@ -237,6 +240,11 @@ def _marks(plan: Plan, arm: int, theme: Theme, *, crosswalk: bool) -> str:
     for lane in range(1, plan.lanes[arm]):
         aside = plan.aside(arm, lane) + plan.lane / 2
         marks += [along(sign * aside, 1.0, "5 5") for sign in ((1,) if one_way else (-1, 1))]
+    if plan.auxiliary is not None and arm == 0:
+        far = REACH if plan.auxiliary is AuxiliaryLane.LANE_DROP else 0.3 * REACH
+        sense = -1.0 if plan.auxiliary is AuxiliaryLane.OFF_RAMP else 1.0
+        ends = [plan.at(0, sense * d, plan.side * plan.half(0)) for d in (far, -0.45 * REACH)]
+        marks.append(line(in_tile(ends), theme.mark, 1.0, stroke_dasharray="3 3"))
     if crosswalk:
         half = plan.half(arm) - 1
         ends = in_tile(plan.at(arm, plan.inner + 10.0, aside) for aside in (-half, half))

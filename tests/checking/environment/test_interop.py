@@ -15,6 +15,7 @@ from scegen.checking.results import CheckStatus
 from scegen.export.opendrive import write_opendrive
 from scegen.road import build_network, plan_road
 from scegen.scenario.functional import ARM_COUNTS, Junction
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 
 pytestmark = pytest.mark.interop
@@ -33,7 +34,27 @@ JUNCTIONS = [
     for lanes in (1, 2)
     for side in DrivingSide
 ]
-NAMES = [f"{j.kind}-{j.arms}-{j.lanes[0]}-{j.driving_side}" for j in JUNCTIONS]
+JUNCTIONS += [
+    Junction(
+        kind=JunctionKind.STRAIGHT,
+        arms=2,
+        lanes=(2, 2),
+        carriageway=carriageway,
+        auxiliary=auxiliary,
+        driving_side=side,
+    )
+    for auxiliary in AuxiliaryLane
+    for carriageway in Carriageway
+    for side in DrivingSide
+]
+NAMES = [
+    f"{j.auxiliary or j.kind}-{j.arms}-{j.lanes[0]}-{j.driving_side}-{j.carriageway}"
+    for j in JUNCTIONS
+]
+
+
+ARM_M = 400.0
+"""Long enough for an acceleration lane."""
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +62,7 @@ def road_files(tmp_path_factory) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("roads")
     files = {}
     for name, junction in zip(NAMES, JUNCTIONS, strict=True):
-        written = write_opendrive(build_network(plan_road(junction)))
+        written = write_opendrive(build_network(plan_road(junction, arm_length_m=ARM_M)))
         files[name] = folder / f"{name}.xodr"
         files[name].write_bytes(written.encode() if isinstance(written, str) else written)
     return files

@@ -236,6 +236,9 @@ class Layout:
                 reason = "who overtakes uses the oncoming lane"
                 return (1,) * arms, None, Basis(passing.i, passing.j, reason)
             implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
+        if implied is None and plain and around.two_lane is not None and not self._parted():
+            counted = around.two_lane
+            return (1,) * arms, None, Basis(counted.i, counted.j, "two lanes, one each way")
         if implied is None and around.highway is not None:
             reason = "highways have two lanes per direction unless said otherwise"
             implied = Basis(around.highway.i, around.highway.j, reason)
