@@ -19,10 +19,12 @@ pytestmark = pytest.mark.skipif(not shutil.which("esmini"), reason="esmini is no
 STEP_S = 0.01
 
 
-def run_red(approach, **car):
-    people = person("ego", maneuvers=["straight"]), person("car", approaches=[approach], **car)
-    hazard = {"kind": "red_light_running", "by": ["car"], "to": ["ego"]}
-    return made(said("four_way", *people, junction={"control": "signals"}, hazards=[hazard]))
+def run_red(approaches, *more, **car):
+    """One who runs a red light, and what else it does to the ego."""
+    people = person("ego", maneuvers=["straight"]), person("car", approaches=approaches, **car)
+    kinds = ("red_light_running", *more)
+    hazards = [{"kind": kind, "by": ["car"], "to": ["ego"]} for kind in kinds]
+    return made(said("four_way", *people, junction={"control": "signals"}, hazards=hazards))
 
 
 def ends_s(folder, conditions):
@@ -61,11 +63,19 @@ def has_gone(name, metres):
 
 
 @pytest.fixture(
-    scope="module", params=[("left", {}), ("right", {"kind": "truck"}), ("opposite", {})]
+    scope="module",
+    params=[
+        (["left"], [], {}),
+        (["right"], [], {"kind": "truck"}),
+        (["opposite"], [], {}),
+        (["left", "right"], ["sudden_acceleration"], {}),
+        (["right"], ["hard_braking"], {}),
+    ],
+    ids=["left", "truck", "opposite", "accelerates", "brakes"],
 )
 def files(request, tmp_path_factory):
-    approach, fields = request.param
-    raised = run_red(approach, **fields)
+    approaches, more, fields = request.param
+    raised = run_red(approaches, *more, **fields)
     folder = tmp_path_factory.mktemp("lights")
     for name, content in export_scenario(raised.concrete).items():
         (folder / name).write_bytes(content)
@@ -78,15 +88,16 @@ def test_red_light_running_is_seen_by_a_condition_on_the_light(files):
     assert not raised.proof.missed
     concrete = raised.concrete
     ways = ways_of(concrete, build_network(concrete.road, name="x"))
+    over = {}
     for name, state in (("car", SignalState.RED), ("ego", SignalState.GREEN)):
         person = concrete.participant(name)
         line = ways[name].line_m - person.body.front_m
-        over = ends_s(folder, [has_gone(name, line)])
+        over[name] = ends_s(folder, [has_gone(name, line)])
         seen = ends_s(folder, [has_gone(name, line), shows(person.motion.entry, state)])
-        assert seen == pytest.approx(over, abs=2 * STEP_S), name
+        assert seen == pytest.approx(over[name], abs=2 * STEP_S), name
     entry = concrete.participant("car").motion.entry
     plan = concrete.signals
-    since = (over - plan.group_of(entry).green_from_s) % plan.cycle_s
+    since = (over["car"] - plan.group_of(entry).green_from_s) % plan.cycle_s
     assert since >= plan.group_of(entry).green_s + plan.amber_s + 0.5
 
 
