@@ -119,7 +119,27 @@ def assignments(functional: FunctionalScenario) -> list[Assignment]:
                 )
                 if _hazards_hold(functional, made) and _groups_hold(functional, made):
                     found.append(made)
-    return found
+    return [made for made in found if _owes_way(functional, made)] or found
+
+
+def _owes_way(functional, made: Assignment) -> bool:
+    """On a ring, who is said to fail to yield is not one for whom the other has to wait."""
+    junction, arms = functional.junction, functional.junction.arms
+    names = [v.id for v in functional.vehicles]
+    if junction.kind is not JunctionKind.ROUNDABOUT:
+        return True
+
+    def passes(i, arm):
+        own = _stretches(junction, (made[i][0], (made[i][0] + made[i][1]) % arms))
+        beside = {frozenset({arm, (arm + 1) % arms}), frozenset({arm, (arm - 1) % arms})}
+        return beside <= own
+
+    for hazard in functional.hazards:
+        if hazard.kind is HazardKind.FAILURE_TO_YIELD and hazard.by and hazard.to:
+            by, to = names.index(hazard.by[0]), names.index(hazard.to[0])
+            if made[by][0] != made[to][0] and passes(by, made[to][0]) > passes(to, made[by][0]):
+                return False
+    return True
 
 
 def _groups_hold(functional, made: Assignment) -> bool:

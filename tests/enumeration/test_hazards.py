@@ -368,3 +368,13 @@ def test_where_only_the_one_with_right_of_way_fits_it_is_left_open(describe):
     )
     assert found.scenarios
     assert any(note.startswith("failure_to_yield") for note in found.notes)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_who_fails_to_yield_at_a_roundabout_comes_in_before_one_that_is_on_it(describe, side):
+    people = [{"id": "ego", "kind": "car", "role": "ego"}, {"id": "car", "kind": "car"}]
+    danger = {"kind": "failure_to_yield", "by": ["car"], "to": ["ego"]}
+    found = enumerate_scenarios(describe("roundabout", 4, people, [danger], driving_side=side))
+    yields = {c.yields for s in found.scenarios for c in s.conflicts}
+    assert "car" in yields
+    assert "ego" not in yields

@@ -11,7 +11,7 @@ from scegen.enumeration.statements import Stated
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import HAZARDS, Case, RoadRule
-from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
 _RANKED = frozenset({Control.YIELD, Control.STOP, Control.PRIORITY_TO_RIGHT})
 """Where the ways alone tell who has right of way, and the text tells that they do."""
@@ -55,7 +55,7 @@ def say_dangers(
         meet = bool(hazard.by and hazard.to) and not HAZARDS[hazard.kind].needs
         if meet and index not in left_open:
             out.facts.append(p.MustMeet(number))
-        owes = ranked and _owes_way(functional, hazard.kind, both) and index not in left_open
+        owes = index not in left_open and _owes_way(functional, hazard.kind, both, ranked=ranked)
         if owes:
             out.facts.append(p.OwesWay(number))
         if both.presumed or owes or (meet and index not in left_open):
@@ -69,10 +69,18 @@ def say_dangers(
     return presumed
 
 
-def _owes_way(functional: FunctionalScenario, kind: HazardKind, both: Parties) -> bool:
-    """Whether who causes a danger breaks the right of way of one that is known."""
+def _owes_way(
+    functional: FunctionalScenario, kind: HazardKind, both: Parties, *, ranked: bool
+) -> bool:
+    """Whether who causes a danger breaks the right of way of one that is known.
+
+    On a ring that does not depend on what stands at which arm.
+    """
     breach = HAZARDS[kind].breaks is RoadRule.RIGHT_OF_WAY
-    return breach and bool(both.by and both.to) and functional.junction.control in _RANKED
+    junction = functional.junction
+    ring = junction.kind is JunctionKind.ROUNDABOUT
+    known = ring or (ranked and junction.control in _RANKED)
+    return breach and bool(both.by and both.to) and known
 
 
 def _say(out: Stated, number: int, kind: HazardKind, both: Parties) -> None:
