@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.model import Interval
 from scegen.scenario.spacings import CONTACT, START, Measure
-from scegen.scenario.vocabulary import Approach, Maneuver, Side
+from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.understanding.amounts.aside import Aside
 from scegen.understanding.amounts.pairs import pair_of, passed, row_of
 from scegen.understanding.amounts.releasing import JUNCTION, Releaser
 from scegen.understanding.amounts.sentences import Sentences
@@ -30,7 +30,6 @@ _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
 _WHOLE = 100
-_SIDE_REACH = 14
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
@@ -42,6 +41,7 @@ class Spacer(Teller):
     def __init__(self, text: Sentences, context: Context, happenings: Happenings) -> None:
         super().__init__(text, context, happenings)
         self._releaser = Releaser(text, context, happenings)
+        self._aside = Aside(text, context, happenings)
 
     def read(self, number: Measured) -> bool:
         """One number that lies between two; whether a place was found for it.
@@ -60,7 +60,7 @@ class Spacer(Teller):
             return False
         if measure is Measure.GAP_M and self._to_a_thing(number):
             return True
-        if measure is Measure.LATERAL_OFFSET_M and self._off_its_lane(number):
+        if measure is Measure.LATERAL_OFFSET_M and self._aside.off_its_lane(number):
             return True
         row = row_of(number, self._text, self._context)
         pair = row[-1] if row else pair_of(number, self._text, self._context)
@@ -73,24 +73,6 @@ class Spacer(Teller):
             self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
         else:
             self._happenings.spacings.append(self._between(number, measure, *pair, at))
-        return True
-
-    def _off_its_lane(self, number: Measured) -> bool:
-        """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""
-        who = self._text.subject_before(number.i)
-        around = f"{number.around.before}{number.around.after}"
-        said = [p for p in words()["lane_centre"] if f" {p} " in around]
-        facing = [e for e in who if self._context.oncoming(e)]
-        own = (
-            any(e.ego for e in who) or facing or any("own" in p or "respective" in p for p in said)
-        )
-        if not said or not who or not own:
-            return False
-        amount = self._signed(number)
-        if number.around.preceded("within"):
-            most = number.quantity.exact.high
-            amount = Amount(Interval(low=-most, high=most), amount.basis)
-        self._happenings.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], amount))
         return True
 
     def in_line(self, number: Measured) -> bool:
@@ -132,11 +114,11 @@ class Spacer(Teller):
         if measure is Measure.LATERAL_GAP_M:
             entity, reference = passed(number, one, other, self._text)
         elif measure is Measure.LATERAL_OFFSET_M:
-            amount = self._signed(number)
+            amount = self._aside.signed(number)
         elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
             entity, reference = in_file(one, other, self._context)
         elif measure is Measure.OVERLAP_PERCENT:
-            side = self._half(number) if amount.value.high < _WHOLE else None
+            side = self._aside.half(number) if amount.value.high < _WHOLE else None
             entity, reference = (other, one) if one.ego else (one, other)
             self._happenings.spacings[:] = [
                 s
@@ -216,39 +198,6 @@ class Spacer(Teller):
         end = noun.j if isinstance(noun, Place) and noun.kind == "side" else end
         end = min(end, self._text.bounds(number.i)[1])
         return Amount(amount.value, Basis(basis.i, end, basis.reason))
-
-    def _signed(self, number: Measured) -> Amount:
-        """To the left is positive, to the right negative; the left where no side is said."""
-        start, end = self._text.bounds(number.i)
-        right, basis = self._toward(number, start, end)
-        value = number.quantity.exact
-        if right is None:
-            reason = "the side is not said; the left is taken"
-            return Amount(value, Basis(number.i, number.j, reason))
-        return (
-            Amount(Interval(low=-value.high, high=-value.low), basis)
-            if right
-            else Amount(value, basis)
-        )
-
-    def _toward(self, number: Measured, start: int, end: int) -> tuple[bool | None, Basis]:
-        """Whether the side named next to a number is the right one, and the words for both."""
-        tokens = self._text.tokens
-        for k in range(number.j, min(number.j + 8, end)):
-            if tokens[k].low in {"left", "right"}:
-                return tokens[k].low == "right", Basis(number.i, k + 1)
-            if tokens[k].kind in {"number", "punct"}:
-                break
-        for k in range(number.i - 1, max(start, number.i - _SIDE_REACH) - 1, -1):
-            if tokens[k].low in {"left", "right"}:
-                return tokens[k].low == "right", Basis(number.i, number.j)
-        return None, Basis(number.i, number.j)
-
-    def _half(self, number: Measured) -> Side | None:
-        """``the left 50 %``, ``the right half of its front (50 % overlap)``."""
-        start, end = self._text.bounds(number.i)
-        right, _ = self._toward(number, start, end)
-        return None if right is None else Side.RIGHT if right else Side.LEFT
 
     def _moment(
         self, number: Measured, measure: Measure, entity: Entity, reference: Entity

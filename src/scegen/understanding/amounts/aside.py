@@ -1,0 +1,68 @@
+"""Distances to the side: to which side, and from whose line."""
+
+from __future__ import annotations
+
+from scegen.scenario.model import Interval
+from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import Side
+from scegen.understanding.amounts.teller import Teller
+from scegen.understanding.draft import Basis
+from scegen.understanding.frames import Measured, words
+from scegen.understanding.happenings import Amount, Apart
+
+_SIDE_REACH = 14
+
+
+class Aside(Teller):
+    """Reads how far to which side somebody is."""
+
+    def off_its_lane(self, number: Measured) -> bool:
+        """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""
+        who = self._text.subject_before(number.i)
+        around = f"{number.around.before}{number.around.after}"
+        said = [p for p in words()["lane_centre"] if f" {p} " in around]
+        facing = [e for e in who if self._context.oncoming(e)]
+        own = (
+            any(e.ego for e in who) or facing or any("own" in p or "respective" in p for p in said)
+        )
+        if not said or not who or not own:
+            return False
+        amount = self.signed(number)
+        if number.around.preceded("within"):
+            most = number.quantity.exact.high
+            amount = Amount(Interval(low=-most, high=most), amount.basis)
+        self._happenings.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], amount))
+        return True
+
+    def signed(self, number: Measured) -> Amount:
+        """To the left is positive, to the right negative; the left where no side is said."""
+        start, end = self._text.bounds(number.i)
+        right, basis = self._toward(number, start, end)
+        value = number.quantity.exact
+        if right is None:
+            reason = "the side is not said; the left is taken"
+            return Amount(value, Basis(number.i, number.j, reason))
+        return (
+            Amount(Interval(low=-value.high, high=-value.low), basis)
+            if right
+            else Amount(value, basis)
+        )
+
+    def _toward(self, number: Measured, start: int, end: int) -> tuple[bool | None, Basis]:
+        """Whether the side named next to a number is the right one, and the words for both."""
+        tokens = self._text.tokens
+        for k in range(number.j, min(number.j + 8, end)):
+            if tokens[k].low in {"left", "right"}:
+                return tokens[k].low == "right", Basis(number.i, k + 1)
+            if tokens[k].kind in {"number", "punct"}:
+                break
+        for k in range(number.i - 1, max(start, number.i - _SIDE_REACH) - 1, -1):
+            if tokens[k].low in {"left", "right"}:
+                return tokens[k].low == "right", Basis(number.i, number.j)
+        return None, Basis(number.i, number.j)
+
+    def half(self, number: Measured) -> Side | None:
+        """``the left 50 %``, ``the right half of its front (50 % overlap)``."""
+        start, end = self._text.bounds(number.i)
+        right, _ = self._toward(number, start, end)
+        return None if right is None else Side.RIGHT if right else Side.LEFT
