@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs" / "how-to"
 CHANGE = re.compile(
     r"<!-- in (?P<file>\S+) (?P<where>after|before) (?P<anchor>.+?) -->\n"
-    r"```python\n(?P<text>.*?)```",
+    r"```(?:python|yaml)\n(?P<text>.*?)```",
     re.DOTALL,
 )
 FILE = re.compile(r"<!-- new (?P<file>\S+) -->\n```python\n(?P<text>.*?)```", re.DOTALL)
@@ -143,3 +143,51 @@ assert model.model_name == "openai/gpt-4o-mini"
 def test_a_provider(changed):
     pytest.importorskip("pydantic_ai")
     run(changed("add-a-provider"), "-c", NAMED)
+
+
+TAUGHT = """
+import json, sys
+from scegen.understanding import read
+for line in sys.stdin.read().splitlines():
+    print(read(line).model_dump_json())
+"""
+SENTENCES = (
+    "A van whooshes out in front of the ego from the next lane on a motorway.",
+    "A van whooshes past the ego on a straight road",
+    "The driver of an oncoming truck nods off on a straight road.",
+    "The ego follows a truck, hanging back 30 m.",
+)
+
+
+def readings(folder):
+    done = subprocess.run(
+        [sys.executable, "-c", TAUGHT],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(folder / "src")},
+        input="\n".join(SENTENCES),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    found = [json.loads(line) for line in done.stdout.splitlines()]
+    return [
+        ({h["kind"] for h in f["hazards"]}, len(f["unsupported"]), f["spacings"]) for f in found
+    ]
+
+
+def test_the_reader_is_taught(changed):
+    page = (DOCS / "teach-the-reader.md").read_text(encoding="utf-8")
+    assert all(sentence in page.replace("\n", " ") for sentence in SENTENCES)
+    before = readings(ROOT)
+    after = readings(changed("teach-the-reader"))
+    assert [kinds for kinds, _, _ in after] == [
+        {"cut_in"},
+        {"overtaking"},
+        {"loss_of_control"},
+        set(),
+    ]
+    assert all(unknown for _, unknown, _ in before)
+    assert [unknown for _, unknown, _ in after] == [0, 0, 0, 0]
+    (gap,) = after[3][2]
+    assert (gap["measure"], gap["value"]["low"]) == ("gap_m", 30.0)
