@@ -23,6 +23,10 @@ def _moves(entity: Entity, basis: Basis) -> None:
     entity.moves = entity.moves or basis
 
 
+def _stands(entity: Entity, basis: Basis) -> None:
+    entity.stands = entity.stands or basis
+
+
 def _waits(entity: Entity, basis: Basis) -> None:
     entity.waits = entity.waits or basis
 
@@ -61,6 +65,7 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "parked": _parked,
     "parks": _parks,
     "moves": _moves,
+    "stands": _stands,
     "waits": _waits,
     "on_straight": _on_straight,
     "through": _through,

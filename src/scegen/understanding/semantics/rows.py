@@ -4,7 +4,7 @@ Rows stand from the most specific to the most general; one without effects says 
 follows. With ``also`` the next rows are asked as well. The keys:
 
 * ``if``: conditions, all of which must hold;
-* ``hazard`` of ``by`` (those who act; with ``?`` maybe nobody) and ``to``;
+* ``hazard`` of ``by`` (those who act; ``maybe WHO``: it may be nobody) and ``to``;
 * ``maneuver`` of ``of``; ``place``: where ``of`` comes from, seen by ``from`` (the ego);
 * ``lanes``, ``crossing``: why the road has lanes, a junction;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
@@ -226,7 +226,7 @@ def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable
 
 def _effects(row: dict[str, Any]) -> Iterable[Effect]:
     words = _words(row.get("words", "event"), row.get("reason"))
-    by = row.get("by", "drivers").rstrip("?")
+    by = row.get("by", "drivers").removeprefix("maybe ")
     yield from _changes(row)
     if "lanes" in row:
         yield lambda clause, c: c.lanes_implied(words(clause, c), row["lanes"])
@@ -248,7 +248,7 @@ def _row(row: dict[str, Any], where: str) -> Row:
         events = frozenset(first[2].split()) if first[0] == "event" else None
         tests = [condition(text) for text in (said[1:] if events else said)]
         by = row.get("by", "drivers")
-        if "hazard" in row and not by.endswith("?"):
+        if "hazard" in row and not by.startswith("maybe "):
             tests.append(condition(f"some {by}"))
         return Row(events, tuple(tests), tuple(_effects(row)), bool(row.get("also")))
     except KeyError as error:

@@ -1,0 +1,95 @@
+"""Rows of data: every word of them means something, and the first row that fits holds."""
+
+from importlib.resources import files
+
+import pytest
+import yaml
+
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import BodySide, HazardKind, Maneuver
+from scegen.understanding import read
+from scegen.understanding.lexicon import load
+from scegen.understanding.semantics.rows import _row, families
+
+FRAMES = files("scegen.understanding.frames")
+KINDS = ("constructions", "dangers", "movements", "omissions", "positions")
+
+
+def rows():
+    for kind in KINDS:
+        data = yaml.safe_load((FRAMES / f"{kind}.yaml").read_text(encoding="utf-8"))
+        for names, found in data.items():
+            yield from (
+                (f"{kind}.{name.strip()}", row) for name in names.split(",") for row in found
+            )
+
+
+def verbs(node):
+    for entry in node.entries:
+        if entry.cat == "verb":
+            yield entry.value
+    for following in node.following.values():
+        yield from verbs(following)
+
+
+def test_families_that_rows_lead_to_exist():
+    assert {f for _, row in rows() for f in row.get("then", ())} <= families().keys()
+
+
+def test_every_family_is_reached():
+    asked = {f for _, row in rows() for f in row.get("then", ())}
+    asked |= {f"{kind}.any" for kind in KINDS}
+    asked |= {f"dangers.{name}" for name in ("onto_the_road", "after_a_thing", "answered")}
+    asked |= {"dangers.drives_on", "dangers.move_off"}
+    known = set(verbs(load().root))
+    assert not {
+        f for f in families() if f not in asked and f.partition(".")[2] not in known | {"tailgate"}
+    }
+
+
+def test_events_that_rows_name_are_in_the_lexicon():
+    known = set(verbs(load().root)) | {"unknown", "overtake", "tailgate", "see", "reply"}
+    named = {
+        word
+        for _, row in rows()
+        for text in row.get("if", ())
+        if text.startswith("event ") and " or " not in text
+        for word in text.split()[1:]
+    }
+    assert named <= known
+
+
+@pytest.mark.parametrize(
+    ("row", "named"),
+    [
+        ({"hazzard": "cut_in"}, "hazzard"),
+        ({"if": ["purple"]}, "purple"),
+        ({"if": ["some drivers+purple"]}, "purple"),
+        ({"hazard": "cut_in", "by": "neighbours"}, "neighbours"),
+    ],
+)
+def test_a_word_that_means_nothing_is_refused(row, named):
+    with pytest.raises(KeyError, match=f"somewhere.*{named}"):
+        _row(row, "somewhere")
+
+
+@pytest.mark.parametrize("text", ["The car ahead does not move.", "The van ahead did not budge."])
+def test_who_does_not_move_stays(text):
+    other = next(p for p in read(text).participants if p.id != "ego")
+    assert other.maneuvers == {Maneuver.STAY}
+
+
+def test_a_part_of_one_in_a_part_of_another_is_contact():
+    outcome = read("The van buries its front in the ego's left side at a crossroads.").outcome
+    assert outcome is not None
+    assert outcome.kind is OutcomeKind.COLLISION
+    assert outcome.struck is BodySide.LEFT
+
+
+def test_the_more_specific_row_holds():
+    def kinds(text):
+        return {h.kind for h in read(text).hazards}
+
+    assert kinds("The car ahead brakes.") == {HazardKind.HARD_BRAKING}
+    assert kinds("The car ahead brakes gently.") == set()
+    assert kinds("The car ahead brakes too late.") == {HazardKind.DELAYED_BRAKING}
