@@ -6,9 +6,6 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.draft import Danger
 from scegen.understanding.semantics.context import Context
 
-_CERTAIN = frozenset({"walk", "breach", "obey", "encounter", "overlook"})
-"""Verbs that, with a sign or a light, mean that it is not heeded, whatever its colour."""
-
 
 def subsume(context: Context) -> None:
     """Who runs a red light does not give way either; the first says it all."""

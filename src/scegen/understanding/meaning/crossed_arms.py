@@ -76,11 +76,6 @@ def _meets(entity: Entity, road: Place, context: Context) -> None:
             danger.to = users
 
 
-def crossed_road(event: Event) -> bool:
-    """Whether a road that a clause tells is crossed."""
-    return any(place.arm is not None for _, place in _crossed(event))
-
-
 def _crossed(event: Event) -> list[tuple[Prep | None, Place]]:
     """The places that somebody goes over."""
     found: list[tuple[Prep | None, Place]] = []

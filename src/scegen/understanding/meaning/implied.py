@@ -12,7 +12,6 @@ from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.ways import head_on
 from scegen.understanding.words.terms import Term
 
-_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
 _COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})

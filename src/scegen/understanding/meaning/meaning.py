@@ -55,9 +55,6 @@ _RUNNING_MPS = 8.0
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
-_BREACHING = frozenset(
-    {"walk", "follow", "breach", "move", "enter", "cross", "speed", "accelerate", "pass", "bypass"}
-)
 _ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
                           "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
                           "sharp_turn", "approach", "unknown"})  # fmt: skip

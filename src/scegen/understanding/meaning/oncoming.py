@@ -6,8 +6,6 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.context import Context
 
-_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
-
 
 def turned_across(context: Context) -> None:
     """``the ego turns left across the path of a motorcyclist``: who comes towards it."""

@@ -58,8 +58,3 @@ def _into_one_of(event: Event, standing: set[int]) -> bool:
 
 def _together(one: Event, other: Event) -> bool:
     return one.sentence == other.sentence and one.subject == other.subject
-
-
-def endangered(context: Context) -> bool:
-    """Whether others have already put the ego in danger, so that it answers."""
-    return any(d.by and not any(e.ego for e in d.by) for d in context.draft.dangers)

@@ -10,7 +10,6 @@ from scegen.understanding.semantics.rows import say
 
 _HIDING = frozenset({"behind", "between"})
 _OPAQUE_PLACES = frozenset({"bus_stop", "feature", "parking"})
-_SHELTERING = frozenset({"shield", "cover"})
 _SPRINGING = frozenset({"cross", "appear"})
 _COMING = frozenset({"move", "enter", "pull_out"})
 _WAITING = frozenset({"wait", "locate", "walk", "move", "stop", "park", "appear"})

@@ -13,7 +13,6 @@ from scegen.understanding.words.terms import Term
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", "sidewalk",
                    "shoulder"})  # fmt: skip
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
-_WAY = frozenset({"lane", "road", "highway", "middle", "path"})
 _REACH = 3
 
 
