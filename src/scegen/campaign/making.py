@@ -10,7 +10,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from time import perf_counter
+from threading import Thread
+from time import perf_counter, sleep
 from traceback import extract_tb
 
 from scegen.campaign.order import Campaign
@@ -64,6 +65,7 @@ _COLUMNS = {
 _SHARE_DIGITS = 8
 _EMPLOYER = "SCEGEN_CAMPAIGN_EMPLOYER"
 """Where a worker process keeps the id of the process that started it."""
+_LOOKS_EACH_S = 1.0
 
 Batch = tuple[tuple[Path, tuple[int, ...]], ...]
 """Plans, and rows of theirs."""
@@ -108,7 +110,15 @@ def enlist() -> None:
     """Once in a worker process: leave Ctrl-C to who started it, remember who that is, get warm."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.environ[_EMPLOYER] = str(os.getppid())
+    Thread(target=_watch_employer, daemon=True).start()
     warm()
+
+
+def _watch_employer() -> None:
+    """One who waits for work is not left behind either."""
+    while True:
+        sleep(_LOOKS_EACH_S)
+        _leave_if_alone()
 
 
 def _leave_if_alone() -> None:

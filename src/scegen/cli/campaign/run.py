@@ -23,7 +23,7 @@ from scegen.cli.console import INTERRUPTED, result, say, stderr
 from scegen.errors import InputError
 
 if TYPE_CHECKING:
-    from scegen.campaign.running import Finished
+    from scegen.campaign.claiming import Finished
 
 
 def run(
@@ -133,7 +133,7 @@ def _verify(folder: Path | None) -> None:
     if folder is None:
         raise InputError("names no folder", where="--verify", hint="scegen campaign DIR --verify")
     with of_extra():
-        from scegen.campaign.running import verify
+        from scegen.campaign.verifying import verify
 
         found, problems = verify(folder)
     for line in (*found.in_words(), *problems):

@@ -1,0 +1,60 @@
+"""Workers do not outlive who employs them."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from command import SOURCE
+
+EMPLOYER = """
+import os, time
+from scegen.campaign.engines import Engine, Workforce
+from scegen.campaign.making import enlist
+
+for worker in Workforce(Engine.JOBLIB, 2).each(lambda _: os.getpid(), range(4), enlist, enlist):
+    print(worker, flush=True)
+print("idle", flush=True)
+time.sleep(600)
+"""
+PATIENCE_S = 60.0
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks for workers in /proc")
+def test_workers_that_wait_for_work_end_with_their_employer(tmp_path):
+    employer = subprocess.Popen(
+        [sys.executable, "-c", EMPLOYER],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": SOURCE},
+        stdout=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    try:
+        told = [line.strip() for line in iter(employer.stdout.readline, "idle\n")]
+        workers = {int(worker) for worker in told}
+        assert len(told) == 4
+        assert all(lives(worker) for worker in workers)
+        employer.kill()
+        employer.wait()
+        until_s = time.monotonic() + PATIENCE_S
+        while any(lives(worker) for worker in workers):
+            assert time.monotonic() < until_s, "a worker is left behind"
+            time.sleep(0.1)
+    finally:
+        if employer.poll() is None:
+            os.killpg(employer.pid, signal.SIGKILL)
+            employer.wait()
+        employer.stdout.close()
+
+
+def lives(pid):
+    """Whether a process runs; one that nobody has taken note of is none."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
