@@ -9,7 +9,7 @@ lane, its inner end is at the origin, and the ramp's lane goes on in it.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import ceil, cos, radians, sin
+from math import acos, radians, sin
 
 from scegen.errors import RoadInfeasibleError
 from scegen.road.cross_section import (
@@ -43,8 +43,10 @@ from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane
 
 RAMP_RADIUS_M = 300.0
-RAMP_ANGLE_RAD = radians(6.0)
-"""A usual acute angle, and an arc that is driven at 100 km/h with less than 3 m/s2 sideways."""
+"""Driven at 100 km/h with less than 3 m/s2 sideways."""
+PARALLEL_M = 60.0
+RAMP_ANGLE_RAD = radians(10.0)
+"""A ramp runs beside the road for a while, and comes from (or goes) there at an acute angle."""
 RAMP_ROAD = 9
 RAMPS = frozenset({AuxiliaryLane.ON_RAMP, AuxiliaryLane.OFF_RAMP})
 _APART_M = 0.5
@@ -55,11 +57,13 @@ def gore_m(parameters: RoadParameters) -> float:
     """Length of the junction at which a ramp joins or leaves; 0 where there is none."""
     if parameters.auxiliary is None or parameters.auxiliary.kind not in RAMPS:
         return 0.0
-    verge_m = sum(width for _, width in verge(parameters, 0))
-    aside = verge_m + BORDER_WIDTH_M + _APART_M
-    in_arc = RAMP_RADIUS_M * (1 - cos(RAMP_ANGLE_RAD))
-    straight = max(aside - in_arc, 0.0) / sin(RAMP_ANGLE_RAD)
-    return float(ceil(RAMP_RADIUS_M * sin(RAMP_ANGLE_RAD) + straight * cos(RAMP_ANGLE_RAD)))
+    return 2 * RAMP_RADIUS_M * sin(_swing_rad(parameters))
+
+
+def _swing_rad(parameters: RoadParameters) -> float:
+    """By how much the ramp's lane turns, and back, to part from the road with its strips."""
+    aside = sum(width for _, width in verge(parameters, 0)) + BORDER_WIDTH_M + _APART_M
+    return acos(1 - aside / (2 * RAMP_RADIUS_M))
 
 
 @dataclass
@@ -108,7 +112,7 @@ class _Parts:
     def _ending_verge(self, inside: int) -> list[Lane]:
         """The strips beside the lanes, which end where the ramp's lane comes too near."""
         whole = gore_m(self.parameters)
-        straight = whole - RAMP_RADIUS_M * sin(RAMP_ANGLE_RAD)
+        straight = whole / 2
         found = []
         for k, (kind, width) in enumerate(verge(self.parameters, 0), start=inside + 1):
             lane = Lane(-self.sign * k, kind, width)
@@ -127,19 +131,19 @@ class _Parts:
         aux = LaneEnd(main, lane_out(main, number) if self.joins else lane_in(main, number))
         # Away from the main road: the way of who leaves, or of who joins looked back along.
         away = main.line.pose(main.length_m, main.lane_centre_t_m(aux.lane))
-        arc = RAMP_RADIUS_M * RAMP_ANGLE_RAD
-        straight = (gore_m(self.parameters) - RAMP_RADIUS_M * sin(RAMP_ANGLE_RAD)) / cos(
-            RAMP_ANGLE_RAD
-        )
+        arc = RAMP_RADIUS_M * _swing_rad(self.parameters)
         # As far from the origin as the end of the road beside it, so that places agree.
         beside = 0 if self.joins else 1
-        length = self.arms[beside].length_m + gore_m(self.parameters) - arc - straight
+        length = self.arms[beside].length_m + gore_m(self.parameters) - 2 * arc
         if length < _LEAST_RAMP_M:
             msg = f"arm {beside} is too short for the ramp beside it"
             raise RoadInfeasibleError(msg, where=f"arms[{beside}].length_m")
-        turns = self.sign if self.joins else -self.sign
-        near = chain(away, [(arc, turns / RAMP_RADIUS_M), (straight, 0.0)])
-        far = chain(near.end, [(length, 0.0)])
+        outward = (self.sign if self.joins else -self.sign) / RAMP_RADIUS_M
+        near = chain(away, [(arc, outward), (arc, -outward)])
+        parallel = min(PARALLEL_M, length)
+        bend = min(RAMP_RADIUS_M * RAMP_ANGLE_RAD, length - parallel)
+        rest = length - parallel - bend
+        far = chain(near.end, [(parallel, 0.0), (bend, outward), (rest, 0.0)])
         ramp = self._ramp_road(far.reversed() if self.joins else far)
         end = LaneEnd(ramp, -self.sign, ContactPoint.END if self.joins else ContactPoint.START)
         line = near.reversed() if self.joins else near

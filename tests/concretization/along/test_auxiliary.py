@@ -100,7 +100,7 @@ def test_who_leaves_slows_down_only_in_the_exit_lane():
 def test_nobody_comes_near_anybody_where_no_danger_is_asked_for():
     _, traces = first(SITUATIONS["leaves_ahead"])
     car, own = traces["car"], traces["ego"]
-    assert np.hypot(car.x_m - own.x_m, car.y_m - own.y_m).min() > 15.0
+    assert np.hypot(car.x_m - own.x_m, car.y_m - own.y_m).min() > 9.0  # side by side, on the ramp
 
 
 def test_the_lane_is_as_long_as_a_late_merge_needs():

@@ -19,6 +19,8 @@ from scegen.scenario.vocabulary import Maneuver
 
 RAMP_MPS = 90 / 3.6
 """A usual speed on ramps of motorways and at the beginning of an acceleration lane."""
+ON_RAMP_S = 3.0
+"""So much later who merges changes lanes than others: it comes along the ramp first."""
 GAINS_MPS2, LOSES_MPS2 = 1.5, 1.5
 """Comfortable rates with which who merges gains speed, and who leaves loses it."""
 _SETTLES_M, _SPARE_M = 40.0, 30.0

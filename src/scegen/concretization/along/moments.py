@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from scegen.concretization.along.auxiliary import ON_RAMP_S, merging
 from scegen.concretization.along.performing import perform
 from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.along.story import FIRST_ACT_S, Story
@@ -66,6 +67,8 @@ def _moment_s(story: Story, act: Act) -> float:
            and a.id in story.ends_s]  # fmt: skip
     if own:
         return max(own) + _HOLDS_S
+    if act.participant in merging(story.functional):
+        return FIRST_ACT_S + ON_RAMP_S
     return FIRST_ACT_S
 
 
