@@ -55,12 +55,12 @@ class Sentences:
 
     def find(self, phrases: Iterable[str], start: int, end: int) -> tuple[int, int] | None:
         """Where the first of some phrases stands whole between two tokens."""
-        lows = [t.low for t in self.tokens[start:end]]
+        text = self.low(start, end)
         for phrase in phrases:
-            wanted = phrase.split()
-            for k in range(len(lows) - len(wanted) + 1):
-                if lows[k : k + len(wanted)] == wanted:
-                    return start + k, start + k + len(wanted)
+            at = text.find(f" {phrase} ")
+            if at >= 0:
+                first = max(0, start) + text[:at].count(" ")
+                return first, first + phrase.count(" ") + 1
         return None
 
     def scene_at(self, i: int, j: int) -> Clause | None:
