@@ -109,10 +109,11 @@ def close_before(
 ) -> Meeting:
     """At a place of its way, one is close before another; one who is much faster brakes late.
 
-    ``other_s_m`` is the same place on the other's way, if that differs.
+    ``other_s_m`` is the same place on the other's way, if that differs: in a ring, where nobody is
+    much faster.
     """
     there = place_s_m if other_s_m is None else other_s_m
-    closing = other.cruise_mps - draft.cruise_mps
+    closing = other.cruise_mps - draft.cruise_mps if other_s_m is None else 0.0
     if closing < _MUCH_FASTER_MPS:
         headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
         gap = headway * other.cruise_mps

@@ -1,14 +1,18 @@
 """Dangers that are a pace: too fast, too slow, or too close to the next.
 
-The shares of the limit are those of the table of hazards; a time gap of tailgating is 0.4 to 0.8 s
-at the leader's speed.
+The shares of the limit lie within those of the table of hazards; a time gap of tailgating is 0.4 to
+0.8 s at the leader's speed.
 """
 
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import Rule, culprits, in_line_before, pairs, same_arm
-from scegen.concretization.limits import FAST_LATERAL_MPS2, TAILGATING_HEADWAY_S
+from scegen.concretization.limits import (
+    FAST_LATERAL_MPS2,
+    TAILGATING_HEADWAY_S,
+    USUAL_SHARES,
+)
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.setup import Setup
 from scegen.scenario.functional import Hazard
@@ -25,11 +29,12 @@ def _set_pace(scene: Setup, hazard: Hazard) -> None:
     share = HAZARDS[hazard.kind].speed_share
     if share is None:
         return
-    least, most, usual = share
+    least, most, _ = share
+    usual = USUAL_SHARES[hazard.kind]
     drives = sorted(culprits(scene, hazard), key=lambda each: each.drive.rank)
     for draft in drives:
         limit = limit_for_kind_mps(draft.kind, scene.limit_mps)
-        wanted = float(scene.rng.uniform(usual, most)) * limit
+        wanted = float(scene.rng.uniform(*usual)) * limit
         low, high = scene.allowed(f"{draft.id}.speed_mps", (wanted, wanted))
         inside = min(max(wanted, low), high)
         # A range that ends at the limit would undo the danger that the text asks for.
@@ -39,7 +44,7 @@ def _set_pace(scene: Setup, hazard: Hazard) -> None:
         reason = f"{kind}: {speed / limit:.2f} times the limit"
         scene.note(f"{draft.id}.speed_mps", speed, reason, draft.cruise_mps)
         draft.cruise_mps = speed
-        if usual > 1.0:
+        if least > 1.0:
             draft.lateral_mps2 = FAST_LATERAL_MPS2
         ahead = [each for each in in_line_before(scene, draft) if each in drives]
         if ahead:  # a line of them drives as fast as its first
