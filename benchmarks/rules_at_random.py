@@ -23,7 +23,7 @@ from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 from judging_rules import broken
-from random_traffic import RULES, traffic
+from random_traffic import RULES, contradicts, traffic
 
 from scegen.checking.recording import record
 from scegen.concretization import concretize
@@ -32,8 +32,6 @@ from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
 from scegen.pipeline.export import SCENARIO_FILE, export_scenario
 from scegen.pipeline.picking import pick
-from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import LogicalScenario
 
 _MOST_DRAWN = 4
 """Situations drawn for one that is made, at most: others contradict themselves."""
@@ -44,7 +42,7 @@ def played(rule: str, seed: int, *, breach: bool) -> tuple[set, set, tuple[str, 
     functional = traffic(rule, seed, breach=breach)
     listed = enumerate_scenarios(functional, limit=50)
     logical = pick(listed, None)[seed % len(listed.scenarios)]
-    if rule not in {"all_way_stop", "signals"} and _has_right_of_way(functional, logical):
+    if contradicts(rule, functional, logical):
         raise InfeasibleError("who is said to break the rule has right of way")
     concrete = concretize(functional, logical, seed=seed)
     target = "near-miss" if breach else "avoided"
@@ -58,16 +56,6 @@ def played(rule: str, seed: int, *, breach: bool) -> tuple[set, set, tuple[str, 
     found = broken(rule, raised.concrete.logical, files, log, by)
     missed = tuple(claim.id for claim in raised.proof.missed)
     return found, by, missed, raised.proof.in_band
-
-
-def _has_right_of_way(functional: FunctionalScenario, logical: LogicalScenario) -> bool:
-    """Whether those who are said to suffer a breach have to give way themselves."""
-    return any(
-        conflict.yields in hazard.to
-        and {conflict.first, conflict.second} == {*hazard.by, *hazard.to}
-        for conflict in logical.conflicts
-        for hazard in functional.hazards
-    )
 
 
 def wrong(rule: str, found: set, by: set) -> set:

@@ -46,3 +46,16 @@ def traffic(rule, seed, *, breach=False):
     if rng.random() < 0.2:
         junction.pop("lanes")
     return said(kind, ego, *others, junction=junction, **fields)
+
+
+def contradicts(rule, functional, logical):
+    """Whether one who is said to break the rule has right of way before whom it endangers.
+
+    At an all-way stop who comes first decides, at a light the light.
+    """
+    return rule not in {"all_way_stop", "signals"} and any(
+        conflict.yields in hazard.to
+        and {conflict.first, conflict.second} == {*hazard.by, *hazard.to}
+        for conflict in logical.conflicts
+        for hazard in functional.hazards
+    )

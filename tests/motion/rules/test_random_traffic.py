@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from judging_rules import broken
-from random_traffic import RULES, traffic
+from random_traffic import RULES, contradicts, traffic
 
 from scegen.checking.esmini.layout import simulated_csv
 from scegen.checking.recording import record
@@ -20,10 +20,19 @@ from scegen.scenario.concrete import DriveMotion
 BREAKS = {"signals": {"red", "way"}}
 
 
+def drawn(rule, seed, *, breach):
+    """The first text from this seed on that does not contradict itself, and a scenario of it."""
+    while True:
+        functional = traffic(rule, seed, breach=breach)
+        listed = enumerate_scenarios(functional, limit=50)
+        logical = pick(listed, None)[seed % len(listed.scenarios)]
+        if not contradicts(rule, functional, logical):
+            return functional, logical
+        seed += 100
+
+
 def made(rule, seed, *, breach):
-    functional = traffic(rule, seed, breach=breach)
-    listed = enumerate_scenarios(functional, limit=50)
-    logical = pick(listed, None)[seed % len(listed.scenarios)]
+    functional, logical = drawn(rule, seed, breach=breach)
     target = "near-miss" if breach else "avoided"
     laid = concretize(functional, logical, seed=seed)
     raised = raise_criticality(functional, laid, target=target, seed=seed)
