@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
@@ -216,16 +216,6 @@ def across_the_road(event: Event, context: Context) -> bool:
         if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
             return True
     return not any(d.value in DIRECTIONS for d in event.dirs)
-
-
-def leads(prep: Prep, context: Context) -> bool:
-    """``turns left ahead of it``: it drives in front, and does not turn in front of it.
-
-    Args:
-        prep: "ahead of", "in front of".
-        context: the scenario in the making.
-    """
-    return any(t.low == "ahead" for t in context.tokens[prep.word.i : prep.word.j])
 
 
 def against(entity: Entity, place: Place) -> bool:
