@@ -63,10 +63,13 @@ $(VENV)/crime/.installed: $(VENV)/.installed benchmarks/crime-constraints.txt
 	@$(VENV)/crime/bin/python -m pip install --quiet --disable-pip-version-check -c benchmarks/crime-constraints.txt commonroad-crime
 	@touch $@
 
-bench: $(VENV)/.installed ## the danger's benchmarks, beside esmini and commonroad-crime
+$(VENV)/bench/.installed: $(VENV)/.installed
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[bench]'
+	@mkdir -p $(@D) && touch $@
+
+bench: $(VENV)/bench/.installed ## all benchmarks into docs/reference/benchmarks.md; wants a quiet machine, takes a quarter of an hour
 	@$(MAKE) --no-print-directory $(VENV)/crime/.installed || echo "going on without commonroad-crime" >&2
-	@status=0; for tool in batch scaling players search solved; do \
-	  echo "== $$tool"; $(BIN)/python benchmarks/$$tool.py || status=1; done; exit $$status
+	$(BIN)/python benchmarks/table.py
 
 docs: $(VENV)/.installed ## the documentation as pages, strictly, into build/site
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet --strict

@@ -1,12 +1,13 @@
 """Evaluations to success: the search against plain random search, and parts of it alone.
 
-    python benchmarks/search.py [--json] [--each N] [--seeds N]
+    python benchmarks/search.py [--json] [--each N] [--seeds N] [--cap N]
 
 The problems are the source paper's eleven sentences and N random scenarios of every junction kind,
 each with a near-miss, a collision and a narrow range of PET as target, where the first guess is
 no success already. All methods get the same problem object: bounds, measures, test of success and
 cap. "random" draws uniformly within the bounds; "quasi-random" is the search without CMA-ES,
-started over until the cap; "CMA-ES" starts from the first guess with nothing before it. A run that
+started over until the cap; "CMA-ES" starts from the first guess with nothing before it; "TPE" is
+Optuna's, where that is installed, told the same loss. A run that
 fails counts as longer than the cap in medians. The proof in finer steps is left out: it is the
 same for all.
 """
@@ -24,6 +25,11 @@ from time import perf_counter
 
 import numpy as np
 from drawing import draw
+
+try:
+    import optuna
+except ModuleNotFoundError:  # make bench installs it
+    optuna = None
 
 from scegen.concretization import concretize
 from scegen.criticality.raising.stage import Stage
@@ -54,13 +60,14 @@ class Watched(Problem):
     """A problem that notes the first success and ends the search there or at the cap."""
 
     successes_at: int | None = None
+    cap: int = CAP
 
     def evaluate(self, x: Floats) -> Outcome:
         before = self.evaluations
         outcome = super().evaluate(x)
         if outcome.found.any():
             self.successes_at = before + int(outcome.found.argmax()) + 1
-        if self.successes_at is not None or self.evaluations >= CAP:
+        if self.successes_at is not None or self.evaluations >= self.cap:
             raise _OverError
         return outcome
 
@@ -101,12 +108,28 @@ def evolution(problem: Problem, rng: np.random.Generator) -> None:
         start = halton(1, len(span), rng.random(len(span)))[0]
 
 
+def parzen(problem: Problem, rng: np.random.Generator) -> None:
+    """Optuna's tree-structured Parzen estimator, from the same first guess."""
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
+    sampler = optuna.samplers.TPESampler(seed=int(rng.integers(2**31)))
+    study = optuna.create_study(sampler=sampler)
+    ends = zip(problem.space.low.tolist(), problem.space.high.tolist(), strict=True)
+    within = {str(n): optuna.distributions.FloatDistribution(*pair) for n, pair in enumerate(ends)}
+    study.enqueue_trial({str(n): x for n, x in enumerate(problem.space.origin.tolist())})
+    while True:
+        trial = study.ask(within)
+        x = np.array([trial.params[name] for name in within])
+        study.tell(trial, float(problem.evaluate(x[None, :]).loss[0]))
+
+
 METHODS: dict[str, Method] = {
     "search": ours,
     "random": by_chance,
     "quasi-random": quasi_random,
     "CMA-ES": evolution,
 }
+if optuna is not None:
+    METHODS["TPE"] = parzen
 
 
 def paper() -> Iterator[tuple[FunctionalScenario, ConcreteScenario]]:
@@ -127,7 +150,7 @@ def drawn(each: int) -> Iterator[tuple[FunctionalScenario, ConcreteScenario]]:
 
 
 def problem_of(
-    functional: FunctionalScenario, concrete: ConcreteScenario, target: str
+    functional: FunctionalScenario, concrete: ConcreteScenario, target: str, cap: int = CAP
 ) -> Watched | None:
     """The search problem; None where there is nothing to search for."""
     network = build_network(concrete.road, name=concrete.name)
@@ -136,6 +159,7 @@ def problem_of(
         return None
     made = stage.problem()
     watched = Watched(**{field.name: getattr(made, field.name) for field in fields(Problem)})
+    watched.cap = cap
     try:
         watched.evaluate(watched.space.origin[None, :])
     except _OverError:
@@ -186,13 +210,14 @@ def main() -> int:
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--each", type=int, default=6, metavar="N", help="per junction kind")
     parser.add_argument("--seeds", type=int, default=5, metavar="N")
+    parser.add_argument("--cap", type=int, default=CAP, metavar="N", help="evaluations a run")
     asked = parser.parse_args()
     sets = {"paper": list(paper()), "random": list(drawn(asked.each))}
-    report: dict[str, object] = {"cap": CAP, "seeds": asked.seeds, "sets": {}}
+    report: dict[str, object] = {"cap": asked.cap, "seeds": asked.seeds, "sets": {}}
     worse = False
     for name, scenarios in sets.items():
         for target in (NEAR_MISS, COLLISION, NARROW):
-            made = [problem_of(*scenario, target) for scenario in scenarios]
+            made = [problem_of(*scenario, target, asked.cap) for scenario in scenarios]
             problems = [p for p in made if p is not None]
             rows = compared(problems, asked.seeds) if problems else []
             sizes = [len(p.space.variables) for p in problems]
