@@ -87,7 +87,7 @@ def test_what_the_ego_does(text, expected):
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("A dog runs out, leaving the ego no time to brake.", {"obstacle"}),
+        ("A dog runs out, leaving the ego no time to brake.", {"crossing_animal"}),
         ("A car brakes hard, leaving the van behind it only a second to stop.", {"hard_braking"}),
         ("The ego approaches a fallen tree that blocks its lane.", {"obstacle"}),
         ("The ego overtakes a bus while an oncoming van does not slow down.", {"overtaking"}),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import cos, pi, sin
@@ -15,6 +16,7 @@ from scegen.motion.batch.arrays import Bools, Floats
 from scegen.road import build_network
 from scegen.road.cross_section import median_half_m
 from scegen.road.geometry import Pose
+from scegen.road.model import LaneType, Road
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.vocabulary import DrivingSide
 
@@ -25,7 +27,8 @@ class Arm:
 
     ``inner_m`` is where its lanes begin beside the centre line: behind half a median.
     ``inward`` is the side of the traffic towards the junction, as a sign of the offset to the left
-    of the centre line; ``edges_m`` are the offsets of the carriageway's right and left edge.
+    of the centre line; ``edges_m`` are the offsets of the carriageway's right and left edge,
+    ``strips`` how far from the centre line those beside the lanes begin and end, by type.
     """
 
     x_m: float
@@ -38,6 +41,7 @@ class Arm:
     inner_m: float
     inward: int
     edges_m: tuple[float, float]
+    strips: Mapping[LaneType, tuple[float, float]]
 
     def place(self, box: Boxes) -> tuple[Floats, Floats]:
         """How far from the outer end, and how far to the left of the centre line (m)."""
@@ -88,9 +92,20 @@ def _built(road: RoadParameters, axis: Axis | None) -> tuple[Arm, ...]:
                 median_half_m(road.carriageway),
                 inward,
                 (built.edge_t_m(-1, 0.0), built.edge_t_m(1, 0.0)),
+                _strips(built, inward if described.lanes_in else -inward),
             )
         )
     return tuple(made)
+
+
+def _strips(road: Road, sign: int) -> dict[LaneType, tuple[float, float]]:
+    """Where the strips on one side of a road begin and end, from the centre line (m)."""
+    found: dict[LaneType, tuple[float, float]] = {}
+    for lane in road.lanes:
+        if lane.id * sign > 0 and lane.type is not LaneType.DRIVING:
+            middle = abs(road.lane_centre_t_m(lane.id))
+            found[lane.type] = (middle - lane.width_m / 2, middle + lane.width_m / 2)
+    return found
 
 
 def off_lane_m(arm: Arm, box: Boxes, numbers: tuple[int, ...], *, inwards: bool) -> Floats:

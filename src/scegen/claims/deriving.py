@@ -22,6 +22,7 @@ from scegen.claims.statements import (
     rules,
     spacings,
     speeds,
+    strips,
 )
 from scegen.claims.told import Told
 from scegen.scenario.functional import FunctionalScenario
@@ -34,6 +35,7 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     roads.claims,
     approaches.claims,
     assignments.claims,
+    strips.claims,
     maneuvers.claims,
     speeds.claims,
     spacings.claims,

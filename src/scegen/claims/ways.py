@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from scegen.motion.batch.arrays import Floats
+from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Path
 from scegen.motion.paths import build_path, lay_drive
 from scegen.motion.polyline import LaidDrive
-from scegen.road.cross_section import strip_width_m
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import (
     ConcreteParticipant,
@@ -90,13 +90,21 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         return Way(participant, path, limit, 0.0, path.length_m, goal, (), zero, zero, None)
     laid = lay_drive(network, motion, participant.id)
     arms = concrete.road.arms
-    width = arms[motion.entry].lane_width_m
-    if motion.entry_lane > arms[motion.entry].lanes_in:
-        width = (width + strip_width_m(concrete.road.strips)) / 2
+    width, lanes = arms[motion.entry].lane_width_m, arms[motion.entry].lanes_in
+    numbers: dict[int, float] = {}
+    if motion.entry_lane > lanes and concrete.road.auxiliary is None:
+        # Off a strip: how many lanes' widths lie between it and the lane beside it.
+        road = network.arm_road(motion.entry)
+        strip, beside = (
+            road.lane_centre_t_m(arm_lane_id(road, number, inbound=True))
+            for number in (motion.entry_lane, lanes)
+        )
+        numbers = {motion.entry_lane: lanes + abs(strip - beside) / width}
     first = motion.lane_changes[0].position_m if motion.lane_changes else 0.0
     in_ring = motion.ring_lane is not None and first >= laid.turning_starts_m
-    places = [((motion.ring_lane or 1) if in_ring else motion.entry_lane, motion.offset_m)]
-    places += [(change.lane_after, change.offset_m) for change in motion.lane_changes]
+    said = [((motion.ring_lane or 1) if in_ring else motion.entry_lane, motion.offset_m)]
+    said += [(change.lane_after, change.offset_m) for change in motion.lane_changes]
+    places = [(numbers.get(number, number), offset) for number, offset in said]
     changes = tuple(
         Sideways(
             laid.path_s_m(change.position_m),

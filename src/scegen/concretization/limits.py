@@ -14,7 +14,8 @@ number is this program's own choice.
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.vocabulary import ANIMALS, HazardKind, ParticipantKind
 
 COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
 COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
@@ -47,6 +48,21 @@ JITTER = 0.04  # relative spread of ordinary speeds
 WALKING_MPS = 1.4  # above the 1.2 of [MUTCD]
 CYCLING_MPS = 4.0
 WALKING_START_MPS2 = 2.5
+PACE_MPS = {
+    ParticipantKind.PEDESTRIAN: WALKING_MPS,
+    ParticipantKind.BICYCLE: CYCLING_MPS,
+    ParticipantKind.ANIMAL: 5.0,
+    ParticipantKind.LARGE_ANIMAL: 7.0,
+}
+"""How fast those usually are who cross: animals run."""
+
+
+def starting_mps2(kind: ParticipantKind) -> float:
+    """How fast those gain speed who set off to cross."""
+    most = BODIES[kind].max_acceleration_mps2
+    return most if kind in ANIMALS else min(WALKING_START_MPS2, most)
+
+
 STOPS_FOR_S = 1.5
 """At stop lines vehicles stand so long at least: clearly longer than ``rules.stopping`` asks."""
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from scegen.concretization.limits import WALKING_START_MPS2
+from scegen.concretization.limits import starting_mps2
 from scegen.motion.model import Array, Path
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.bodies import BODIES, Body
@@ -25,6 +25,8 @@ _STOPS_SHORT_M = 0.15
 _CROSSES = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
     ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
+    ParticipantKind.ANIMAL: HazardKind.CROSSING_ANIMAL,
+    ParticipantKind.LARGE_ANIMAL: HazardKind.CROSSING_ANIMAL,
 }
 
 
@@ -53,7 +55,7 @@ class Walker:
     @property
     def rate_mps2(self) -> float:
         """How fast it gains speed, and loses it."""
-        return min(WALKING_START_MPS2, self.body.max_acceleration_mps2)
+        return starting_mps2(self.kind)
 
     def runs_s(self, way_m: float) -> float:
         """How long it takes from setting off until so much way is behind it."""

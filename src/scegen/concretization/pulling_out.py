@@ -20,6 +20,7 @@ from scegen.concretization.stationary import towards_junction
 from scegen.concretization.walkers import Appointment
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
+from scegen.motion.lanes import STANDING, strip_number
 from scegen.motion.paths import lay_drive
 from scegen.scenario.acts import ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
@@ -90,9 +91,10 @@ def _draft(scene: Setup, name: str, from_junction_m: float) -> PullDraft:
     ]
     exit_ = min(exits)[1]
     route = next(r for r in scene.network.routes[entry, exit_] if r.entry_lane == lane)
+    bay = strip_number(scene.network.arm_road(entry), STANDING, inbound=True)
     motion = DriveMotion(
         entry=entry,
-        entry_lane=lane + 1,
+        entry_lane=bay,
         exit=exit_,
         exit_lane=route.exit_lane,
         ring_lane=route.ring_lane,

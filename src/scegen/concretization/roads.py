@@ -12,7 +12,8 @@ from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import has_crosswalk
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import FROM_BESIDE
-from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.logical import Drive, LogicalScenario, Standing
+from scegen.scenario.roadway import BAYS
 from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
@@ -42,13 +43,22 @@ def plan(
         min_lanes=least_lanes
         or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
         crosswalks=_crosswalks(functional, logical),
-        parking_lanes=frozenset(s.arm for s in logical.standings if not s.in_lane),
+        parking_lanes=frozenset(s.arm for s in standing_in_bays(functional, logical)),
         u_turns=frozenset(drive.entry for drive in turning_back),
     )
     parameters = with_turns(functional, logical, parameters)
     if functional.junction.kind is not JunctionKind.ROUNDABOUT or HazardKind.CUT_IN not in kinds:
         return parameters
     return _with_wide_ring(parameters)
+
+
+def standing_in_bays(functional: FunctionalScenario, logical: LogicalScenario) -> list[Standing]:
+    """Those who stand on the strip for standing vehicles."""
+    return [
+        s
+        for s in logical.standings
+        if not s.in_lane and functional.participant(s.participant).strip in {None, *BAYS}
+    ]
 
 
 def _crosswalks(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[int]:

@@ -79,6 +79,7 @@ def _draft(
         side=standing.side,
         from_junction_m=round(from_junction_m, 3),
         in_lane=standing.in_lane,
+        strip=participant.strip,
     )
     path = standing_path(scene.network, motion, participant.kind, participant.id)
     scene.note(f"{participant.id}.from_junction_m", from_junction_m, "stands clear of the corner")

@@ -10,9 +10,8 @@ from math import sin, sqrt
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
-    CYCLING_MPS,
-    WALKING_MPS,
-    WALKING_START_MPS2,
+    PACE_MPS,
+    starting_mps2,
 )
 from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
 from scegen.concretization.others import WalkDraft
@@ -20,9 +19,9 @@ from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s
-from scegen.road.model import LaneType
+from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
 from scegen.scenario.acts import Act, ActKind, AfterStart
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, CrossingMotion, Travelled, Trigger
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
@@ -70,7 +69,7 @@ def place_walkers(scene: Setup) -> None:
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm, BODIES[participant.kind], speed),
+            setback_m=_setback_m(scene, crossing.arm, participant.kind, speed),
         )
         path = crossing_path(scene.network, motion, participant.id)
         scene.walks[participant.id] = WalkDraft(
@@ -84,7 +83,7 @@ def _abreast_m(number: int) -> float:
 
 
 def _speed(scene: Setup, participant: Participant) -> float:
-    usual = WALKING_MPS if participant.kind is ParticipantKind.PEDESTRIAN else CYCLING_MPS
+    usual = PACE_MPS[participant.kind]
     low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
     least = min(max(low, 0.9 * usual), high)
     speed = float(scene.rng.uniform(least, max(min(high, 1.2 * usual), least)))
@@ -93,17 +92,16 @@ def _speed(scene: Setup, participant: Participant) -> float:
     return round(speed, 3)
 
 
-def _setback_m(scene: Setup, arm: int, body: Body, speed_mps: float) -> float:
+def _setback_m(scene: Setup, arm: int, kind: ParticipantKind, speed_mps: float) -> float:
     """How far outside the carriageway one starts: far enough to have its pace on it."""
+    body = BODIES[kind]
     hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
     behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
-    strip = [
-        lane.width_m
-        for lane in scene.network.arm_road(arm).lanes
-        if lane.type in {LaneType.PARKING, LaneType.SHOULDER}
-    ]
-    usual = max(strip) + _BEYOND_STRIP_M if strip else _SETBACK_M
-    gains = speed_mps**2 / (2 * min(WALKING_START_MPS2, body.max_acceleration_mps2))
+    lanes = scene.network.arm_road(arm).lanes
+    beside = CARRIAGEWAY - KERBED
+    strip = max(half_width_m(lanes, sign, beside) for sign in (-1, 1))
+    usual = strip + _BEYOND_STRIP_M if strip else _SETBACK_M
+    gains = speed_mps**2 / (2 * starting_mps2(kind))
     return round(max(usual, behind, gains), 3)
 
 

@@ -23,15 +23,22 @@ class AlongWay(NamedTuple):
 
 
 CROSSINGS = {side.value: side for side in (Side.RIGHT, Side.LEFT)}
-ALONG: dict[str, AlongWay] = {
-    f"stands_{side.value}": AlongWay(side, in_lane=True, heading=None)
-    for side in (Side.RIGHT, Side.LEFT)
-} | {
-    f"walks_{side.value}_{place}_{heading.value}": AlongWay(side, place == IN_LANE, heading)
-    for side in (Side.RIGHT, Side.LEFT)
-    for place in (IN_LANE, AT_EDGE)
-    for heading in Heading
-}
+ALONG: dict[str, AlongWay] = (
+    {
+        f"stands_{side.value}": AlongWay(side, in_lane=True, heading=None)
+        for side in (Side.RIGHT, Side.LEFT)
+    }
+    | {
+        f"walks_{side.value}_{place}_{heading.value}": AlongWay(side, place == IN_LANE, heading)
+        for side in (Side.RIGHT, Side.LEFT)
+        for place in (IN_LANE, AT_EDGE)
+        for heading in Heading
+    }
+    | {
+        f"waits_{side.value}": AlongWay(side, in_lane=False, heading=None)
+        for side in (Side.RIGHT, Side.LEFT)
+    }
+)
 
 
 def way_facts() -> list[Predicate]:
@@ -53,14 +60,17 @@ def way_facts() -> list[Predicate]:
 def ways_of(functional: FunctionalScenario, participant: Participant) -> list[str]:
     """The ways that are left to one by what is said: over the road if nothing is.
 
-    One whom a danger or the outcome concerns, or of whom a lane is said, is in the lane.
+    One whom a danger or the outcome concerns, or of whom a lane is said, is in the lane; one who is
+    on a strip is beside the lanes, and nobody else stands there.
     """
     said = participant.maneuvers or {Maneuver.CROSS}
+    beside = participant.strip is not None
     in_lane = bool(participant.lanes) or participant.id in _concerned(functional)
     found = list(CROSSINGS) if said - {Maneuver.STAY, Maneuver.STRAIGHT} else []
     for name, way in ALONG.items():
         word = Maneuver.STAY if way.heading is None else Maneuver.STRAIGHT
-        if word in said and (way.in_lane or not in_lane):
+        usual = way.in_lane or (not in_lane and way.heading is not None)
+        if word in said and (not way.in_lane if beside else usual):
             found.append(name)
     return found
 

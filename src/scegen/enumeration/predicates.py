@@ -72,6 +72,12 @@ class Crosser(Predicate):
     id: ConstantStr
 
 
+class OnStrip(Predicate):
+    """A vehicle on a strip beside the lanes at first."""
+
+    id: ConstantStr
+
+
 class Ego(Predicate):
     """The vehicle under test."""
 

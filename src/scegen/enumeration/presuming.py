@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Party
 from scegen.scenario.outcome import Outcome
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import ANIMALS, Approach, HazardKind, Maneuver, ParticipantKind
 
 MOST_PAIRS = 6
 """Pairs that may be the two of an outcome of whom the text does not tell."""
@@ -93,9 +93,11 @@ def known_by_itself(functional: FunctionalScenario, party: Party) -> list[str]:
             tailgating = [h for h in functional.hazards if h.kind is HazardKind.TAILGATING]
             return [name for hazard in tailgating for name in hazard.to]
         case Party.WALKER:
-            return _crossers(functional, ParticipantKind.PEDESTRIAN)
+            return _crossers(functional, frozenset({ParticipantKind.PEDESTRIAN}))
         case Party.CYCLIST:
-            return _crossers(functional, ParticipantKind.BICYCLE)
+            return _crossers(functional, frozenset({ParticipantKind.BICYCLE}))
+        case Party.ANIMAL:
+            return _crossers(functional, ANIMALS)
         case Party.STANDING:
             return [p.id for p in functional.participants if p.parked]
         case Party.THING:
@@ -105,12 +107,12 @@ def known_by_itself(functional: FunctionalScenario, party: Party) -> list[str]:
             return []
 
 
-def _crossers(functional: FunctionalScenario, kind: ParticipantKind) -> list[str]:
+def _crossers(functional: FunctionalScenario, kinds: frozenset[ParticipantKind]) -> list[str]:
     crossing = frozenset({Maneuver.CROSS})
     return [
         c.id
         for c in functional.crossers
-        if c.kind is kind and (not c.maneuvers or crossing <= c.maneuvers)
+        if c.kind in kinds and (not c.maneuvers or crossing <= c.maneuvers)
     ]
 
 

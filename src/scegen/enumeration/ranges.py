@@ -28,6 +28,8 @@ Range = tuple[float, float, float, str]
 KIND_SPEED_MPS: dict[ParticipantKind, Range] = {
     ParticipantKind.PEDESTRIAN: (0.8, 2.5, 1.4, "walking to running"),
     ParticipantKind.BICYCLE: (3.0, 8.0, 5.0, "cycling"),
+    ParticipantKind.ANIMAL: (1.0, 9.0, 5.0, "trotting to running"),
+    ParticipantKind.LARGE_ANIMAL: (1.5, 12.0, 7.0, "trotting to running"),
 }
 USUAL_SHARE: Range = (0.6, 1.0, 0.8, "usual")
 CRUISING_SHARE: Range = (0.8, 1.0, 0.9, "cruising")

@@ -90,6 +90,7 @@ def stated(functional: FunctionalScenario) -> Stated:
     vehicles, crossers = functional.vehicles, functional.crossers
     out.facts += junction_facts(functional.junction)
     out.facts += [p.Vehicle(v.id) for v in vehicles] + [p.VehicleCount(len(vehicles))]
+    out.facts += [p.OnStrip(v.id) for v in vehicles if v.strip is not None]
     out.facts += [p.Crosser(c.id) for c in crossers] + [p.Ego(functional.ego.id)]
     out.facts += [p.Position(m.id, i) for i, m in enumerate((*vehicles, *crossers), start=1)]
     limit = out.number(f"at most {QUEUE_LIMIT} vehicles fit on one arm")

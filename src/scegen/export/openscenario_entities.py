@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from scegen.export.library import xosc
 from scegen.export.openscenario_text import xml_text
+from scegen.measures.bodies import MASS_KG
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.vocabulary import ParticipantKind, Role
+from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind, Role
 
 _CATEGORY: dict[ParticipantKind, str] = {
     ParticipantKind.CAR: "car",
@@ -18,7 +19,6 @@ _CATEGORY: dict[ParticipantKind, str] = {
     ParticipantKind.BICYCLE: "bicycle",
     ParticipantKind.EMERGENCY_VEHICLE: "van",
 }
-_PEDESTRIAN_MASS_KG = 75.0
 _WHEEL_DIAMETER_M = 0.6
 _MAX_STEERING_RAD = 0.6
 
@@ -31,8 +31,8 @@ def entities(concrete: ConcreteScenario, *, external_ego: bool = False) -> xosc.
     result = xosc.Entities()
     for participant in concrete.participants:
         body = BODIES[participant.kind]
-        if participant.kind is ParticipantKind.PEDESTRIAN:
-            entity = _pedestrian(body)
+        if participant.kind in ON_FOOT:
+            entity = _on_foot(participant.kind, body)
         else:
             entity = _vehicle(participant, body)
         is_ego = participant.role is Role.EGO
@@ -64,11 +64,12 @@ def _box(body: Body) -> xosc.BoundingBox:
     )
 
 
-def _pedestrian(body: Body) -> xosc.Pedestrian:
+def _on_foot(kind: ParticipantKind, body: Body) -> xosc.Pedestrian:
+    category = xosc.PedestrianCategory
     return xosc.Pedestrian(
         body.blueprint,
-        _PEDESTRIAN_MASS_KG,
-        xosc.PedestrianCategory.pedestrian,
+        MASS_KG[kind],
+        category.animal if kind in ANIMALS else category.pedestrian,
         _box(body),
         body.blueprint,
     )

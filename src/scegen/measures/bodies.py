@@ -13,7 +13,7 @@ from scegen.motion.batch.kernels import inner_kernel
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 
 Kind = ParticipantKind | StaticObject
 """Whose body it is: of a kind of participant, or that of an object."""
@@ -27,6 +27,8 @@ MASS_KG: dict[ParticipantKind, float] = {
     ParticipantKind.BICYCLE: 95.0,
     ParticipantKind.PEDESTRIAN: 75.0,
     ParticipantKind.EMERGENCY_VEHICLE: 3500.0,
+    ParticipantKind.ANIMAL: 25.0,
+    ParticipantKind.LARGE_ANIMAL: 70.0,
 }
 """Mass with driver or rider: typical values for bodies of the sizes in ``scenario.bodies``.
 
@@ -56,8 +58,7 @@ class Body(NamedTuple):
     unprotected: float
 
 
-_UNPROTECTED = {
-    ParticipantKind.PEDESTRIAN,
+_UNPROTECTED = ON_FOOT | {
     ParticipantKind.BICYCLE,
     ParticipantKind.MOTORCYCLE,
 }

@@ -7,7 +7,9 @@ from math import pi, radians
 import numpy as np
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.lanes import STANDING
 from scegen.motion.model import LaneSpan, Path
+from scegen.road.cross_section import LANE_TYPES
 from scegen.road.geometry import Pose
 from scegen.road.model import Lane, LaneType, Road, RoadNetwork
 from scegen.scenario.bodies import BODIES
@@ -86,7 +88,7 @@ def standing_path(
     road = network.arm_road(motion.arm)
     s = _place_on_arm(road, motion.from_junction_m, who)
     sign = side_sign(motion.side)
-    lane = _standing_lane(road, s, sign, in_lane=motion.in_lane)
+    lane = _standing_lane(road, s, sign, motion)
     if lane is not None:
         t = road.lane_centre_t_m(lane.id, s)
     else:
@@ -107,8 +109,10 @@ def standing_path(
     )
 
 
-def _standing_lane(road: Road, s_m: float, sign: int, *, in_lane: bool) -> Lane | None:
-    wanted = {LaneType.DRIVING} if in_lane else {LaneType.PARKING, LaneType.SHOULDER}
+def _standing_lane(road: Road, s_m: float, sign: int, motion: StandingMotion) -> Lane | None:
+    wanted = set(STANDING)
+    if motion.in_lane or motion.strip is not None:
+        wanted = {LaneType.DRIVING if motion.strip is None else LANE_TYPES[motion.strip]}
     there = [lane for lane in road.lanes if lane.width_at_m(s_m) == lane.width_m]
     lanes = [lane for lane in there if lane.id * sign > 0 and lane.type in wanted]
     return max(lanes, key=lambda lane: abs(lane.id), default=None)

@@ -13,8 +13,8 @@ from scegen.report.corners import box_corners
 from scegen.report.drawing import area, areas, box, circle, element
 from scegen.report.theme import Theme
 from scegen.report.world import placed
-from scegen.scenario.bodies import BODIES
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind
 
 Array = NDArray[np.float64]
 
@@ -34,7 +34,9 @@ def body(
     """
     size = BODIES[kind]
     edge = max(0.06, (1.6 if ego else 0.8) / scale)
-    if kind is ParticipantKind.PEDESTRIAN:
+    if kind in ANIMALS:
+        drawn = _animal(size, colour, theme, edge)
+    elif kind is ParticipantKind.PEDESTRIAN:
         drawn = element("ellipse", rx=0.16, ry=0.28, fill=colour, stroke=theme.outline,
                         stroke_width=edge)  # fmt: skip
         drawn += circle(0.04, 0, 0.13, theme.outline)
@@ -46,12 +48,21 @@ def body(
         drawn += circle(middle + 0.05, 0, 0.15, theme.outline)
     else:
         drawn = _vehicle(kind, colour, theme, edge)
-    if braking and kind not in {ParticipantKind.PEDESTRIAN, ParticipantKind.BICYCLE}:
+    if braking and kind not in ON_FOOT | {ParticipantKind.BICYCLE}:
         glow, lights = _brake_lights(size.rear_m, size.width_m, theme, scale)
         drawn = glow + drawn + lights
     if max(size.length_m, size.width_m) * scale < 2 * _SMALLEST_PX:
         drawn = circle(0, 0, _SMALLEST_PX / scale, colour, fill_opacity=_FAINT) + drawn
     return drawn
+
+
+def _animal(size: Body, colour: str, theme: Theme, edge: float) -> str:
+    """Seen from above: trunk, head and tail."""
+    half, wide = size.length_m / 2, size.width_m / 2
+    trunk = element("ellipse", cx=-0.1 * half, rx=0.75 * half, ry=wide, fill=colour,
+                    stroke=theme.outline, stroke_width=edge)  # fmt: skip
+    tail = box(-half, -0.1 * wide, 0.3 * half, 0.2 * wide, theme.outline)
+    return tail + trunk + circle(0.7 * half, 0, 0.65 * wide, theme.outline)
 
 
 def _vehicle(kind: ParticipantKind, colour: str, theme: Theme, edge: float) -> str:

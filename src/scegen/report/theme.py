@@ -35,6 +35,7 @@ class Theme:
     ground: str
     road: str
     parking: str
+    cycle_lane: str
     shoulder: str
     sidewalk: str
     kerb: str
@@ -100,6 +101,7 @@ LIGHT = Theme(
     ground="#e9efe4",
     road="#c3c9d1",
     parking="#b4bbc5",
+    cycle_lane="#c98f86",
     shoulder="#d6dbd6",
     sidewalk="#e0dbd0",
     kerb="#9aa2ad",
@@ -158,6 +160,7 @@ DARK = Theme(
     ground="#1e2822",
     road="#3d444d",
     parking="#343a43",
+    cycle_lane="#6d3f3a",
     shoulder="#2f3633",
     sidewalk="#4a4740",
     kerb="#6c7683",

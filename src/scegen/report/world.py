@@ -150,6 +150,7 @@ class Surroundings:
             LaneType.SHOULDER: theme.parking,
             LaneType.MEDIAN: theme.shoulder,
             LaneType.PARKING: theme.parking,
+            LaneType.BIKING: theme.cycle_lane,
         }
 
         def lanes(kind: LaneType) -> list[Array]:

@@ -15,6 +15,9 @@ PARKING_WIDTH_M = 2.5
 SIDEWALK_WIDTH_M = 2.0
 MEDIAN_WIDTH_M = 5.0
 SHOULDER_WIDTH_M = 3.0
+BUS_STOP_WIDTH_M = 3.0
+CYCLE_LANE_WIDTH_M = 1.85
+"""Usual widths of a bay for buses and, with its marks, of a lane for bicycles."""
 BORDER_WIDTH_M = 1.5
 """Median and hard shoulder with the marked edge strips (0.5 m) that part them from the lanes, and
 the border beyond: cross section RQ 28 of the German RAA (2008), whose lanes are 3.5 m wide, too."""
@@ -85,19 +88,39 @@ def median_half_m(carriageway: Carriageway) -> float:
 
 def verge(parameters: RoadParameters, arm: int) -> list[tuple[LaneType, float]]:
     """The strips outside the driving lanes, outwards."""
-    if Strip.HARD_SHOULDER in parameters.strips:
-        return [(LaneType.SHOULDER, SHOULDER_WIDTH_M), (LaneType.BORDER, BORDER_WIDTH_M)]
-    if parameters.auxiliary is not None:
+    if parameters.auxiliary is not None and Strip.HARD_SHOULDER not in parameters.strips:
         return [(LaneType.BORDER, BORDER_WIDTH_M)]
-    strips = [(LaneType.SIDEWALK, SIDEWALK_WIDTH_M)]
-    if arm in parameters.parking_lanes:
-        strips.insert(0, (LaneType.PARKING, PARKING_WIDTH_M))
-    return strips
+    return strips_beside(parameters.strips, parked=arm in parameters.parking_lanes)
+
+
+def strips_beside(strips: AbstractSet[Strip], *, parked: bool) -> list[tuple[LaneType, float]]:
+    """What lies beside the lanes, outwards; ``parked``: with a strip for standing vehicles."""
+    if Strip.HARD_SHOULDER in strips:
+        last = (LaneType.BORDER, BORDER_WIDTH_M)
+        if Strip.PAVEMENT in strips:
+            last = (LaneType.SIDEWALK, SIDEWALK_WIDTH_M)
+        return [(LaneType.SHOULDER, SHOULDER_WIDTH_M), last]
+    found = [(LaneType.BIKING, CYCLE_LANE_WIDTH_M)] if Strip.CYCLE_LANE in strips else []
+    if parked:
+        found.append((LaneType.PARKING, strip_width_m(strips)))
+    return [*found, (LaneType.SIDEWALK, SIDEWALK_WIDTH_M)]
+
+
+LANE_TYPES = {
+    Strip.HARD_SHOULDER: LaneType.SHOULDER,
+    Strip.CYCLE_LANE: LaneType.BIKING,
+    Strip.PARKING: LaneType.PARKING,
+    Strip.BUS_STOP: LaneType.PARKING,
+    Strip.PAVEMENT: LaneType.SIDEWALK,
+}
+"""As which type of lane a strip is built."""
 
 
 def strip_width_m(strips: AbstractSet[Strip]) -> float:
     """Width of the strip beside the lanes on which vehicles stand, where there is one."""
-    return SHOULDER_WIDTH_M if Strip.HARD_SHOULDER in strips else PARKING_WIDTH_M
+    if Strip.HARD_SHOULDER in strips:
+        return SHOULDER_WIDTH_M
+    return BUS_STOP_WIDTH_M if Strip.BUS_STOP in strips else PARKING_WIDTH_M
 
 
 def half_width_m(lanes: tuple[Lane, ...], sign: int, types: frozenset[LaneType]) -> float:
@@ -106,7 +129,7 @@ def half_width_m(lanes: tuple[Lane, ...], sign: int, types: frozenset[LaneType])
 
 
 KERBED = frozenset({LaneType.MEDIAN, LaneType.DRIVING})
-CARRIAGEWAY = KERBED | {LaneType.PARKING, LaneType.SHOULDER}
+CARRIAGEWAY = KERBED | {LaneType.PARKING, LaneType.SHOULDER, LaneType.BIKING}
 ALL_STRIPS = frozenset(LaneType)
 
 

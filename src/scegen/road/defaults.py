@@ -9,7 +9,7 @@ from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.concrete import ArmRoad, Auxiliary, RoadParameters
 from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import Junction
-from scegen.scenario.roadway import Carriageway, Strip
+from scegen.scenario.roadway import BAYS, Carriageway, Strip
 from scegen.scenario.vocabulary import JunctionKind
 
 ARM_LENGTH_M = 120.0
@@ -55,6 +55,8 @@ def plan_road(
     angles = arm_angles_deg(junction)
     # On a one-way road traffic comes in at arm 0 and goes out at arm 1.
     one_way = junction.carriageway is Carriageway.ONE_WAY
+    if junction.strips & BAYS:
+        parking_lanes = frozenset(range(junction.arms))
     shoulder = Strip.HARD_SHOULDER in junction.strips
     arms = tuple(
         ArmRoad(

@@ -7,7 +7,7 @@ from itertools import pairwise
 from scegen.errors import RoadInfeasibleError
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import ARM_COUNTS
-from scegen.scenario.roadway import Carriageway
+from scegen.scenario.roadway import PLAIN_ROAD_STRIPS, Carriageway
 from scegen.scenario.vocabulary import JunctionKind
 
 MIN_ARM_LENGTH_M = 15.0
@@ -54,8 +54,13 @@ def _check_carriageway(parameters: RoadParameters) -> None:
     Ways through a crossing lie where the centre lines of its arms are.
     """
     plain = parameters.kind is JunctionKind.STRAIGHT and not parameters.u_turns
-    for field in ("carriageway", "strips", "auxiliary"):
-        if not plain and getattr(parameters, field) != RoadParameters.model_fields[field].default:
+    special = {
+        "carriageway": parameters.carriageway is not Carriageway.UNDIVIDED,
+        "auxiliary": parameters.auxiliary is not None,
+        "strips": bool(parameters.strips & PLAIN_ROAD_STRIPS),
+    }
+    for field, given in special.items():
+        if not plain and given:
             msg = f"{field} is only for a road without a junction, on which nobody turns back"
             raise RoadInfeasibleError(msg, where=field)
     counts = [(arm.lanes_in, arm.lanes_out) for arm in parameters.arms]

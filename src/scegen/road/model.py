@@ -35,6 +35,7 @@ class LaneType(StrEnum):
     PARKING = "parking"
     SIDEWALK = "sidewalk"
     SHOULDER = "shoulder"
+    BIKING = "biking"
     BORDER = "border"
     MEDIAN = "median"
 

@@ -7,7 +7,6 @@ from math import pi, radians, tan
 
 from scegen.errors import RoadInfeasibleError
 from scegen.road.cross_section import (
-    PARKING_WIDTH_M,
     arm_line,
     arm_road,
     arm_road_id,
@@ -15,6 +14,7 @@ from scegen.road.cross_section import (
     lane_out,
     median_half_m,
     side_sign,
+    strip_width_m,
 )
 from scegen.road.fillet import chain, wrapped
 from scegen.road.geometry import Pose, ReferenceLine
@@ -175,7 +175,8 @@ def _linked(road: Road, parameters: RoadParameters) -> Road:
         side.sort(key=lambda lane: abs(lane.id))
         if parameters.parking_lanes and road.arm not in parameters.parking_lanes:
             # Where only the other arm has parking, a shoulder keeps the sidewalk in line.
-            side.insert(-1, Lane(0, LaneType.SHOULDER, PARKING_WIDTH_M))
+            width = strip_width_m(parameters.strips)
+            side.insert(-1, Lane(0, LaneType.SHOULDER, width))
         lanes += [
             replace(lane, id=sign * k, successor=-sign * k) for k, lane in enumerate(side, start=1)
         ]

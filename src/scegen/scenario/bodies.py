@@ -50,6 +50,11 @@ BODIES: dict[ParticipantKind, Body] = {
     ParticipantKind.MOTORCYCLE: Body(2.20, 0.86, 1.50, 0.70, 1.45, "vehicle.yamaha.yzf", 70, 7, 9),
     ParticipantKind.BICYCLE: Body(1.65, 0.60, 1.70, 0.52, 1.05, "vehicle.bh.crossbike", 14, 2, 6),
     ParticipantKind.PEDESTRIAN: Body(0.38, 0.38, 1.80, 0.0, 0.0, "walker.pedestrian.0001", 8, 3, 6),
+    # CARLA has no animals: its players show a walker in their place.
+    ParticipantKind.ANIMAL: Body(0.90, 0.30, 0.60, 0.0, 0.0, "walker.pedestrian.0001", 14, 6, 8),
+    ParticipantKind.LARGE_ANIMAL: Body(
+        1.60, 0.50, 1.30, 0.0, 0.0, "walker.pedestrian.0001", 18, 5, 8
+    ),
     ParticipantKind.EMERGENCY_VEHICLE: Body(
         5.90, 2.30, 2.70, 1.85, 3.70, "vehicle.ford.ambulance", 50, 3, 8
     ),

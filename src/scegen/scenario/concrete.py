@@ -83,7 +83,8 @@ class RoadParameters(FrozenModel):
     ``parking_lanes`` are arms with a strip for standing vehicles beside the travelled lanes;
     ``u_turns`` arms where turning back is possible; ``turns`` more ways through the crossing;
     ``controlled_arms`` are those whose entering traffic the control's signs or lights stand for.
-    ``carriageway``, ``strips`` and ``auxiliary`` are for a road without a junction.
+    ``strips`` lie all along the lanes; ``carriageway`` and ``auxiliary`` are for a road without a
+    junction.
     """
 
     kind: JunctionKind
@@ -176,6 +177,8 @@ class SpeedPhase(FrozenModel):
     act: Identifier | None = None
 
 
+MOST_STRIPS = 3
+"""So many strips lie beside the lanes at most; they are numbered after them."""
 MOST_OFFSET_M = 12.0
 """So far beside the middle of its lane may somebody drive or stand."""
 
@@ -191,7 +194,7 @@ class LaneChange(FrozenModel):
 
     position_m: float = Field(ge=0)
     length_m: float = Field(gt=0)
-    lane_after: int = Field(ge=0, le=MAX_LANES + 1)
+    lane_after: int = Field(ge=0, le=MAX_LANES + MOST_STRIPS)
     offset_m: float = Field(default=0.0, ge=-MOST_OFFSET_M, le=MOST_OFFSET_M)
     hazard: HazardKind | None = None
 
@@ -199,8 +202,9 @@ class LaneChange(FrozenModel):
 class DriveMotion(FrozenModel):
     """A way along the road. It starts ``start_m`` along the drive, in lane ``entry_lane``.
 
-    There it keeps ``offset_m`` to its own left of the lane's centre. One lane beyond the outermost
-    is the strip for parking; lane 0 that of the oncoming traffic next to the centre line.
+    There it keeps ``offset_m`` to its own left of the lane's centre. The numbers beyond the
+    outermost lane are those of the strips beside it, outwards; lane 0 that of the oncoming traffic
+    next to the centre line.
     ``turning_starts_m`` and ``turning_ends_m`` are where the junction (or ring) begins and
     ends on its way; they follow from the road and are checked, not obeyed. ``reversal`` is a
     part of the way that it drives backwards.
@@ -208,9 +212,9 @@ class DriveMotion(FrozenModel):
 
     type: Literal["drive"] = "drive"
     entry: int = Field(ge=0)
-    entry_lane: int = Field(ge=0, le=MAX_LANES + 1)
+    entry_lane: int = Field(ge=0, le=MAX_LANES + MOST_STRIPS)
     exit: int = Field(ge=0)
-    exit_lane: int = Field(ge=0, le=MAX_LANES + 1)
+    exit_lane: int = Field(ge=0, le=MAX_LANES + MOST_STRIPS)
     ring_lane: int | None = Field(default=None, ge=1, le=2)
     start_m: float = Field(ge=0)
     offset_m: float = Field(default=0.0, ge=-MOST_OFFSET_M, le=MOST_OFFSET_M)
@@ -236,13 +240,17 @@ class CrossingMotion(FrozenModel):
 
 
 class StandingMotion(FrozenModel):
-    """Stands on arm ``arm``, ``from_junction_m`` before its inner end (rear axle), on ``side``."""
+    """Stands on arm ``arm``, ``from_junction_m`` before its inner end (rear axle), on ``side``.
+
+    ``strip`` is the one beside the lanes on which it stands; None: the one for standing vehicles.
+    """
 
     type: Literal["standing"] = "standing"
     arm: int = Field(ge=0)
     side: Side
     from_junction_m: float = Field(ge=0)
     in_lane: bool = False
+    strip: Strip | None = None
 
 
 Motion = Annotated[DriveMotion | CrossingMotion | StandingMotion, Field(discriminator="type")]

@@ -15,10 +15,17 @@ from scegen.scenario.acts import Act, AfterAct, AfterDistance, BeforeJunction, W
 from scegen.scenario.bends import Bend
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
 from scegen.scenario.outcome import Outcome
-from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
+from scegen.scenario.roadway import (
+    NOT_BESIDE_A_SHOULDER,
+    PLAIN_ROAD_STRIPS,
+    AuxiliaryLane,
+    Carriageway,
+    Strip,
+)
 from scegen.scenario.spacings import CONTACT, START, Spacing
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import (
+    ON_FOOT,
     Approach,
     Control,
     CrossedArm,
@@ -58,8 +65,8 @@ class Junction(FrozenModel):
     ``arm_angles_deg`` are the directions of the arms seen from the centre, in degrees
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
     ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
-    ``crosswalks`` are the arms that a marked crosswalk runs across. A road without a junction may
-    have another ``carriageway`` than the usual, ``strips`` all along its lanes, a ``bend``,
+    ``crosswalks`` are the arms that a marked crosswalk runs across, ``strips`` lie all along the
+    lanes. A road without a junction may have another ``carriageway`` than the usual, a ``bend``,
     which the ego enters at arm 0 if its side is said, and an ``auxiliary`` lane beside those in the
     direction that enters at arm 0, the ego's; ``lanes`` does not count it.
     """
@@ -104,11 +111,6 @@ class Junction(FrozenModel):
         if any(not 1 <= count <= most for count in self.lanes):
             msg = "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
             raise ValueError(msg)
-        if self.kind is not JunctionKind.STRAIGHT:
-            for field in ("carriageway", "strips", "bend", "auxiliary"):
-                if getattr(self, field) != Junction.model_fields[field].default:
-                    msg = f"{field} is only for a road without a junction, kind straight"
-                    raise ValueError(msg)
         if self.bend is not None and self.arm_angles_deg:
             msg = "a road has a bend or arm_angles_deg, not both"
             raise ValueError(msg)
@@ -117,6 +119,27 @@ class Junction(FrozenModel):
             raise ValueError(msg)
         if any(not 0 <= arm < self.arms for arm in self.crosswalks):
             msg = f"crosswalks names an arm outside 0..{self.arms - 1}"
+            raise ValueError(msg)
+        return self
+
+    @model_validator(mode="after")
+    def _fits_along(self) -> Junction:
+        """What lies along the road goes with its kind, and with what else lies there."""
+        if self.kind is not JunctionKind.STRAIGHT:
+            for field in ("carriageway", "bend", "auxiliary"):
+                if getattr(self, field) != Junction.model_fields[field].default:
+                    msg = f"{field} is only for a road without a junction, kind straight"
+                    raise ValueError(msg)
+            if interrupted := self.strips & PLAIN_ROAD_STRIPS:
+                msg = f"strips: {min(interrupted)} is only for a road without a junction"
+                raise ValueError(msg)
+        beside = self.strips & NOT_BESIDE_A_SHOULDER
+        if Strip.HARD_SHOULDER in self.strips and beside:
+            msg = f"strips: a road has a hard_shoulder or a {min(beside)}, not both"
+            raise ValueError(msg)
+        if self.auxiliary is not None and self.strips - {Strip.HARD_SHOULDER}:
+            beside = self.strips - {Strip.HARD_SHOULDER}
+            msg = f"strips: no {min(beside)} lies beside an auxiliary lane"
             raise ValueError(msg)
         return self
 
@@ -130,9 +153,11 @@ class Participant(FrozenModel):
     range that the text gives until the first act that concerns it, None if it gives none. One who
     is ``parked`` stands beside the travelled lanes; with ``maneuvers`` other than to stay it pulls
     out. One who stands in the lane is not parked and has the maneuver ``stay``. ``circulating``: it
-    is in the roundabout already. A pedestrian whose maneuver is ``straight`` walks along the road.
-    ``crosses`` tells which arm one crosses, by the way of whom it meets, None if either; the
-    ``approaches`` of who crosses are the sides as that one sees them on its course where they meet.
+    is in the roundabout already. ``strip`` is one of the junction's ``strips`` beside the lanes, on
+    which it stands, drives or walks at first; None where that is not said. A pedestrian whose
+    maneuver is ``straight`` walks along the road. ``crosses`` tells which arm one crosses, by the
+    way of whom it meets, None if either; the ``approaches`` of who crosses are the sides as that
+    one sees them on its course where they meet.
     """
 
     id: Identifier
@@ -144,6 +169,7 @@ class Participant(FrozenModel):
     entries: ArmSet = frozenset()
     lanes: ArmSet = frozenset()
     circulating: bool = False
+    strip: Strip | None = None
     crosses: CrossedArm | None = None
     speed_mps: Interval | None = None
 
@@ -286,6 +312,12 @@ class FunctionalScenario(FrozenModel):
                     f"{sorted(participant.entries)}"
                 )
                 raise ValueError(msg)
+            if participant.strip is not None and participant.strip not in self.junction.strips:
+                msg = (
+                    f"{participant.id} is on the strip {participant.strip}, which is not one of "
+                    "junction.strips"
+                )
+                raise ValueError(msg)
         for thing in self.objects:
             if thing.id in ids:
                 msg = f"an object has the name of another, {thing.id!r}"
@@ -352,12 +384,10 @@ class FunctionalScenario(FrozenModel):
         return tuple(
             p
             for p in self.participants
-            if not p.parked
-            and p.kind is not ParticipantKind.PEDESTRIAN
-            and p.maneuvers != frozenset({Maneuver.CROSS})
+            if not p.parked and p.kind not in ON_FOOT and p.maneuvers != frozenset({Maneuver.CROSS})
         )
 
     @property
     def crossers(self) -> tuple[Participant, ...]:
-        """Pedestrians, and cyclists whose maneuver is to cross."""
+        """Pedestrians, animals, and cyclists whose maneuver is to cross."""
         return tuple(p for p in self.participants if not p.parked and p not in self.vehicles)

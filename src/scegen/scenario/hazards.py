@@ -22,9 +22,9 @@ class Party(StrEnum):
     ``tailgated``: whom somebody tailgates. ``leader``, ``follower``: next ahead and behind in the
     lane of the other side. ``beside``: in the lane next to it. ``oncoming``: on the other's road,
     towards it. ``crossing``: whose way meets the other's. ``walker``, ``cyclist``: who goes over
-    the road on foot, by bicycle. ``standing``: who stands or is parked. ``thing``:
-    an object that causes nothing else. ``ego``. ``other``: the first other vehicle that drives;
-    ``others``: everybody else who moves.
+    the road on foot, by bicycle; ``animal``: one that does. ``standing``: who stands or is
+    parked. ``thing``: an object that causes nothing else. ``ego``. ``other``: the first other
+    vehicle that drives; ``others``: everybody else who moves.
     """
 
     TAILGATED = "tailgated"
@@ -35,6 +35,7 @@ class Party(StrEnum):
     CROSSING = "crossing"
     WALKER = "walker"
     CYCLIST = "cyclist"
+    ANIMAL = "animal"
     STANDING = "standing"
     THING = "thing"
     EGO = "ego"
@@ -332,6 +333,18 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a cyclist crosses from the right on the crosswalk",
         ),
         causes=(Party.CYCLIST,),
+        suffers=_EGO_OR_OTHERS,
+        moves=Motion.ACROSS,
+        needs={Case.ANYWHERE: (Arrangement.OVER,)},
+        acts=(ActKind.CROSS,),
+    ),
+    HazardKind.CROSSING_ANIMAL: HazardRow(
+        Definition(
+            "an animal runs or goes over the road before a vehicle",
+            "one that stands in the lane: `obstacle`; who walks a dog: `crossing_pedestrian`",
+            "a deer jumps onto the road",
+        ),
+        causes=(Party.ANIMAL,),
         suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
         needs={Case.ANYWHERE: (Arrangement.OVER,)},

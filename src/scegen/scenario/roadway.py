@@ -34,8 +34,32 @@ class Strip(Word):
     HARD_SHOULDER = (
         "hard_shoulder",
         "a paved strip beside the outermost lane on which nobody drives, but may break down",
-        "the side of a street where vehicles are parked",
+        "`parking`, at the side of a street",
         "a motorway; on the hard shoulder; in the breakdown lane",
+    )
+    CYCLE_LANE = (
+        "cycle_lane",
+        "a lane for bicycles beside the outermost lane",
+        "a bicycle in a lane of the road, which is on no strip",
+        "on the cycle lane; in the bike lane",
+    )
+    PARKING = (
+        "parking",
+        "a strip with bays along the kerb, in which vehicles are parked",
+        "`bus_stop`; `hard_shoulder`; one that blocks a lane",
+        "in a parking bay; a row of parked cars",
+    )
+    BUS_STOP = (
+        "bus_stop",
+        "a bay along the kerb in which buses stand",
+        "`parking`; a bus that stands in the lane",
+        "at a bus stop",
+    )
+    PAVEMENT = (
+        "pavement",
+        "the raised strip along the kerb on which people walk",
+        "`hard_shoulder`; the edge of a road without a pavement",
+        "on the pavement; along the sidewalk",
     )
 
 
@@ -60,3 +84,10 @@ class AuxiliaryLane(Word):
         "`on_ramp`, whose lane comes from another road",
         "the right lane ends",
     )
+
+
+PLAIN_ROAD_STRIPS = frozenset({Strip.HARD_SHOULDER, Strip.CYCLE_LANE})
+"""Strips that no junction interrupts: only a road without one has them."""
+BAYS = frozenset({Strip.PARKING, Strip.BUS_STOP})
+"""Strips that are built as the one for standing vehicles."""
+NOT_BESIDE_A_SHOULDER = frozenset({Strip.CYCLE_LANE, Strip.PARKING, Strip.BUS_STOP})

@@ -137,12 +137,29 @@ class ParticipantKind(Word):
         "people inside vehicles",
         "a child; a jogger",
     )
+    ANIMAL = (
+        "animal",
+        "an animal up to the size of a big dog",
+        "`large_animal`; an animal that somebody leads or carries",
+        "a dog; a fox",
+    )
+    LARGE_ANIMAL = (
+        "large_animal",
+        "an animal of the size of a deer or bigger",
+        "`animal`",
+        "a deer; a wild boar; a cow",
+    )
     EMERGENCY_VEHICLE = (
         "emergency_vehicle",
         "a vehicle of police, fire or rescue service",
         "`car`, `truck`",
         "an ambulance",
     )
+
+
+ANIMALS = frozenset({ParticipantKind.ANIMAL, ParticipantKind.LARGE_ANIMAL})
+ON_FOOT = ANIMALS | {ParticipantKind.PEDESTRIAN}
+"""Kinds that walk or run, and drive nothing."""
 
 
 class Side(Word):
@@ -365,6 +382,7 @@ class HazardKind(StrEnum):
     UNPROTECTED_LEFT_TURN = "unprotected_left_turn"
     CROSSING_PEDESTRIAN = "crossing_pedestrian"
     CROSSING_CYCLIST = "crossing_cyclist"
+    CROSSING_ANIMAL = "crossing_animal"
     OCCLUSION = "occlusion"
     OBSTACLE = "obstacle"
     RED_LIGHT_RUNNING = "red_light_running"

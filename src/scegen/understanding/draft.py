@@ -7,8 +7,11 @@ from typing import Any
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
+from scegen.scenario.roadway import Strip
 from scegen.scenario.size import require_few_enough
 from scegen.scenario.vocabulary import (
+    ANIMALS,
+    ON_FOOT,
     Approach,
     CrossedArm,
     HazardKind,
@@ -47,6 +50,8 @@ class Entity:
     beside: tuple[str, Basis] | None = None
     """On which side the lane lies in which it drives beside the ego."""
     circulates: Basis | None = None
+    strip: tuple[Strip, Basis] | None = None
+    """The strip beside the lanes on which it is at first."""
     crosses: tuple[CrossedArm, Basis] | None = None
     course: tuple[bool, Basis] | None = None
     """Whether it walks as the ego drove before it turned (else against that)."""
@@ -96,7 +101,7 @@ class Entity:
     @property
     def is_vehicle(self) -> bool:
         """Whether it drives on the road, parked or not."""
-        return self.kind is not ParticipantKind.PEDESTRIAN
+        return self.kind not in ON_FOOT
 
     @property
     def still(self) -> bool:
@@ -184,8 +189,13 @@ class Draft:
     def hazard(
         self, kind: HazardKind, basis: Basis, by: list[Entity], to: list[Entity] | None = None
     ) -> None:
-        """Adds a hazard; the same hazard from another participant joins it."""
+        """Adds a hazard; the same hazard from another participant joins it.
+
+        Who goes over the road may be an animal.
+        """
         to = to or []
+        if kind is HazardKind.CROSSING_PEDESTRIAN and by and all(e.kind in ANIMALS for e in by):
+            kind = HazardKind.CROSSING_ANIMAL
         for danger in self.dangers:
             like = any(e.ego for e in danger.by) == any(e.ego for e in by)
             same = not danger.to or not to or set_of(danger.to) == set_of(to)

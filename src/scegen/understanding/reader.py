@@ -20,7 +20,7 @@ from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.too_fast import too_fast
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.each_side import both_sides
-from scegen.understanding.phrases.headings import silence
+from scegen.understanding.phrases.headings import lead, silence
 from scegen.understanding.phrases.identity import in_brackets
 from scegen.understanding.phrases.repeated import repeat
 from scegen.understanding.phrases.side_of import sides_of
@@ -84,7 +84,7 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = name_roads(name_hiders(Chunker(terms, tokens).run()), tokens)
     chunks = spell_out(both_sides(sides_of(in_brackets(chunks)), tokens))
-    chunks = repeat(silence(chunks), tokens)
+    chunks = repeat(silence(lead(chunks)), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     own_measures(chunks, events, tokens)

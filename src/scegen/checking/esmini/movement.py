@@ -21,7 +21,7 @@ from scegen.scenario.concrete import (
     StandingMotion,
 )
 from scegen.scenario.reversing import BacksOut
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT
 
 JUMP_M = 0.05
 """How much farther than its speed allows an entity may move in one step."""
@@ -165,7 +165,7 @@ def _on_the_road(
 ) -> Iterator[Finding]:
     """On a road without a junction nobody has to leave; whoever drives stays on a lane."""
     motion = participant.motion
-    walks = participant.kind is ParticipantKind.PEDESTRIAN
+    walks = participant.kind in ON_FOOT
     if walks or (isinstance(motion, DriveMotion) and isinstance(motion.reversal, BacksOut)):
         return
     for step, rule in ((0, "esmini.entry"), (-1, "esmini.exit_arm")):

@@ -18,8 +18,8 @@ ANGLE_DEG = 5.0
 """How far an arm's outer end may lie beside the direction that the scenario gives it."""
 
 
-STRIPS = frozenset({"parking", "shoulder"})
-"""Types of lanes beside the driving ones from which one who is parked pulls out."""
+STRIPS = frozenset({"biking", "parking", "shoulder", "sidewalk"})
+"""Types of lanes beside the driving ones on which one may stand, ride or walk."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,17 @@ class Arm:
 
     @property
     def strips(self) -> list[int]:
-        """Strips beside the lanes that lead to the junction, where vehicles stand."""
+        """Strips beside the lanes that lead to the junction, outwards."""
+        return self._beside(self.inward)
+
+    @property
+    def strips_out(self) -> list[int]:
+        """Strips beside the lanes that lead out of the network, outwards."""
+        return self._beside(self.outward)
+
+    def _beside(self, lanes: list[int]) -> list[int]:
         section = self.road.section(self.contact)
-        side = {n > 0 for n in self.inward}
+        side = {n > 0 for n in lanes}
         found = [n for n, x in section.lanes.items() if x.type in STRIPS and (n > 0) in side]
         return sorted(found, key=abs)
 

@@ -28,6 +28,7 @@ from scegen.scenario.vocabulary import HazardKind
 PREDICATES: dict[HazardKind, Predicate] = {
     HazardKind.CROSSING_PEDESTRIAN: BEFORE,
     HazardKind.CROSSING_CYCLIST: BEFORE,
+    HazardKind.CROSSING_ANIMAL: BEFORE,
     HazardKind.UNPROTECTED_LEFT_TURN: BEFORE,
     HazardKind.MERGING_CONFLICT: CONFLICT,
     HazardKind.CUT_IN: CUT_IN,

@@ -14,12 +14,13 @@ from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
+from scegen.scenario.logical import Walking
 from scegen.scenario.vocabulary import (
+    ON_FOOT,
     Approach,
     DrivingSide,
     JunctionKind,
     Maneuver,
-    ParticipantKind,
 )
 
 _SIDES = {Approach.LEFT: 1.0, Approach.RIGHT: -1.0}
@@ -76,9 +77,9 @@ def _by_other_arms(told: Told, name: str, reference: str) -> bool:
 
 
 def _aside(told: Told, name: str) -> bool:
-    """Whether somebody is beside the lane at first: on foot, or parked at the roadside."""
+    """Whether somebody is beside the lane at first: on foot, on a strip, or parked there."""
     participant = told.functional.participant(name)
-    return participant.parked or participant.kind is ParticipantKind.PEDESTRIAN
+    return participant.parked or participant.strip is not None or participant.kind in ON_FOOT
 
 
 def _told(words: frozenset[Approach], reference: str, aside: bool) -> str:
@@ -100,7 +101,7 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
     if Approach.ADJACENT in words and sides:
         choices = [_beside(place.y * _SIDES[word]) for word in sides]
     else:
-        walks = told.functional.participant(name).kind is ParticipantKind.PEDESTRIAN
+        walks = told.functional.participant(name).kind in ON_FOOT
         lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
         choices = []
         for word in words:
@@ -162,6 +163,8 @@ def _comes(
     across = -side * turned
     sector = np.minimum(across - _LEAST_DEG, _MOST_DEG - across)
     along = np.cos(np.radians(turned)) > _SAME_WAY
+    if any(isinstance(a, Walking) and a.participant == name for a in told.logical.assignments):
+        along = np.abs(np.cos(np.radians(turned))) > _SAME_WAY  # beside the road, either way
     place = (side * np.where(moves, start, aside) - _BESIDE_M) * _DEG_PER_M
     return np.where(moves & ~along, sector, place)
 

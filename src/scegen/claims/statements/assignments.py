@@ -145,15 +145,17 @@ def _off_its_side(told: Told, drive: Drive) -> bool:
     )
 
 
-def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
-    """On its arm at the start, heading in, on the side of the traffic that comes in.
-
-    A road without a junction is one road, wherever its two arms join.
-    """
+def _reach_m(view: View, arm: int) -> float:
+    """How far from its outer end an arm reaches; a road without a junction is one road."""
     arms = arms_of(view)
-    arm = arms[drive.entry]
     plain = view.concrete.road.kind is JunctionKind.STRAIGHT
-    ends_m = sum(each.length_m for each in arms) if plain else arm.length_m
+    return sum(each.length_m for each in arms) if plain else arms[arm].length_m
+
+
+def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
+    """On its arm at the start, heading in, on the side of the traffic that comes in."""
+    arm = arms_of(view)[drive.entry]
+    ends_m = _reach_m(view, drive.entry)
     box = box_at(view, drive.participant, 0)
     along, offset = arm.place(box)
     # Out of the strip for parking, it starts beside the lanes; a lane's width is let pass.
@@ -239,7 +241,8 @@ def _start_side(name: str, arm_number: int, side: Side, view: View) -> Judged:
         return always(view, holds=False)
     along, offset = arms[arm_number].place(box_at(view, name, 0))
     margin = offset if side is Side.LEFT else -offset
-    margin = np.minimum(margin, np.minimum(along, arms[arm_number].length_m + 2.0 - along))
+    beyond_m = _reach_m(view, arm_number) + 2.0 - along
+    margin = np.minimum(margin, np.minimum(along, beyond_m))
     return Judged(margin, offset, np.zeros(view.count))
 
 

@@ -13,6 +13,7 @@ from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING, Floats, X, Y
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.functional import Participant
+from scegen.scenario.vocabulary import ON_FOOT
 
 HARDEST_MPS2 = 10.0
 """No body of this world brakes harder (1 g), whatever the kind's usual limit is."""
@@ -66,7 +67,7 @@ def _possible(person: Participant, view: View) -> Judged:
 
 
 def _limit_aside(person: Participant, view: View) -> float:
-    if person.kind == "pedestrian":
+    if person.kind in ON_FOOT:
         return _WALKS_ASIDE_MPS2
     return _ASIDE * view.friction * GRAVITY_MPS2
 

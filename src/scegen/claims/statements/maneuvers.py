@@ -23,10 +23,10 @@ from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.vocabulary import (
+    ON_FOOT,
     HazardKind,
     JunctionKind,
     Maneuver,
-    ParticipantKind,
     Side,
 )
 
@@ -206,7 +206,7 @@ def _stands(told: Told, person: Participant, *, pulls_out: bool) -> Claim:
     until = " until it pulls out" if pulls_out else " all the time"
     where = "is parked" if person.parked else "stands"
     field = "parked" if person.parked else "maneuvers"
-    walks = person.kind is ParticipantKind.PEDESTRIAN and told.crossing(name) is not None
+    walks = person.kind in ON_FOOT and told.crossing(name) is not None
     return Claim(
         id=f"stands.{name}",
         kind=ClaimKind.STANDS,

@@ -8,10 +8,9 @@ from scegen.concretization.along.auxiliary import RAMP_MPS, merging
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner, Step
 from scegen.concretization.asked import allowed, dangers
 from scegen.concretization.limits import (
-    CYCLING_MPS,
+    PACE_MPS,
     REVERSING_MPS,
     REVERSING_MPS2,
-    WALKING_MPS,
 )
 from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind
@@ -30,11 +29,10 @@ from scegen.scenario.logical import (
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.speed_limits import limit_for_kind_mps
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind
 
 _USUAL_MPS = {
-    ParticipantKind.BICYCLE: CYCLING_MPS,
-    ParticipantKind.PEDESTRIAN: WALKING_MPS,
+    **PACE_MPS,
     ParticipantKind.TRUCK: 80 / 3.6,
     ParticipantKind.BUS: 80 / 3.6,
 }
@@ -53,7 +51,7 @@ def is_along(assignment: Assignment, participant: Participant) -> bool:
     if isinstance(assignment, Crossing):
         return False
     if isinstance(assignment, Standing):
-        return assignment.in_lane or participant.kind is ParticipantKind.PEDESTRIAN
+        return assignment.in_lane or participant.kind in ON_FOOT
     return True
 
 

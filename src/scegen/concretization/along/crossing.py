@@ -11,11 +11,10 @@ from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.asked import allowed
 from scegen.concretization.limits import (
-    CYCLING_MPS,
     HARD_BRAKING_MPS2,
+    PACE_MPS,
     REACTION_S,
-    WALKING_MPS,
-    WALKING_START_MPS2,
+    starting_mps2,
 )
 from scegen.concretization.others import Walker
 from scegen.concretization.profile import NEVER_S
@@ -24,7 +23,7 @@ from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, Side
 
 _MEETS_S = 6.0
 _SETBACK_M = 1.5
@@ -77,9 +76,8 @@ def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
 def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: int) -> Walk:
     participant = story.functional.participant(crossing.participant)
     body = BODIES[participant.kind]
-    walking = participant.kind is ParticipantKind.PEDESTRIAN
     said = participant.speed_mps
-    usual = WALKING_MPS if walking else CYCLING_MPS
+    usual = PACE_MPS[participant.kind]
     speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
     meets = story.runners[_meets(story, participant.id)]
     ego_arm = story.logical.assignment(story.ego.id)
@@ -91,11 +89,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
     into = -1 if from_left else 1
     aim = _aim_y_m(story, participant.id, meets, body, speed, into)
     to_aim = abs(aim - edge) - body.centre_ahead_m
-    least = (
-        speed**2 / (2 * min(WALKING_START_MPS2, body.max_acceleration_mps2))
-        + _HOLDS_S * speed
-        - to_aim
-    )
+    least = speed**2 / (2 * starting_mps2(participant.kind)) + _HOLDS_S * speed - to_aim
     setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback

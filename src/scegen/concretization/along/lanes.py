@@ -69,7 +69,8 @@ def choose_lanes(
     undivided = functional.junction.carriageway is Carriageway.UNDIVIDED
     counts = [said] if said else range(1 if undivided else 2, MOST_LANES + 1)
     best: tuple[float, int, dict[str, int]] | None = None
-    beyond = merging(functional)
+    on_strips = {name for name in runners if functional.participant(name).strip is not None}
+    beyond = merging(functional) | on_strips
     for count in counts:
         cost, lanes = cheapest(list(runners), wishes_of(count), count, beyond)
         cost += _LANE * (count - 1)
@@ -99,7 +100,7 @@ def cheapest(
 ) -> tuple[float, dict[str, int]]:
     """The lanes that break the least of that many; the kerb's side where all are equal.
 
-    Those ``beyond`` are in the lane beside the outermost, which ends.
+    Those ``beyond`` are next to the outermost: in a lane that ends, or on a strip.
     """
     options = {n: (count + 1,) if n in beyond else range(count, 0, -1) for n in names}
     return least_broken(options, wishes)
@@ -154,7 +155,8 @@ def _from_words(
                 met = _beside(name, reference, step_out)
                 words = f"{name} is in the lane beside {reference}"
                 wishes.append(Wish((name, reference), SAID, met, words))
-            in_line = bool(words_of & {Approach.AHEAD, Approach.BEHIND})
+            strips = {functional.participant(n).strip for n in (name, reference)}
+            in_line = bool(words_of & {Approach.AHEAD, Approach.BEHIND}) and len(strips) == 1
             same_way = runners[reference].forward == runner.forward
             if in_line and same_way and Approach.ADJACENT not in words_of:
                 words = f"{name} is in the lane of {reference}"
@@ -264,6 +266,7 @@ def _usual(
     for name, runner in runners.items():
         assignment = logical.assignment(name)
         beside = isinstance(assignment, InLine) and assignment.beside is not None
+        beside = beside or functional.participant(name).strip is not None
         if name != ego and runner.forward and not beside:
             wishes.append(Wish((ego, name), USUAL, _beside(name, ego, 0), f"{name} is in line"))
         changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE

@@ -8,8 +8,10 @@ from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.road.cross_section import strip_width_m
+from scegen.concretization.along.strips import strips_along
+from scegen.road.cross_section import CARRIAGEWAY, LANE_TYPES
 from scegen.road.defaults import LANE_WIDTH_M
+from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.logical import Drive, Standing
 from scegen.scenario.roadway import Strip
@@ -50,15 +52,13 @@ def on_left(story: Story, standing: Standing) -> bool:
 
 
 def strips_m(story: Story) -> dict[str, float]:
-    """How wide the strips for parking are, by the ego's side."""
+    """How wide the strips for vehicles beside the lanes are, by the ego's side."""
+    strips = strips_along(story.functional, story.logical)
+    width = sum(width for kind, width in strips if kind in CARRIAGEWAY)
     sides = {"left" if on_left(story, s) else "right" for s in standings_beside(story)}
-    if Strip.HARD_SHOULDER in story.functional.junction.strips:
+    if story.functional.junction.strips - {Strip.PAVEMENT}:
         sides = {"left", "right"}
-    return dict.fromkeys(sides, _width_m(story))
-
-
-def _width_m(story: Story) -> float:
-    return strip_width_m(story.functional.junction.strips)
+    return dict.fromkeys(sides if width else (), width)
 
 
 def shift_to_pass(story: Story) -> None:
@@ -79,9 +79,22 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) ->
     left = on_left(story, standing)
     body = BODIES[story.functional.participant(standing.participant).kind]
     sign = 1 if left else -1
-    inner = edge_y_m(story, left=left) + sign * (_width_m(story) - body.width_m) / 2
+    middle = _middle_m(story, standing)
+    inner = edge_y_m(story, left=left) + sign * (middle - body.width_m / 2)
     wanted = inner - sign * (gap_m + runner.body.width_m / 2)
     runner.offset_m += runner.sign * (wanted - runner.y_m(0.0, LANE_WIDTH_M))
+
+
+def _middle_m(story: Story, standing: Standing) -> float:
+    """How far beyond the lanes the middle of the strip lies on which somebody stands."""
+    said = story.functional.participant(standing.participant).strip
+    wanted = {LaneType.PARKING, LaneType.SHOULDER} if said is None else {LANE_TYPES[said]}
+    before = 0.0
+    for kind, width in strips_along(story.functional, story.logical):
+        if kind in wanted:
+            return before + width / 2
+        before += width
+    raise KeyError(f"no strip for {standing.participant}")
 
 
 def park(story: Story, walks: list[Walk]) -> list[Parked]:

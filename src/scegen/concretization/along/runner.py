@@ -12,6 +12,7 @@ from math import cos, pi, sin
 from scegen.concretization.profile import Profile
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.functional import MAX_LANES
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 FORTH_M, FORTH_MPS = 0.4, 0.3
@@ -60,7 +61,9 @@ class Runner:
     ``at_m`` is where its reference point starts, None while that is open; ``lane`` counts from the
     centre line outwards in its own direction (0: the oncoming lane), ``offset_m`` is to its own
     left of the lane's centre. ``box`` is that of a thing, ``keeps_left`` the side of the traffic,
-    ``inner_m`` how far the lanes lie from the centre line (half a median).
+    ``inner_m`` how far the lanes lie from the centre line (half a median),
+    ``lane_count`` how many there are and ``strips_m`` how far beyond them the middles of the strips
+    lie whose numbers follow theirs.
     One that ``backs`` reverses from the start on, after the ``FORTH_M`` by which players know which
     way it faces.
     """
@@ -77,6 +80,8 @@ class Runner:
     box: Body | None = None
     keeps_left: bool = False
     inner_m: float = 0.0
+    lane_count: int = MAX_LANES
+    strips_m: tuple[float, ...] = ()
     backs: bool = False
     _told: tuple[tuple[float, tuple[Step, ...]], Profile] | None = field(
         default=None, init=False, repr=False, compare=False
@@ -179,7 +184,11 @@ class Runner:
     def _across_m(self, lane: int, offset_m: float, width_m: float) -> float:
         outward = 1 if self.keeps_left else -1
         inner_m = self.inner_m if lane >= 1 else -self.inner_m
-        return self.sign * (offset_m + outward * ((lane - 0.5) * width_m + inner_m))
+        beyond = lane - self.lane_count
+        aside = (lane - 0.5) * width_m
+        if beyond > 0 and self.strips_m:
+            aside = self.lane_count * width_m + self.strips_m[beyond - 1]
+        return self.sign * (offset_m + outward * (aside + inner_m))
 
 
 def gap_m(first: Runner, second: Runner, time_s: float) -> float:

@@ -7,6 +7,7 @@ from scegen.concretization.along.casting import cast
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
+from scegen.concretization.along.strips import put_on_strips
 from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
@@ -48,7 +49,8 @@ def story_of(
     people = {name: runner for name, runner in runners.items() if runner.box is None}
     count = choose_lanes(functional, logical, people, acts)
     if road is not None:
-        count = road.arms[0].lanes_in
+        count = max(road.arms[0].lanes_in, road.arms[0].lanes_out)
+    put_on_strips(functional, logical, people, count)
     for thing in things:
         runners[thing.id].lane = runners[thing.in_way_of or ""].lane
     return Story(functional, logical, runners, acts, count, limit, grip, tuple(things))

@@ -180,7 +180,10 @@ def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcretePartic
         parked=True,
         speed_mps=0.0,
         motion=StandingMotion(
-            arm=standing.arm, side=standing.side, from_junction_m=round(max(0.0, away), 3)
+            arm=standing.arm,
+            side=standing.side,
+            from_junction_m=round(max(0.0, away), 3),
+            strip=participant.strip,
         ),
     )
 

@@ -26,6 +26,7 @@ _OUTER = (
     LaneType.MEDIAN,
     LaneType.SHOULDER,
     LaneType.PARKING,
+    LaneType.BIKING,
     LaneType.DRIVING,
 )
 """Carriageways lie on top where roads overlap."""

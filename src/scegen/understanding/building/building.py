@@ -147,6 +147,7 @@ class Builder:
         maneuvers = maneuvers_of(entity, junction, self._draft)
         entries = frozenset(a for a in entity.entries if a < junction.arms)
         lanes, circulating = lanes_of(entity, junction), circulates(entity, junction)
+        strip, strip_basis = entity.strip or (None, None)
         crosses, crosses_basis = self._crosses(entity, maneuvers, junction)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
@@ -155,6 +156,7 @@ class Builder:
             ("entries", entries, entity.entry_basis),
             ("lanes", lanes, entity.start_lane[1] if entity.start_lane is not None else None),
             ("circulating", circulating, entity.circulates),
+            ("strip", strip, strip_basis),
             ("crosses", crosses, crosses_basis),
             ("speed_mps", entity.speed, entity.speed_basis),
         ):
@@ -172,6 +174,7 @@ class Builder:
             entries=entries,
             lanes=lanes,
             circulating=circulating,
+            strip=strip,
             crosses=crosses,
             speed_mps=entity.speed,
         )

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import (
+    ON_FOOT,
     Approach,
     DrivingSide,
     JunctionKind,
     Maneuver,
-    ParticipantKind,
 )
 from scegen.understanding.draft import Basis, Draft, Entity
 
@@ -27,7 +27,7 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             entity.approaches = {Approach.AHEAD}
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
         along = {Approach.AHEAD, Approach.OPPOSITE}
-        walks = entity.kind is ParticipantKind.PEDESTRIAN
+        walks = entity.kind in ON_FOOT
         sides = entity.approaches & {Approach.LEFT, Approach.RIGHT}
         if walks and Maneuver.CROSS in entity.maneuvers and sides:
             entity.approaches = sides  # "behind it, from the right": from where it comes
@@ -35,7 +35,7 @@ def settle_along(draft: Draft, ego: Entity) -> None:
         keeps = entity.maneuvers in ({Maneuver.STRAIGHT}, {Maneuver.STAY})
         if walks and keeps and entity.approaches & along:
             entity.approaches &= along
-        afoot = entity.kind is ParticipantKind.PEDESTRIAN
+        afoot = entity.kind in ON_FOOT
         if afoot and alone and entity.maneuvers == {Maneuver.STRAIGHT}:
             basis = entity.maneuver_basis or entity.basis
             entity.approaches = {Approach.AHEAD, Approach.OPPOSITE}

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, Junction
-from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
+from scegen.scenario.roadway import (
+    NOT_BESIDE_A_SHOULDER,
+    PLAIN_ROAD_STRIPS,
+    AuxiliaryLane,
+    Carriageway,
+    Strip,
+)
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
@@ -24,6 +30,7 @@ _ROUNDABOUT_ARMS = 4
 _MOST_LANES = 3
 _AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
 _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
+_BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
 _FEWEST_TO_NAME = 2
 """There is a left and a right lane only where there are two."""
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
@@ -111,8 +118,11 @@ class Layout:
         if basis.i is not None and basis.j is not None:
             self._draft.note(basis.i, basis.j, instead)
 
-    def _anybody_parked(self) -> bool:
-        return any(e.parked or e.was_parked is not None for e in self._draft.entities)
+    def _anybody_on_it(self) -> bool:
+        return any(
+            e.parked or e.was_parked is not None or e.strip is not None
+            for e in self._draft.entities
+        )
 
     def _meets_the_oncoming(self) -> bool:
         """Whether somebody comes towards another, or turns back, so that no median can be there."""
@@ -148,10 +158,24 @@ class Layout:
                 if not of_road:
                     self._note(basis, _AT_JUNCTIONS)
             elif not of_road or carriageway is Carriageway.DIVIDED:
-                if not of_road and not self._anybody_parked():
+                if strip is Strip.HARD_SHOULDER and not of_road and not self._anybody_on_it():
                     self._note(basis, _NOBODY_DRIVES)
                 self._proofs.add("junction.strips", basis)
                 found.add(strip)
+        for entity in self._draft.entities:
+            strip_, basis_ = entity.strip or (None, None)
+            if strip_ is None or basis_ is None or Maneuver.CROSS in entity.maneuvers:
+                entity.strip = None
+                continue
+            plain = kind is JunctionKind.STRAIGHT
+            built = plain or (entity.parked and strip_ not in PLAIN_ROAD_STRIPS)
+            beside = Strip.HARD_SHOULDER in found and strip_ in NOT_BESIDE_A_SHOULDER
+            if built and not beside:
+                self._proofs.add("junction.strips", basis_)
+                found.add(strip_)
+            elif strip_ not in found:
+                entity.strip = None
+                self._note(basis_, _BESIDE_A_SHOULDER if beside else _AT_JUNCTIONS)
         return frozenset(found)
 
     def _kind(self) -> tuple[JunctionKind, Basis | None]:

@@ -9,10 +9,9 @@ from scegen.understanding.words.terms import Term
 _QUALITIES = frozenset({"colour", "quality"})
 _PLACES = {
     "ramp": "ramps are built where somebody joins or leaves by them; here the plain road is",
-    "bus_stop": "bus stops are not built; the plain road is",
-    "bike_lane": "bicycle lanes are not built; the plain road is",
+    "bus_stop": "bus stops are built only where somebody stands at one",
     "feature": "this shape of road is not built; a level, plain road is",
-    "parking": "parking spaces are not built; parked vehicles stand at the roadside",
+    "parking": "bays are built only where somebody is parked; this one is not",
 }
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
@@ -36,9 +35,12 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
 
 
 def _used(draft: Draft, term: Term) -> bool:
-    """Whether a ramp is built, since somebody comes or leaves by it."""
-    users = (basis for e in draft.entities for basis in (e.by_ramp, e.exits))
-    return term.value == "ramp" and any(basis is not None for basis in users)
+    """Whether it is built: a ramp by which somebody comes or leaves, a bay where one stands."""
+    if term.value == "ramp":
+        users = (basis for e in draft.entities for basis in (e.by_ramp, e.exits))
+        return any(basis is not None for basis in users)
+    strips = (e.strip[1] for e in draft.entities if e.strip is not None)
+    return any((b.i or 0) <= term.i < (b.j or 0) for b in strips)
 
 
 def _unknown(draft: Draft, terms: list[Term]) -> None:

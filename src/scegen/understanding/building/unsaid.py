@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import (
+    ANIMALS,
+    ON_FOOT,
+    Approach,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+)
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.meaning.ruled_out import ways_left
 
@@ -50,7 +57,10 @@ def _followed(
 ) -> tuple[Maneuver, Basis, str] | None:
     if entity.parked:
         return Maneuver.STAY, entity.basis, "a parked vehicle stays"
-    if entity.kind is ParticipantKind.PEDESTRIAN:
+    runs = any(d.kind is HazardKind.CROSSING_ANIMAL and entity in d.by for d in draft.dangers)
+    if entity.kind in ANIMALS and not runs:
+        return Maneuver.STAY, entity.basis, "an animal of which no more is said stands there"
+    if entity.kind in ON_FOOT:
         reason = "nothing else is said: somebody on foot crosses"
         return Maneuver.CROSS, entity.basis, reason
     if junction.kind is JunctionKind.STRAIGHT or (entity.on_straight and entity.moves):

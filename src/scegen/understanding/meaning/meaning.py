@@ -19,6 +19,7 @@ from scegen.understanding.meaning import (
     detours,
     implied,
     lane_moves,
+    on_strips,
     red_lights,
     roles,
     rows,
@@ -139,6 +140,7 @@ class Interpreter:
         implied.positions(self._clauses, self._context)
         breaches.subsume(self._context)
         courses.circulate(chunks, self._clauses, self._context)
+        on_strips.on_strips(chunks, self._clauses, self._context)
         sides_left(chunks, self._context)
         crossed_arms.note_arms(chunks, self._clauses, self._context)
         return self._clauses

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from scegen.scenario.vocabulary import ANIMALS
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 
@@ -11,6 +12,22 @@ _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
 _ASIDES = frozenset({"punct", "unknown", "dir", "label", "manner", "state", "quantity"})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
+
+
+def lead(chunks: list[Chunk]) -> list[Chunk]:
+    """``a man with a dog``, ``walks her dog``: a part of somebody, and nobody of its own.
+
+    Args:
+        chunks: the chunks of the text; such animals are marked as ``negated``.
+    """
+    for before, chunk in pairwise(chunks):
+        head = chunk.head if isinstance(chunk, Mention) else None
+        if head is None or head.value not in ANIMALS or not isinstance(chunk, Mention):
+            continue
+        along = isinstance(before, Word) and before.value == "with"
+        led = isinstance(before, Event) and before.name == "walk"
+        chunk.negated = chunk.negated or along or led
+    return chunks
 
 
 def silence(chunks: list[Chunk]) -> list[Chunk]:

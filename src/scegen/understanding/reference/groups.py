@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Entity
 from scegen.understanding.reference.mention_words import KINDS, Reading
 from scegen.understanding.words.tokens import Token
 
-_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_MOTOR = frozenset(ParticipantKind) - ON_FOOT
 
 
 @dataclass(slots=True)
@@ -50,7 +50,7 @@ def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[E
 
 def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
     """``someone in a van``: people in or on a vehicle stand for it."""
-    afoot = reading.kind is ParticipantKind.PEDESTRIAN or mention.goes_by is not None
+    afoot = reading.kind in ON_FOOT or mention.goes_by is not None
     if not afoot and not reading.driver:
         return None
     for prep in mention.pps:

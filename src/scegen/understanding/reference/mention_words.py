@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.calling import called
@@ -52,7 +52,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     driver = any(h.data.get("driver") for h in heads)
     kind = (specific or kinds or [ParticipantKind.CAR])[0]
     afoot = any("afoot" in h.data for h in heads)
-    if kind is ParticipantKind.PEDESTRIAN and mention.drives and not afoot:
+    if kind in ON_FOOT and mention.drives and not afoot:
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
@@ -104,7 +104,7 @@ def _mine(mention: Mention, kind: ParticipantKind) -> bool:
     mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
     named = mention.head is not None and mention.head.value in KINDS
     person = mention.head is not None and mention.head.value == "pedestrian"  # "my neighbour"
-    return mine and named and not person and kind is not ParticipantKind.PEDESTRIAN
+    return mine and named and not person and kind not in ON_FOOT
 
 
 def _name(label: str, kind: ParticipantKind) -> str:

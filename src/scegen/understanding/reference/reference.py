@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.reference.mention_words import Reading, read_mention
 
-_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_MOTOR = frozenset(ParticipantKind) - ON_FOOT
 _DENSITY = frozenset({"manner", "inert", "unknown", "noted"})
 """Classes of words that say how dense traffic is."""
 _RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
@@ -54,7 +54,7 @@ def kin(reading: Reading, mention: Mention) -> bool:
         mention: the mention.
     """
     whose = mention.mods[0] if mention.mods else None
-    people = reading.kind is ParticipantKind.PEDESTRIAN and not reading.driver
+    people = reading.kind in ON_FOOT and not reading.driver
     return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
 
 

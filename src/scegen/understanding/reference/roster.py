@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
@@ -15,7 +15,7 @@ from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.tokens import Token
 
-_MOTOR = frozenset(ParticipantKind) - {ParticipantKind.PEDESTRIAN}
+_MOTOR = frozenset(ParticipantKind) - ON_FOOT
 _RIDDEN = ParticipantKind.MOTORCYCLE
 _REST = 12
 """Within so many words "the other" tells that somebody is one of two."""

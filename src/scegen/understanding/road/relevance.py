@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.errors import NotTrafficError
+from scegen.scenario.vocabulary import ANIMALS
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -41,7 +42,9 @@ def _about_traffic(term: Term, tokens: list[Token]) -> bool:
         return term.value in _PLACES or (term.value == "signal" and term.j - term.i > 1)
     if term.cat == "actor":
         words = {t.low for t in tokens[term.i : term.j]}
-        return not words & (word_list("relevance_first_person") | word_list("people"))
+        return term.value not in ANIMALS and not words & (
+            word_list("relevance_first_person") | word_list("people")
+        )
     if "pace" in term.data:
         return True
     if term.cat == "verb":

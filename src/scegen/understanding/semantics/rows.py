@@ -123,12 +123,14 @@ def _place(approaches: set[Approach], of: str, seen_from: str, words: Words) -> 
 
 
 def _drop(kind: HazardKind, of: str) -> Effect:
-    whom = who(of)
+    whom, kinds = who(of), {kind}
+    if kind is HazardKind.CROSSING_PEDESTRIAN:
+        kinds.add(HazardKind.CROSSING_ANIMAL)  # as the draft has it of animals
 
     def effect(clause: Clause, context: Context) -> None:
         found = whom(clause, context)
         context.draft.dangers[:] = [
-            d for d in context.draft.dangers if d.kind is not kind or not _all_in(d.by, found)
+            d for d in context.draft.dangers if d.kind not in kinds or not _all_in(d.by, found)
         ]
 
     return effect

@@ -74,7 +74,8 @@ def _word_at(tokens: list[Token], j: int) -> bool:
 
 def _as_a_noun(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if (term.cat, term.value, term.form) == ("verb", "stop", "base") and _at_a(terms, tokens):
-        return Term("place", "bus_stop", term.i, term.j)  # "pulls away from the stop"
+        # "pulls away from the stop"
+        return Term("place", "bus_stop", term.i, term.j, data={"stands_on": "bus_stop"})
     if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
         return Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
     if (term.cat, tokens[term.i].low) == ("possessive", "her") and _alone(tokens, term.j):

@@ -15,6 +15,13 @@ from scegen.scenario.logical import Drive
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide
 
+_BUILT_AS = {
+    Strip.HARD_SHOULDER: "shoulder",
+    Strip.CYCLE_LANE: "biking",
+    Strip.PARKING: "parking",
+    Strip.BUS_STOP: "parking",
+    Strip.PAVEMENT: "sidewalk",
+}
 SPEED_MPS = 0.01
 """How far a speed limit may be rounded."""
 _INSIDE_M = 1.0
@@ -95,9 +102,9 @@ def _lengthwise(arm: Arm, road: RoadParameters, place: str) -> Iterator[Finding]
         if inside != wanted:
             message = f"has {inside or 'nothing'} inside lane {side[0]}, not {wanted or 'nothing'}"
             yield error("xodr.described", place, message)
-        beyond = lanes.get(side[-1] + sign)
-        if Strip.HARD_SHOULDER in road.strips and (beyond is None or beyond.type != "shoulder"):
-            yield error("xodr.described", place, f"has no shoulder beyond lane {side[-1]}")
+        beyond = {x.type for n, x in lanes.items() if n * sign > abs(side[-1])}
+        for missing in sorted({_BUILT_AS[s] for s in road.strips} - beyond):
+            yield error("xodr.described", place, f"has no {missing} beyond lane {side[-1]}")
 
 
 def _furniture(arm: Arm, wanted: ArmRoad, place: str, *, crossed: bool) -> Iterator[Finding]:

@@ -13,6 +13,7 @@ from scegen.checking.openscenario.storyboard import Trajectory
 from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import CrossingMotion, DriveMotion
 from scegen.scenario.reversing import BacksOut
+from scegen.scenario.vocabulary import ON_FOOT
 
 _BESIDE_M = 1.0
 """Who keeps so far beside the middle of its lane may be above the next one."""
@@ -35,18 +36,25 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
         elif trajectory is None or not situation.arms or not trajectory.points:
             continue
         elif isinstance(motion, DriveMotion):
-            yield from _drive(situation, participant.id, motion, trajectory)
+            on_foot = participant.kind in ON_FOOT
+            yield from _drive(situation, participant.id, motion, trajectory, on_foot=on_foot)
         elif isinstance(motion, CrossingMotion):
             yield from _crossing(situation, participant.id, motion, trajectory)
 
 
 def _drive(
-    situation: Situation, name: str, motion: DriveMotion, trajectory: Trajectory
+    situation: Situation,
+    name: str,
+    motion: DriveMotion,
+    trajectory: Trajectory,
+    *,
+    on_foot: bool,
 ) -> Iterator[Finding]:
     under = situation.lanes_at([vertex.point for vertex in trajectory.points])
     inward = situation.arms[motion.entry].inward
-    pulls_out = motion.entry_lane > len(inward)
-    usable = {"driving", *STRIPS} if pulls_out else {"driving"}
+    numbers = [motion.entry_lane, *(change.lane_after for change in motion.lane_changes)]
+    on_a_strip = max(numbers) > len(inward)
+    usable = {"driving", *STRIPS} if on_a_strip or on_foot else {"driving"}
     beside = _comes_from_beside(motion, trajectory)
     for number, (vertex, lanes) in enumerate(zip(trajectory.points, under, strict=True)):
         if number >= beside and all(lane.type not in usable for lane in lanes):
@@ -61,7 +69,11 @@ def _drive(
         arm, number = situation.ramp, 1
     reached = _on(under[-1], arm)
     # Lane 0 is that of the oncoming: it stays there.
-    wanted = {*arm.inward[:1]} if number == 0 else {*arm.outward[number - 1 : number]}
+    wanted = (
+        {*arm.inward[:1]}
+        if number == 0
+        else {*[*arm.outward, *arm.strips_out][number - 1 : number]}
+    )
     if not reached & wanted:
         said = ", ".join(f"road {x.road} lane {x.lane}" for x in under[-1]) or "no lane"
         message = f"ends on {said} instead of arm {motion.exit} ({arm.place}) lane {sorted(wanted)}"

@@ -20,7 +20,7 @@ _BESIDE_M = 1.0
 def check_starts(situation: Situation) -> Iterator[Finding]:
     """``xosc.start``: each entity is placed; drivers on their entry lane, the rest at their arm.
 
-    The entry lane of one who pulls out is the strip beside the lanes.
+    The numbers beyond the driving lanes are those of the strips beside them.
     """
     for entity in situation.storyboard.entities:
         position = situation.in_world(situation.storyboard.start(entity.name))
@@ -98,5 +98,6 @@ def _further_on(motion: DriveMotion, arms: dict[int, Arm], lanes: list[OnLane]) 
     if len(arms) != _ENDS or motion.reversal is not None:
         return False
     beyond = arms[motion.exit]
-    lane = {*beyond.outward[motion.entry_lane - 1 : motion.entry_lane]}
+    lanes_out = [*beyond.outward, *beyond.strips_out]
+    lane = {*lanes_out[motion.entry_lane - 1 : motion.entry_lane]}
     return any(each.road == beyond.road.id and each.lane in lane for each in lanes)

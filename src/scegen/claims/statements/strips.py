@@ -1,0 +1,71 @@
+"""On which strip beside the lanes somebody stands, drives or walks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from scegen.claims.arms import arms_of
+from scegen.claims.boxes import boxes
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always
+from scegen.claims.told import Told, plain
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Bools, Floats
+from scegen.road.cross_section import LANE_TYPES
+from scegen.scenario.acts import ActKind
+from scegen.scenario.functional import Participant
+from scegen.scenario.logical import Drive
+from scegen.scenario.roadway import Strip
+from scegen.scenario.vocabulary import Maneuver, Side
+
+_STAYS_ON_IT = frozenset({Maneuver.STRAIGHT, Maneuver.STAY})
+_LEADS_ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
+
+
+def claims(told: Told) -> Iterator[Claim]:
+    """One for everybody of whom it is said: all the time, unless something leads it away."""
+    for person in told.people:
+        if person.strip is None:
+            continue
+        stays = _stays(told, person)
+        when = "" if stays else " at first"
+        yield Claim(
+            id=f"strip.{person.id}",
+            kind=ClaimKind.ENTRY,
+            statement=f"{person.id} is on the strip beside the lanes ({plain(person.strip)}){when}",
+            field=f"participants.{person.id}.strip",
+            unit="m",
+            test=partial(_on_it, told, person.id, person.strip, stays=stays),
+            fixed=person.parked,
+        )
+
+
+def _stays(told: Told, person: Participant) -> bool:
+    """Whether nothing that is said of it leads it off the strip."""
+    causes = any(person.id in hazard.by for hazard in told.hazards)
+    aside = any(act.kind not in _LEADS_ALONG for act in told.acts_of(person.id))
+    parked = person.parked and not person.pulls_out
+    return parked or not (causes or aside or person.pulls_out or person.maneuvers - _STAYS_ON_IT)
+
+
+def _on_it(told: Told, name: str, strip: Strip, view: View, *, stays: bool) -> Judged:
+    """How far inside the strip its middle is, at worst; beyond its edges it is negative."""
+    assignment = told.logical.assignment(name)
+    entry = isinstance(assignment, Drive)
+    number = assignment.entry if isinstance(assignment, Drive) else assignment.arm
+    arm = arms_of(view)[number]
+    band = arm.strips.get(LANE_TYPES[strip])
+    if band is None:
+        return always(view, holds=False)
+    side = getattr(assignment, "side", None)
+    sign = arm.inward if entry or side is None else (1 if side is Side.LEFT else -1)
+    _, offset = arm.place(boxes(view, name))
+    out: Floats = sign * offset
+    inside = np.minimum(out - band[0], band[1] - out)
+    later: Bools = np.arange(view.steps) > (view.last_step[:, None] if stays else 0)
+    worst = np.where(later, NEVER, inside)
+    step = worst.argmin(axis=1)
+    rows = np.arange(view.count)
+    return Judged(worst[rows, step], out[rows, step], view.time_of(step))

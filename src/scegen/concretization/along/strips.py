@@ -1,0 +1,62 @@
+"""Those who are on a strip beside the lanes: which number it has, and how far out it lies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from scegen.concretization.along.runner import Runner
+from scegen.concretization.roads import standing_in_bays
+from scegen.road.cross_section import LANE_TYPES, strips_beside
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.road.model import LaneType
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Heading, LogicalScenario, Walking
+from scegen.scenario.roadway import BAYS
+
+
+def put_on_strips(
+    functional: FunctionalScenario,
+    logical: LogicalScenario,
+    runners: Mapping[str, Runner],
+    lane_count: int,
+) -> None:
+    """Give those their lane who are on a strip; it is numbered after the lanes.
+
+    Who walks against the traffic on a side of the road is placed from the lane of the oncoming.
+    """
+    if functional.junction.auxiliary is not None:
+        return  # a lane of the road lies there, for a part of the way
+    strips = strips_along(functional, logical)
+    middles = tuple(
+        sum(width for _, width in strips[:k]) + width / 2 for k, (_, width) in enumerate(strips)
+    )
+    types = [kind for kind, _ in strips]
+    for name, runner in runners.items():
+        runner.lane_count, runner.strips_m = lane_count, middles
+        strip = functional.participant(name).strip
+        if strip is None:
+            continue
+        number = types.index(LANE_TYPES[strip])
+        runner.lane, runner.offset_m = lane_count + 1 + number, 0.0
+        if _against_traffic(functional, logical, name):
+            outward = 1.0 if runner.keeps_left else -1.0
+            out_m = (lane_count - 0.5) * LANE_WIDTH_M + middles[number]
+            runner.lane, runner.offset_m = 0, -outward * out_m
+
+
+def strips_along(
+    functional: FunctionalScenario, logical: LogicalScenario
+) -> list[tuple[LaneType, float]]:
+    """What lies beside the lanes, outwards, with its width (m)."""
+    strips = functional.junction.strips
+    parked = bool(strips & BAYS or standing_in_bays(functional, logical))
+    return strips_beside(strips, parked=parked)
+
+
+def _against_traffic(functional: FunctionalScenario, logical: LogicalScenario, name: str) -> bool:
+    """Whether one walks on a side of the road where the traffic comes towards it."""
+    assignment = logical.assignment(name)
+    if not isinstance(assignment, Walking):
+        return False
+    kerb = assignment.side.value == functional.junction.driving_side.value
+    return kerb != (assignment.heading is Heading.INWARD)

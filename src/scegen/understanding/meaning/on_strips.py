@@ -1,0 +1,91 @@
+"""Who is on a strip beside the lanes: cycle lane, pavement, hard shoulder, bay."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from scegen.scenario.roadway import BAYS, Strip
+from scegen.scenario.vocabulary import HazardKind
+from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Place, Prep
+from scegen.understanding.draft import Basis, Danger, Entity
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.context import Clause, Context
+
+_PASSING = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
+"""With these verbs the place is that of the passing, or of the contact."""
+
+_ARRIVING = frozenset({"stop", "brake", "hard_brake", "slow", "enter", "turn", "pull_over", "park"})
+
+
+def on_strips(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
+    """What mentions and verbs say of it.
+
+    Args:
+        chunks: the chunks of the text, mentions resolved.
+        clauses: what happens.
+        context: the scenario in the making.
+    """
+    for chunk in chunks:
+        if isinstance(chunk, Mention) and not chunk.negated:
+            _put(context, chunk.pps, chunk.entities)
+    for clause in clauses:
+        event = clause.event
+        if event.negated or event.name in _PASSING:
+            continue
+        if event.name in _ARRIVING and not any(e.still for e in clause.actors):
+            continue  # "pulls up at a stop": not there at first
+        own = [p for p in event.pps if p.on_mention is None or p.on_mention in event.subject]
+        _put(context, own, clause.actors)
+        left = event.object if event.name == "leave" else None
+        for place, basis in _strip_of(left):
+            _leaves(context, clause.actors, place, basis)
+
+
+def _put(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
+    for prep in preps:
+        word = context.tokens[prep.word.i].low
+        target = prep.target if isinstance(prep.target, Place) else None
+        for strip, basis in _strip_of(target):
+            there = Basis(prep.word.i, basis.j)
+            if word in word_list("on_strips") and prep.outer is None:
+                for entity in whom:
+                    _is_on(context, entity, strip, there)
+            elif prep.value == "from" or prep.outer is not None:
+                _leaves(context, whom, strip, there)
+
+
+def _strip_of(place: NounPhrase | None) -> Iterator[tuple[Strip, Basis]]:
+    data = place.head.data if place is not None and place.head is not None else {}
+    if place is not None and "stands_on" in data:
+        yield Strip(data["stands_on"]), Basis(place.i, place.j)
+
+
+def _leaves(context: Context, whom: list[Entity], strip: Strip, basis: Basis) -> None:
+    """One who pulls out of a bay stood there."""
+    for entity in whom:
+        if entity.is_vehicle and entity.pulls_out and not entity.ego:
+            _is_on(context, entity, strip, basis)
+
+
+def _is_on(context: Context, entity: Entity, strip: Strip, basis: Basis) -> None:
+    if entity.ego or entity.strip is not None:
+        return
+    if not entity.is_vehicle and strip is Strip.BUS_STOP:
+        strip = Strip.PAVEMENT  # who waits at a stop
+    entity.strip = strip, basis
+    if not entity.is_vehicle:
+        return
+    if entity.pulls_out or (strip in BAYS and entity.sets_off >= 0):
+        entity.was_parked = entity.was_parked or basis
+    elif entity.still or strip in BAYS:
+        entity.parked, entity.parked_basis = True, entity.parked_basis or entity.stands or basis
+        entity.stands = None
+        context.draft.dangers[:] = [
+            d for d in context.draft.dangers if not _beside_the_lanes(d, entity)
+        ]
+
+
+def _beside_the_lanes(danger: Danger, entity: Entity) -> bool:
+    """Whether a danger is none of one who stands beside the lanes: in the way, overtaken."""
+    stops = danger.kind is HazardKind.STOPPING and danger.by == [entity]
+    return stops or (danger.kind is HazardKind.OVERTAKING and danger.to == [entity])
