@@ -355,7 +355,7 @@ def _turn_allowed(functional, labels, turn, arms: ArmsMode) -> bool:
         steps = {round((angles[(i + turn) % n] - angles[i]) % 360, 6) for i in range(n)}
         return len(steps) == 1
     said = any(v.maneuvers or v.approaches for v in functional.vehicles)
-    if not said and not functional.hazards:
+    if not said and not functional.hazards and not functional.groups:
         return True
     views = [
         [(turn_name(angles, e, d), seen_from(angles, e, (e + d) % n)) for d in range(n)]
