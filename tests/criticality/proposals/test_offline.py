@@ -1,8 +1,5 @@
 """The offline rules: valid, without chance, a help to the search and never a harm."""
 
-import re
-from pathlib import Path
-
 import pytest
 
 from scegen.concretization import concretize
@@ -113,14 +110,3 @@ def test_nobody_is_asked_where_nothing_has_to_change(says):
     assert raised.proof.in_band_before
     assert asked.situation is None
     assert raised.proof.advice is None
-
-
-def test_the_example_of_the_documentation_works():
-    page = Path(__file__).parents[3] / "docs" / "proposals.md"
-    (code,) = re.findall(r"```python\n(.*?)```", page.read_text("utf-8"), re.DOTALL)
-    functional, concrete = made(paper_cases()[6].text)
-    names = {"functional": functional, "concrete": concrete}
-    exec(code + "raised = raise_criticality(functional, concrete, proposer=Slower())", names)  # noqa: S102
-    (change,) = names["raised"].proof.advice.changes
-    assert change.reason == "car_1 hesitates"
-    assert change.after < change.before
