@@ -128,3 +128,24 @@ def test_what_is_said_of_two_wins_over_right_of_way(fields):
     functional = yielding("priority_to_right", **fields)
     logical = enumerate_scenarios(functional).scenarios[0]
     assert must_give_way(functional, logical) == ()
+
+
+def test_where_lights_are_off_they_show_nothing_and_the_right_goes_first():
+    functional = crossing("signals_off")
+    concrete = laid(functional)
+    assert {d.rule for d in must_give_way(functional, concrete.logical)} == {
+        d.rule for d in must_give_way(crossing("uncontrolled"), concrete.logical)
+    }
+    assert not missed(functional, concrete)
+    dark = {"rule.light.ego", "rule.light.car"}
+    working = concrete.signals.model_copy(update={"working": True})
+    assert dark <= missed(functional, concrete.model_copy(update={"signals": working}))
+    assert dark <= missed(functional, concrete.model_copy(update={"signals": None}))
+
+
+def test_dark_lights_do_not_count_as_green():
+    functional = crossing("signals")
+    concrete = laid(functional)
+    dark = concrete.signals.model_copy(update={"working": False})
+    assert not missed(functional, concrete)
+    assert missed(functional, concrete.model_copy(update={"signals": dark}))

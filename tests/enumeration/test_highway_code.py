@@ -217,14 +217,17 @@ SW M-s .   .   .
 T_SIGNALS_LEFT = T_SIGNS_LEFT.replace("-s", "?l").replace("+s", "?l")
 """The stem has a green of its own."""
 
+LEVEL = ("uncontrolled", "priority_to_right", "all_way_stop", "signals_off")
+"""Controls that set no arm above another."""
+
 
 @pytest.mark.parametrize(
     ("side", "controls", "expected"),
     [
-        ("right", ("uncontrolled", "priority_to_right", "all_way_stop"), T_LEVEL_RIGHT),
+        ("right", LEVEL, T_LEVEL_RIGHT),
         ("right", ("yield", "stop"), T_SIGNS_RIGHT),
         ("right", ("signals",), T_SIGNALS_RIGHT),
-        ("left", ("uncontrolled", "priority_to_right", "all_way_stop"), T_LEVEL_LEFT),
+        ("left", LEVEL, T_LEVEL_LEFT),
         ("left", ("yield", "stop"), T_SIGNS_LEFT),
         ("left", ("signals",), T_SIGNALS_LEFT),
     ],
@@ -281,7 +284,7 @@ RING_LEFT = """
 @pytest.mark.parametrize(
     ("side", "controls", "expected"),
     [
-        ("right", ("uncontrolled", "yield", "stop", "all_way_stop"), RING_RIGHT),
+        ("right", ("uncontrolled", "yield", "stop", "all_way_stop", "signals_off"), RING_RIGHT),
         ("right", ("priority_to_right",), ENTRY_RIGHT),
         ("left", ("uncontrolled", "priority_to_right", "yield", "stop", "all_way_stop"), RING_LEFT),
     ],

@@ -190,6 +190,7 @@ ALL_FOUR = ("car_1", "car_2", "car_3", "car_4")
         ("yield", ()),
         ("stop", ()),
         ("signals", ()),
+        ("signals_off", ALL_FOUR),
     ],
 )
 @pytest.mark.parametrize("side", list(DrivingSide))

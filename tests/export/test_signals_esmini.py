@@ -125,3 +125,25 @@ def test_the_file_for_everybody_has_the_standards_controllers_and_no_actions(fil
     for controller in road.findall("controller"):
         for control in controller:
             assert signals[control.get("signalId")].get("dynamic") == "yes"
+
+
+def test_lights_that_are_off_are_dark_in_esmini_when_somebody_passes(tmp_path):
+    people = person("ego", maneuvers=["straight"]), person("car", approaches=["left"])
+    raised = made(said("four_way", *people, junction={"control": "signals_off"}))
+    assert not raised.proof.missed
+    concrete = raised.concrete
+    for name, content in export_scenario(concrete).items():
+        (tmp_path / name).write_bytes(content)
+    ways = ways_of(concrete, build_network(concrete.road, name="x"))
+    for name in ("car", "ego"):
+        mover = concrete.participant(name)
+        passes = has_gone(name, ways[name].line_m - mover.body.front_m)
+        dark = shows(mover.motion.entry, SignalState.OFF)
+        red = shows(mover.motion.entry, SignalState.RED)
+        over = ends_s(tmp_path, [passes])
+        assert ends_s(tmp_path, [passes, dark]) == pytest.approx(over, abs=2 * STEP_S)
+        assert ends_s(tmp_path, [passes, red]) > over + 1.0
+    root = etree.parse(str(tmp_path / SCENARIO_FILE)).getroot()
+    found = root.findall("RoadNetwork/TrafficSignals//TrafficSignalState")
+    assert {state.get("state") for state in found} == {"off;off;off"}
+    assert len(found) == 4

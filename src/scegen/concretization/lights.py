@@ -16,6 +16,7 @@ from scegen.concretization.setup import Setup
 from scegen.motion.rules.intergreen import LEAST_GREEN_S, all_red_s, amber_s
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.concrete import AtTime
+from scegen.scenario.control import LIGHTS
 from scegen.scenario.signals import SignalGroup, SignalPlan
 from scegen.scenario.vocabulary import Control, JunctionKind
 
@@ -66,11 +67,13 @@ def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
     Of plans of equal green the one that suits them best, and gives the others green soonest.
     """
     functional, logical = scene.functional, scene.logical
-    if scene.road.control is not Control.SIGNALS or scene.road.kind is JunctionKind.STRAIGHT:
+    if scene.road.control not in LIGHTS or scene.road.kind is JunctionKind.STRAIGHT:
         return None
     drives = at_lights(functional, logical)
     runners, obeying = light_runners(functional, logical), must_obey(functional, logical)
     plan = _plan(scene, green_phases(functional, logical))
+    if not plan.working:
+        return Lights(plan, obeying)
     placed = [scene.drives[n] for n in offsets_s if n in scene.drives and n in drives]
     best, best_worth = plan, -np.inf
     for late in np.arange(0.0, plan.cycle_s, _STEP_S):
@@ -111,7 +114,10 @@ def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:
         for place, number in enumerate(numbers)
     )
     return SignalPlan(
-        cycle_s=len(numbers) * (LEAST_GREEN_S + between), amber_s=amber, groups=groups
+        cycle_s=len(numbers) * (LEAST_GREEN_S + between),
+        amber_s=amber,
+        groups=groups,
+        working=scene.road.control is Control.SIGNALS,
     )
 
 

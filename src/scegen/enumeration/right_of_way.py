@@ -7,6 +7,8 @@ article of each. Where it leaves a choice:
   from the right goes first (VC 18.4a). VC 18.4b leaves countries that keep left free; there too
   it is the right, as in Australia (Australian Road Rules, rule 72) and New Zealand. Great Britain
   has no such rule (Highway Code, rule 146: nobody has priority), Japan gives it to the left.
+* Lights that do not work regulate nothing, as if they were not there (VC 5, 18; some states of the
+  USA take them for an all-way stop, which a text has to say).
 * A T has no rule of its own (Australian Road Rules, rule 73, puts the stem last; VC does not).
 * On a roundabout the ring goes first, also without signs (Highway Code, rule 185); only where
   ``priority_to_right`` is said do those who come in from the right of the ring go first.

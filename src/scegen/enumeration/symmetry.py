@@ -226,9 +226,14 @@ def _same_angles(angles: tuple[float, ...], turn: int) -> bool:
 
 
 def _same_control(problem: Problem, turn: int) -> bool:
-    """Yield, stop and signals set one road above the other, except round a ring."""
+    """Yield, stop and signals that work set one road above the other, except round a ring."""
     junction = problem.functional.junction
-    alike = {Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT, Control.ALL_WAY_STOP}
+    alike = {
+        Control.UNCONTROLLED,
+        Control.PRIORITY_TO_RIGHT,
+        Control.ALL_WAY_STOP,
+        Control.SIGNALS_OFF,
+    }
     if junction.control in alike or (
         junction.kind is JunctionKind.ROUNDABOUT and junction.control is not Control.SIGNALS
     ):

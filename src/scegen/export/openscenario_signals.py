@@ -20,6 +20,7 @@ LAMPS: dict[SignalState, str] = {
     SignalState.RED: "on;off;off",
     SignalState.AMBER: "off;on;off",
     SignalState.GREEN: "off;off;on",
+    SignalState.OFF: "off;off;off",
 }
 """The three lamps of OpenDRIVE's signal 1000001, from top to bottom."""
 

@@ -60,7 +60,7 @@ def storyboard(
         act.add_maneuver_group(xosc.ManeuverGroup("nobody_moves").add_actor(concrete.ego.id))
     story = xosc.Story("story")
     story.add_act(act)
-    if plan:
+    if plan and plan.working:
         story.add_act(lamp_act(concrete, plan, numbers, minor))
     board.add_story(story)
     return board

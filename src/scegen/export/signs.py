@@ -6,6 +6,7 @@ import xml.etree.ElementTree as ET  # builds, never parses
 
 from scegen.export.library import xodr
 from scegen.road.model import LaneType, Road, RoadNetwork
+from scegen.scenario.control import LIGHTS
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import Control
 
@@ -13,7 +14,7 @@ _STVO: dict[Control, tuple[str, str]] = {
     Control.YIELD: ("205", "yield"),
     Control.STOP: ("206", "stop"),
     Control.ALL_WAY_STOP: ("206", "stop"),
-    Control.SIGNALS: ("1000001", "traffic_light"),
+    **dict.fromkeys(LIGHTS, ("1000001", "traffic_light")),
 }
 """Type and name by control: signs of the German catalogue (StVO), the three lamps of OpenDRIVE."""
 _BESIDE_M = 0.5
@@ -28,7 +29,7 @@ def entry_sign(road: Road, control: Control) -> xodr.Signal | None:
     sign = -1 if road.driving_side == "right" else 1
     inward = [lane for lane in road.lanes if lane.id * sign > 0]
     kerb = sum(lane.width_m for lane in inward if lane.type is not LaneType.SIDEWALK)
-    lights = control is Control.SIGNALS
+    lights = control in LIGHTS
     signal = xodr.Signal(
         s=round(road.length_m - road.stop_line_m, 9),
         t=round(sign * (kerb + _BESIDE_M), 9),

@@ -22,6 +22,7 @@ from scegen.report.theme import Theme
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.control import LIGHTS
 from scegen.scenario.objects import ObjectCategory, StaticObject
 from scegen.scenario.signals import SignalState
 from scegen.scenario.vocabulary import Control
@@ -29,7 +30,7 @@ from scegen.scenario.vocabulary import Control
 Array = NDArray[np.float64]
 
 _MARK_M, _DASHES = 0.15, "3 4.5"
-_STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, Control.SIGNALS})
+_STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, *LIGHTS})
 _SIGN_M, _SIGN_PX = 0.9, 5.0
 _PLANTS = frozenset({ObjectCategory.TREE, ObjectCategory.VEGETATION})
 _HATCH_M, _FAR_M = 0.6, 1e5
@@ -186,7 +187,7 @@ class Surroundings:
 
     def lights(self, view: View, time_s: float) -> str:
         """The lights beside the stop lines as they are at a time."""
-        if self._control is not Control.SIGNALS:
+        if self._control not in LIGHTS:
             return ""
         return "".join(
             self._light(pose, half_m, view, state_at(self._concrete, arm, time_s))
@@ -216,7 +217,7 @@ class Surroundings:
         dashes = None if self._control in _STOPPING else "0.5 0.35"
         stop = line(ends, theme.mark, view.at_least(0.4, 1.2), stroke_dasharray=dashes)
         x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
-        if self._control is Control.SIGNALS:
+        if self._control in LIGHTS:
             return stop
         if self._control is Control.YIELD:
             drawn = area(

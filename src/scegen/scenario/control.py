@@ -6,6 +6,8 @@ from scegen.scenario.arms import arm_angles_deg, turn_deg, turn_name
 from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 
+LIGHTS = frozenset({Control.SIGNALS, Control.SIGNALS_OFF})
+"""Where traffic lights stand, whether they work or not."""
 _MINOR_ROAD = frozenset({Control.YIELD, Control.STOP})
 
 

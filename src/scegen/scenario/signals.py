@@ -19,6 +19,7 @@ class SignalState(StrEnum):
     GREEN = "green"
     AMBER = "amber"
     RED = "red"
+    OFF = "off"
 
 
 class SignalGroup(FrozenModel):
@@ -33,12 +34,14 @@ class SignalGroup(FrozenModel):
 class SignalPlan(FrozenModel):
     """Lights with a fixed cycle, which has gone on before time 0 and goes on for ever.
 
-    Every group has its green, then ``amber_s`` of amber, then red.
+    Every group has its green, then ``amber_s`` of amber, then red. Lights that are not
+    ``working`` are dark all the time.
     """
 
     cycle_s: float = Field(gt=0, le=300)
     amber_s: float = Field(gt=0, le=10)
     groups: tuple[SignalGroup, ...] = Field(min_length=1)
+    working: bool = True
 
     def group_of(self, arm: int) -> SignalGroup | None:
         """The group of an arm; None where no light stands."""
@@ -46,6 +49,8 @@ class SignalPlan(FrozenModel):
 
     def state(self, group: SignalGroup, time_s: float) -> SignalState:
         """What the lights of a group show at a time."""
+        if not self.working:
+            return SignalState.OFF
         since = (time_s - group.green_from_s) % self.cycle_s
         if since < group.green_s:
             return SignalState.GREEN
@@ -54,6 +59,8 @@ class SignalPlan(FrozenModel):
     def changes(self, group: SignalGroup, until_s: float) -> Iterator[tuple[float, SignalState]]:
         """(time, state) at time 0 and at every change after it, up to a time."""
         yield 0.0, self.state(group, _TICK_S / 2)
+        if not self.working:
+            return
         edges = (
             (0.0, SignalState.GREEN),
             (group.green_s, SignalState.AMBER),

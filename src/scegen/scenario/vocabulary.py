@@ -90,8 +90,16 @@ class Control(Word):
     SIGNALS = (
         "signals",
         "traffic lights regulate the junction",
-        "lights of a vehicle",
+        "lights of a vehicle; `signals_off`, where they do not work",
         "somebody runs a red light; at the lights",
+    )
+    SIGNALS_OFF = (
+        "signals_off",
+        "traffic lights stand there that are switched off, out of order or flash amber: priority "
+        "is as without them",
+        "`signals`, which work; `uncontrolled`, where there are none; `stop` or `yield`, if the "
+        "text says that signs hold instead",
+        "the traffic lights are out of order",
     )
 
 

@@ -41,6 +41,14 @@ def test_green_goes_to_amber_to_red_to_green():
         assert after is order[(order.index(before) + 1) % 3]
 
 
+@given(time_s=st.floats(0, 300))
+def test_lights_that_do_not_work_are_dark_all_the_time(time_s):
+    group = SignalGroup(id=1, arms={0}, green_from_s=12.0, green_s=8.0)
+    plan = SignalPlan(cycle_s=30.0, amber_s=3.0, groups=[group], working=False)
+    assert plan.state(group, time_s) is SignalState.OFF
+    assert list(plan.changes(group, time_s)) == [(0.0, SignalState.OFF)]
+
+
 @pytest.mark.parametrize(("kph", "seconds"), [(30, 3), (50, 3), (60, 4), (70, 5), (100, 5)])
 def test_amber_is_longer_where_traffic_is_faster(kph, seconds):
     assert amber_s(speed_mps(kph, "km/h")) == seconds

@@ -7,13 +7,19 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, yes_or_no
 from scegen.claims.moments import first
 from scegen.claims.told import Told
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View, longest_run
 from scegen.motion.batch.arrays import Bools, Floats, Ints
-from scegen.motion.rules.lights import RED_FOR_S, at_lights, light_runners, must_obey
+from scegen.motion.rules.lights import (
+    RED_FOR_S,
+    at_dark_lights,
+    at_lights,
+    light_runners,
+    must_obey,
+)
 from scegen.motion.rules.stopping import (
     AT_LINE_M,
     OVER_LINE_M,
@@ -22,6 +28,7 @@ from scegen.motion.rules.stopping import (
     must_stop,
 )
 from scegen.scenario.logical import Drive
+from scegen.scenario.signals import SignalState
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -50,6 +57,15 @@ def claims(told: Told) -> Iterator[Claim]:
             unit="s",
             test=partial(_runs if runs else _obeys, drives[name]),
             scale=2.0,
+        )
+    for name, drive in sorted(at_dark_lights(told.functional, told.logical).items()):
+        yield Claim(
+            id=f"rule.light.{name}",
+            kind=ClaimKind.RULE,
+            statement=f"{name} goes over the line while its light is off",
+            field="junction.control",
+            unit="1",
+            test=partial(_passes_dark, drive),
         )
 
 
@@ -88,6 +104,26 @@ def _runs(drive: Drive, view: View) -> Judged:
     return Judged(margin, red_s, view.time_of(step))
 
 
+def _passes_dark(drive: Drive, view: View) -> Judged:
+    """Whether its light is there and shows nothing as the front goes over the line.
+
+    For one that does not get there, at the end.
+    """
+    plan = view.concrete.signals
+    group = None if plan is None else plan.group_of(drive.entry)
+    times = view.time_of(np.minimum(_over_line(drive.participant, view), view.last_step))
+    dark = [
+        plan is not None and group is not None and plan.state(group, t) is SignalState.OFF
+        for t in times.tolist()
+    ]
+    return yes_or_no(np.asarray(dark), np.asarray(dark, dtype=np.float64), times)
+
+
+def _over_line(name: str, view: View) -> Ints:
+    """The step at which its front goes over the line (c,)."""
+    return first(view.place_m(name) + view.body(name).front_m > view.ways[name].line_m)
+
+
 def _red_at_line(drive: Drive, view: View) -> tuple[Floats, Floats, Ints]:
     """For how long it has been red as the front goes over the line, how much longer, and the step.
 
@@ -95,9 +131,8 @@ def _red_at_line(drive: Drive, view: View) -> tuple[Floats, Floats, Ints]:
     """
     plan, name = view.concrete.signals, drive.participant
     group = None if plan is None else plan.group_of(drive.entry)
-    over = view.place_m(name) + view.body(name).front_m > view.ways[name].line_m
-    step = first(over)
-    if plan is None or group is None:
+    step = _over_line(name, view)
+    if plan is None or group is None or not plan.working:
         nothing = np.full(view.count, np.nan)
         return nothing, nothing, step
     since = (view.time_of(step) - group.green_from_s) % plan.cycle_s

@@ -18,8 +18,19 @@ RED_FOR_S = 0.5
 
 
 def at_lights(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, Drive]:
-    """The drives that pass a light, by participant."""
-    if functional.junction.control is not Control.SIGNALS:
+    """The drives that pass a light that works, by participant."""
+    return _past(functional, logical, Control.SIGNALS)
+
+
+def at_dark_lights(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, Drive]:
+    """The drives that pass a light that does not work, by participant."""
+    return _past(functional, logical, Control.SIGNALS_OFF)
+
+
+def _past(
+    functional: FunctionalScenario, logical: LogicalScenario, control: Control
+) -> dict[str, Drive]:
+    if functional.junction.control is not control:
         return {}
     return {d.participant: d for d in logical.drives if enters_at_sign(functional, d)}
 

@@ -15,6 +15,7 @@ from scegen.report.world import entry_of
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.control import LIGHTS
 from scegen.scenario.vocabulary import Control
 
 Data = dict[str, Any]
@@ -66,7 +67,7 @@ def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
                 **_beside(*entry),
             }
             for entry in entries
-            if control is Control.SIGNALS
+            if control in LIGHTS
         ],
     }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.scenario.vocabulary import Control
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -48,6 +49,9 @@ def unattached(
         start, end = tokens[term.i].start, tokens[term.j - 1].end
         if term.cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
             continue
+        dark = scenario.junction.control is Control.SIGNALS_OFF
+        if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
+            continue  # "a signalised intersection, whose lights are off"
         if term.cat == "num" and _counts(term, before, tokens, named):
             continue
         if any(a <= start and b is not None and end <= b for a, b in spans):

@@ -33,6 +33,7 @@ _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
 _FEWEST_TO_NAME = 2
 """There is a left and a right lane only where there are two."""
+_FLASHING = frozenset({"flashing", "blinking", "flash", "blink"})
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
                           HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
 
@@ -70,6 +71,7 @@ class Layout:
         self._proofs.add("junction.kind", kind_basis, "no junction is named: a straight road")
         self._proofs.add("junction.arms", arms_basis)
         self._proofs.add("junction.control", self._reading.control_basis, "no control is named")
+        self._dark_lights(control)
         angles = self._reading.angles_deg if len(self._reading.angles_deg) == arms else ()
         if angles:
             self._proofs.add("junction.arm_angles_deg", self._reading.angles_basis)
@@ -98,6 +100,20 @@ class Layout:
             driving_side=self._around.side or DrivingSide.RIGHT,
             control=control,
         )
+
+    def _dark_lights(self, control: Control) -> None:
+        """What of lights that do not work the road does not show."""
+        dark = self._reading.dark
+        if dark is None or dark.i is None:
+            return
+        draft, begins, ends = self._draft, dark.i, dark.j or dark.i
+        # The control rests on these words: "do not work" is no deed left out.
+        draft.notes = [n for n in draft.notes if not begins <= n.i < n.j <= ends]
+        words = {t.low for t in draft.tokens[dark.i : dark.j]}
+        if control is not Control.SIGNALS_OFF:
+            self._note(dark, f"the rule of the junction is {control}; the lights are left out")
+        elif words & _FLASHING:
+            self._note(dark, "lights that do not regulate are shown dark, not flashing")
 
     def _carriageway(self, kind: JunctionKind, lanes: tuple[int, ...]) -> Carriageway:
         """As the words have it; at junctions, and where the other lanes are used, undivided."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
@@ -15,9 +16,17 @@ from scegen.understanding.words.shape_words import named_by_letter, only_counted
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_OFF = ("out of order", "out of service", "not working", "switched off", "turned off", "not in use")
+_OFF = (
+    "out of order", "out of service", "out of use", "not work", "not working", "switched off",
+    "turned off", "not in use", "is off", "are off", "was off", "were off", "is dark", "are dark",
+    "flashing amber", "flashing yellow", "blinking amber", "blinking yellow", "flash amber",
+    "flash yellow",
+)  # fmt: skip
+"""Said after the name of a light, or before it."""
+_FLASHING = frozenset({"flashing", "blinking"})
+_FLASHING_COLOURS = frozenset({"amber", "yellow"})
 _CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "but"})
-_BROKEN_REACH = 7
+_BROKEN_REACH, _BROKEN_NEAR = 7, 4
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
@@ -35,6 +44,7 @@ class JunctionReading:
         arms_basis: the words for them, or the reason.
         control: who regulates priority.
         control_basis: the words for it.
+        dark: the words that say that lights do not work.
         named: some word for a junction occurs, even if not its shape.
         straight: the words for a straight road.
         angles_deg: directions of the arms, rising.
@@ -49,6 +59,7 @@ class JunctionReading:
     arms_basis: Basis | None = None
     control: Control | None = None
     control_basis: Basis | None = None
+    dark: Basis | None = None
     named: Basis | None = None
     road: Basis | None = None
     straight: Basis | None = None
@@ -72,39 +83,54 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     Raises:
         InfeasibleError: if the words contradict geometry ("a T-intersection with five arms").
     """
-    reading = JunctionReading()
+    reading, said = JunctionReading(), dict[Control, Basis]()
     for k, term in enumerate(terms):
         if term.cat == "place":
             _place(reading, terms, k, tokens)
+            _place_control(said, terms, k, tokens)
         elif term.cat in {"actor", "manner"} and "control" in term.data:
-            _set_control(reading, Control(term.data["control"]), Basis(term.i, term.j))
+            said.setdefault(Control(term.data["control"]), Basis(term.i, term.j))
         elif term.cat == "shape":
             _shape(reading, terms, k, tokens)
         elif term.cat == "cue":
             _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
         elif term.cat == "control" and not absent.negated(terms, k):
-            _set_control(reading, Control(term.value), Basis(term.i, term.j))
+            said.setdefault(Control(term.value), Basis(term.i, term.j))
         elif term.cat == "angles":
             reading.angles_deg = term.data["degrees"]
             reading.angles_basis = Basis(term.i, term.j)
         elif term.cat in {"num", "quant"}:
             _counted_arms(reading, terms, k)
+    _regulate(reading, said)
     _shaped_by_angles(reading)
     _reconcile(reading, tokens)
     return reading
 
 
-def _out_of_order(terms: list[Term], k: int, tokens: list[Token]) -> bool:
-    """``non-working traffic lights``, ``traffic lights that are out of order``."""
-    i, j = terms[k].i, terms[k].j
-    before = [t.low for t in tokens[max(0, i - 2) : i]]
-    if before[-1:] and (before[-1] in word_list("broken") or before == ["non", "working"]):
-        return True
+def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
+    """``non-working traffic lights``, ``traffic lights that are out of order``: all these words."""
+    i, j = term.i, term.j
+    before, named = [t.low for t in tokens[max(0, i - 3) : i]], [t.low for t in tokens[i:j]]
+    flashes = before[-1:] and before[-1] in _FLASHING and _FLASHING_COLOURS & set(named)
+    if before[-1:] and (before[-1] in word_list("broken") or flashes):
+        return Basis(i - 1, j)
+    for count in (2, 3):
+        if " ".join(before[-count:]) in {*_OFF, "non working"}:
+            return Basis(i - count, j)
     after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
     ends = [m for m, word in enumerate(after) if word in _CLAUSES]
     after = after[: ends[0]] if ends else after
-    words = " ".join(after)
-    return bool(word_list("broken") & set(after[:4])) or any(phrase in words for phrase in _OFF)
+    if after[:1] == ["off"]:
+        return Basis(i, j + 1)
+    for m, word in enumerate(after):
+        something_else = bool(m) and after[m - 1] in {"a", "an", "the"}
+        if m < _BROKEN_NEAR and word in word_list("broken") and not something_else:
+            return Basis(i, j + m + 1)
+        for phrase in _OFF:
+            length = len(phrase.split())
+            if " ".join(after[m : m + length]) == phrase:
+                return Basis(i, j + m + length)
+    return None
 
 
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
@@ -125,18 +151,36 @@ def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
         before = terms[k - 1] if k else None
         if before is not None and before.value == "straight":
             reading.straight = Basis(before.i, term.j)
+
+
+def _place_control(
+    said: dict[Control, Basis], terms: list[Term], k: int, tokens: list[Token]
+) -> None:
+    """What stands at a place: a sign or a light, or none."""
+    term = terms[k]
     control = term.data.get("control")
-    if term.value == "stop_sign" and absent.held(terms, k):
+    if control is None or (term.value == "stop_sign" and absent.held(terms, k)):
         return
-    lamps = control == Control.SIGNALS and term.form == "s"
-    if lamps and k and terms[k - 1].cat == "possessive":
-        return  # "its lights" are a vehicle's
-    if control == Control.SIGNALS and _out_of_order(terms, k, tokens):
-        _set_control(reading, Control.UNCONTROLLED, basis)
-    elif control and absent.negated(terms, k):
-        _set_control(reading, Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
-    elif control:
-        _set_control(reading, Control(control), basis)
+    if control == Control.SIGNALS and _of_a_vehicle(terms, k, tokens):
+        return
+    off = _out_of_order(term, tokens) if control == Control.SIGNALS else None
+    if off is not None:
+        said.setdefault(Control.SIGNALS_OFF, off)
+    elif absent.negated(terms, k):
+        said.setdefault(Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
+    else:
+        said.setdefault(Control(control), Basis(term.i, term.j))
+
+
+def _of_a_vehicle(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``its lights``, ``a bicycle with lights off``: not beside the road."""
+    term = terms[k]
+    if term.form != "s" or not k:
+        return False
+    before = terms[max(0, k - 4) : k]
+    has = any(who.cat == "actor" and what.value == "with" for who, what in pairwise(before))
+    bare = tokens[term.j - 1].low == "lights" and tokens[term.i].low != "traffic"
+    return terms[k - 1].cat == "possessive" or (has and bare)
 
 
 def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
@@ -170,18 +214,24 @@ def _set_kind(
 
 
 _STRENGTH = {
-    Control.ALL_WAY_STOP: 3,
-    Control.SIGNALS: 2,
-    Control.STOP: 1,
-    Control.YIELD: 1,
-    Control.PRIORITY_TO_RIGHT: 1,
+    Control.ALL_WAY_STOP: 4,
+    Control.SIGNALS: 3,
+    Control.STOP: 2,
+    Control.YIELD: 2,
+    Control.PRIORITY_TO_RIGHT: 2,
+    Control.SIGNALS_OFF: 1,
     Control.UNCONTROLLED: 0,
 }
 
 
-def _set_control(reading: JunctionReading, control: Control, basis: Basis) -> None:
-    if reading.control is None or _STRENGTH[control] > _STRENGTH[reading.control]:
-        reading.control, reading.control_basis = control, basis
+def _regulate(reading: JunctionReading, said: dict[Control, Basis]) -> None:
+    """The strongest of what is said holds; beside lights that do not work, signs do."""
+    reading.dark = said.get(Control.SIGNALS_OFF)
+    if reading.dark is not None:
+        said.pop(Control.SIGNALS, None)
+    if said:
+        reading.control = max(said, key=_STRENGTH.__getitem__)
+        reading.control_basis = said[reading.control]
 
 
 def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:

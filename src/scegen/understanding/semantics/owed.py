@@ -16,7 +16,8 @@ _CROSSING = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLI
 _TO_BRAKE_FOR = _CROSSING | {HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.OBSTACLE,
                              HazardKind.SLOW_DRIVING, HazardKind.CUT_IN}  # fmt: skip
 _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
-_FREE = frozenset({None, Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT})
+_FREE = frozenset({None, Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT,
+                   Control.SIGNALS_OFF})  # fmt: skip
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _NEAR = 12
 _PHRASE = 5
