@@ -22,6 +22,7 @@ from scegen.scenario.vocabulary import (
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.ramps import auxiliary_lane
 from scegen.understanding.draft import Basis, Draft
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
@@ -33,7 +34,6 @@ _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
 _FEWEST_TO_NAME = 2
 """There is a left and a right lane only where there are two."""
-_FLASHING = frozenset({"flashing", "blinking", "flash", "blink"})
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
                           HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
 
@@ -112,7 +112,7 @@ class Layout:
         words = {t.low for t in draft.tokens[dark.i : dark.j]}
         if control is not Control.SIGNALS_OFF:
             self._note(dark, f"the rule of the junction is {control}; the lights are left out")
-        elif words & _FLASHING:
+        elif words & word_list("flashing"):
             self._note(dark, "lights that do not regulate are shown dark, not flashing")
 
     def _carriageway(self, kind: JunctionKind, lanes: tuple[int, ...]) -> Carriageway:

@@ -19,12 +19,8 @@ from scegen.understanding.words.tokens import Token
 _OFF = (
     "out of order", "out of service", "out of use", "not work", "not working", "switched off",
     "turned off", "not in use", "is off", "are off", "was off", "were off", "is dark", "are dark",
-    "flashing amber", "flashing yellow", "blinking amber", "blinking yellow", "flash amber",
-    "flash yellow",
 )  # fmt: skip
 """Said after the name of a light, or before it."""
-_FLASHING = frozenset({"flashing", "blinking"})
-_FLASHING_COLOURS = frozenset({"amber", "yellow"})
 _CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "but"})
 _BROKEN_REACH, _BROKEN_NEAR = 7, 4
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
@@ -111,7 +107,8 @@ def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
     """``non-working traffic lights``, ``traffic lights that are out of order``: all these words."""
     i, j = term.i, term.j
     before, named = [t.low for t in tokens[max(0, i - 3) : i]], [t.low for t in tokens[i:j]]
-    flashes = before[-1:] and before[-1] in _FLASHING and _FLASHING_COLOURS & set(named)
+    colours, flashing = word_list("flashing_colours"), word_list("flashing")
+    flashes = before[-1:] and before[-1] in flashing and colours & set(named)
     if before[-1:] and (before[-1] in word_list("broken") or flashes):
         return Basis(i - 1, j)
     for count in (2, 3):
@@ -123,6 +120,8 @@ def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
     if after[:1] == ["off"]:
         return Basis(i, j + 1)
     for m, word in enumerate(after):
+        if word in flashing and colours & set(after[m + 1 : m + 2]):
+            return Basis(i, j + m + 2)
         something_else = bool(m) and after[m - 1] in {"a", "an", "the"}
         if m < _BROKEN_NEAR and word in word_list("broken") and not something_else:
             return Basis(i, j + m + 1)
