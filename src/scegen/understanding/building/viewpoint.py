@@ -29,7 +29,18 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
         named.parked = False
         words = named.basis.i is not None
         return named, Basis(named.basis.i, named.basis.j) if words else named.basis
-    movers = [e for e in draft.entities if e.moving_vehicle]
+    vehicles = [e for e in draft.entities if e.moving_vehicle]
+    movers = [e for e in vehicles if not _stays(e)]
+    if not movers and len(draft.entities) == len(vehicles) > 1:
+        movers = vehicles  # "two cars stand at a crossroads": nobody else is there
+    told = next((e for e in vehicles if _told_of(e, draft)), None)
+    if told is not None:
+        told.ego = True
+        return told, Basis(reason="the text names no ego; it is about this vehicle")
+    party = [e for name in _PARTIES for e in vehicles if name in e.labels]
+    if party:
+        party[0].ego = True
+        return party[0], Basis(reason="the text names no ego; it tells this party's case")
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
     crossers = {
         e.index for d in draft.dangers if d.kind is HazardKind.CROSSING_CYCLIST for e in d.by
@@ -38,14 +49,6 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     candidates = motor or riders
     if not candidates:
         return _added(draft, "the text names no moving vehicle; a car is added as the ego")
-    told = next((e for e in candidates if _told_of(e, draft)), None)
-    if told is not None:
-        told.ego = True
-        return told, Basis(reason="the text names no ego; it is about this vehicle")
-    party = [e for name in _PARTIES for e in candidates if name in e.labels]
-    if party:
-        party[0].ego = True
-        return party[0], Basis(reason="the text names no ego; it tells this party's case")
     last = next((e for e in candidates if _placed(draft, e, Approach.BEHIND)), None)
     if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
         last.ego = True
@@ -67,6 +70,12 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
     return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _stays(entity: Entity) -> bool:
+    """``a stationary car``, ``a waiting bus``: it stands, and nothing says that it drives off."""
+    goes = entity.maneuvers - {Maneuver.STAY, Maneuver.STRAIGHT}
+    return entity.stands is not None and entity.sets_off < 0 and not goes
 
 
 def _told_of(entity: Entity, draft: Draft) -> bool:

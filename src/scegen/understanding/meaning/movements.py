@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Thing
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning.lane_moves import apply
 from scegen.understanding.semantics import ways
 from scegen.understanding.semantics.context import Clause, Context
@@ -48,7 +48,7 @@ def overtake(clause: Clause, context: Context) -> None:
 
 
 def _whom(clause: Clause, context: Context) -> None:
-    """``drives behind a tractor and overtakes``: the one ahead."""
+    """``drives behind a tractor and overtakes``: the one ahead, or that goes the same way."""
     event = clause.event
     if event.name != "overtake" or clause.targets or event.object is not None or event.passive:
         return
@@ -59,8 +59,34 @@ def _whom(clause: Clause, context: Context) -> None:
         and (p.reference in clause.actors or p.reference is None)
     ]
     one = [e for e in dict.fromkeys(leaders) if e.moving_vehicle and e not in clause.actors]
-    if len(one) == 1 and any(e.ego for e in clause.actors):
+    one = one or _same_way(clause, context)
+    together = len({(e.basis.i, e.basis.j) for e in one}) == 1  # "two cyclists ride …"
+    if together and any(e.ego for e in clause.actors):
         clause.targets = one
+
+
+def _same_way(clause: Clause, context: Context) -> list[Entity]:
+    """``a cyclist rides along the road, the ego overtakes``: who is named before and drives on."""
+    if context.junction.crossing:
+        return []
+    elsewhere = {
+        p.entity.index
+        for p in context.draft.placements
+        if (p.reference is None or p.reference in clause.actors)
+        and Approach.AHEAD not in p.approaches
+    }
+    return [
+        e
+        for e in context.draft.entities
+        if e not in clause.actors
+        and e.moving_vehicle
+        and (e.basis.i is not None and e.basis.i < clause.event.i)
+        and e.index not in elsewhere
+        and "opposite" not in e.dirs
+        and Maneuver.CROSS not in e.maneuvers
+        and e.heading is None
+        and not e.entries
+    ]
 
 
 def pull_around(clause: Clause, context: Context) -> None:

@@ -24,6 +24,10 @@ def stand(clause: Clause, context: Context) -> None:
     lemma = event.lemma
     stands = event.name in {"wait", "stop"} and lemma in word_list("standing")
     stands = stands or (event.name == "stop" and _over(event, context))
+    waiting = event.name == "wait" and event.premod_of is not None
+    if waiting and not context.junction.crossing:  # "a waiting bus"
+        _stand_in_the_lane([e for e in clause.actors if e.is_vehicle and e.sets_off < 0], clause)
+        return
     if not stands:
         return
     if any(p.kind in _ROADSIDE for p in clause.places()):
@@ -36,14 +40,20 @@ def stand(clause: Clause, context: Context) -> None:
         ]  # fmt: skip
     if any(p.kind in _HELD for p in clause.places()):
         return
+    _stand_in_the_lane(clause.actors, clause)
     for entity in clause.actors:
+        walks = not entity.is_vehicle and not entity.parked
+        if walks and Maneuver.CROSS not in entity.maneuvers:
+            context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
+
+
+def _stand_in_the_lane(entities: list[Entity], clause: Clause) -> None:
+    for entity in entities:
         if entity.parked:
             continue
         entity.stands = entity.stands or clause.words
         if entity.ego and entity.speed is None:
             entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), clause.words
-        if not entity.is_vehicle and Maneuver.CROSS not in entity.maneuvers:
-            context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
 
 
 def state(term: Term, entities: list[Entity], context: Context) -> None:

@@ -64,5 +64,37 @@ def creeps(match: Match, tokens: list[Token], side: Term | None) -> bool:
         return False
     if side.cat in {"place", "actor"} and any("vague" in e.data for e in match.entries):
         return match.has("verb")  # "the van on the minor road creeps forward"
+    if does_it(match, tokens, side.j - 1):
+        return True
     named = side.cat == "dir" and side.i > 0 and tokens[side.i - 1].kind == "clitic"
     return named and match.has("actor") and match.form == "s"
+
+
+def does_it(match: Match, tokens: list[Token], role: int) -> bool:
+    """``the lead creeps``, ``the second cycles along``: a role without a noun, and its verb.
+
+    Args:
+        match: the word after the role, which may be a verb or a plural.
+        tokens: the tokens of the text.
+        role: where the name of the role stands.
+    """
+    if match.form != "s" or not match.has("verb") or tokens[role].low not in word_list("roles"):
+        return False
+    opening = role
+    while opening > 0 and tokens[opening - 1].low in word_list("before_roles"):
+        opening -= 1
+    before = longest_match(tokens, opening - 1) if opening else None
+    opens = not opening or tokens[opening - 1].kind == "punct"
+    opens = opens or (before is not None and before.has("conj", "sub"))
+    return opens and not _verb_at(tokens, match.j)
+
+
+def _verb_at(tokens: list[Token], j: int) -> bool:
+    """``the lead cycles suddenly brake``: whether a verb is there, so that a noun stood before."""
+    following = longest_match(tokens, j) if j < len(tokens) else None
+    while following is not None and following.has("manner") and not following.has("verb"):
+        j = following.j
+        following = longest_match(tokens, j) if j < len(tokens) else None
+    if following is None or following.has("dir"):
+        return False
+    return following.has("aux") or (following.has("verb") and following.form in {"base", "ed"})

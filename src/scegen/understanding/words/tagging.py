@@ -92,9 +92,28 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
     singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
     singular = singular or (i > 0 and tokens[i - 1].low in ORDINALS)
+    opens = previous is None or previous.cat in {"punct", "conj", "sub"}
+    singular = singular or (opens and _is_done(tokens, match.j))
     rest = longest_match(tokens, i + 1)
     verbal = rest is not None and rest.has("verb")
     return singular and verbal and alone is not None and alone.has("actor")
+
+
+def _is_done(tokens: list[Token], j: int) -> bool:
+    """``bus stops with 3 m/s²``, ``bus stops ahead of the ego``: how, or where somebody does it."""
+    rate = quantity_at(tokens, j + 1) if j + 1 < len(tokens) else None
+    if tokens[j : j + 1] and tokens[j].low in {"with", "at"} and rate is not None:
+        return rate.dimension == "acceleration"
+    following = longest_match(tokens, j) if j < len(tokens) else None
+    if following is None or not following.has("manner", "locus"):
+        return False
+    k = following.j
+    while k < len(tokens) and tokens[k].kind != "punct":
+        verb = longest_match(tokens, k)
+        if verb is not None and verb.has("aux", "verb") and not verb.has(*_NOUNS, "dir"):
+            return False  # "bus stops ahead are empty"
+        k = verb.j if verb is not None else k + 1
+    return True
 
 
 def tag(tokens: list[Token]) -> list[Term]:

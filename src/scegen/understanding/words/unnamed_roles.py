@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.nominal import ORDINALS
+from scegen.understanding.words.sidewords import does_it
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
@@ -87,6 +88,8 @@ def _alone(tokens: list[Token], j: int) -> bool:
 
 def _acts(tokens: list[Token], j: int) -> bool:
     following = longest_match(tokens, j) if j < len(tokens) else None
-    if following is None or following.has("actor"):
+    if following is None:
         return False
+    if following.has("actor"):
+        return does_it(following, tokens, j - 1)  # "the lead creeps"
     return following.has("aux") or (following.has("verb") and following.form in _VERBAL)
