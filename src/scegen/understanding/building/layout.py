@@ -286,6 +286,7 @@ class Layout:
         if implied is None or not (ring or named or around.highway is not None):
             return (), None, None  # as many as it takes
         count = _MOST_LANES if "middle" in named else _FEWEST_TO_NAME
+        count = max(count, *(int(name) for name in named if name.isdigit()), 0)
         return (count,) * arms, (2 if ring else None), implied
 
     def _parted(self) -> bool:

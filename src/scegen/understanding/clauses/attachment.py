@@ -62,6 +62,14 @@ def release(state: State) -> None:
         state.prep = None
 
 
+def _counts_lanes(prep: Prep, state: State) -> bool:
+    """``on a road with two lanes in each direction, a car …``: so many lanes, nobody is there."""
+    place, before = prep.target, state.last_prep.target if state.last_prep is not None else None
+    way = isinstance(place, Place) and place.kind == "direction"
+    lanes = isinstance(before, Place) and before.kind == "lane" and before.j == prep.word.i
+    return prep.fronted and way and lanes
+
+
 def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, to the noun right before it, to the verb, or to who acts.
 
@@ -69,9 +77,10 @@ def attach(prep: Prep, state: State) -> None:
         prep: the phrase, complete.
         state: what the clause reader remembers.
     """
+    counted = _counts_lanes(prep, state)
     state.last_prep = prep
     if prep.fronted:
-        state.fronted.append(prep)
+        state.fronted += [] if counted else [prep]
         return
     verb = state.events[-1] if state.events else None
     left = prep.target is None and prep.value == "behind" and verb is not None

@@ -85,8 +85,10 @@ def within_the_lane(prep: Prep, entities: list[Entity], tokens: list[Token]) -> 
 
 
 def _lane_of(place: Place) -> str | None:
-    """Which lane of several a phrase names: ``left``, ``right``, ``middle``, ``fast``, ``slow``."""
+    """Which lane of several a phrase names: ``left``, ``middle``, ``fast``, ``2`` from inside."""
     if place.kind != "lane" or place.owner is not None:
         return None
-    rank = place.head.data.get("rank") if place.head is not None else None
-    return rank or next((d for d in place.dirs if d in {"left", "right"}), None)
+    data = place.head.data if place.head is not None else {}
+    if "number" in data:
+        return str(data["number"])
+    return data.get("rank") or next((d for d in place.dirs if d in {"left", "right"}), None)

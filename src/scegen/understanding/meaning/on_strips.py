@@ -14,6 +14,7 @@ from scegen.understanding.semantics.context import Clause, Context
 _PASSING = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs the place is that of the passing, or of the contact."""
 
+_SETTING_OFF = frozenset({"pull_out", "leave", "unpark"})
 _ARRIVING = frozenset({"stop", "brake", "hard_brake", "slow", "enter", "turn", "pull_over", "park"})
 
 
@@ -32,9 +33,11 @@ def on_strips(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
         event = clause.event
         if event.negated or event.name in _PASSING:
             continue
+        own = [p for p in event.pps if p.on_mention is None or p.on_mention in event.subject]
+        if event.name in _SETTING_OFF:
+            _set_off(context, own, clause.actors)
         if event.name in _ARRIVING and not any(e.still for e in clause.actors):
             continue  # "pulls up at a stop": not there at first
-        own = [p for p in event.pps if p.on_mention is None or p.on_mention in event.subject]
         _put(context, own, clause.actors)
         left = event.object if event.name == "leave" else None
         for place, basis in _strip_of(left):
@@ -50,8 +53,26 @@ def _put(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
             if word in word_list("on_strips") and prep.outer is None:
                 for entity in whom:
                     _is_on(context, entity, strip, there)
-            elif prep.value == "from" or prep.outer is not None:
+            elif prep.value == "from" or prep.outer is not None or _out_of(prep, context):
                 _leaves(context, whom, strip, there)
+
+
+def _set_off(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
+    """``pulls out of a parking space``: who does, stood there."""
+    for prep in preps if not context.junction.crossing else []:
+        target = prep.target if isinstance(prep.target, Place) else None
+        for strip, _ in _strip_of(target) if _out_of(prep, context) else ():
+            for entity in whom if strip in BAYS else ():
+                entity.pulls_out = entity.pulls_out or (entity.is_vehicle and not entity.ego)
+            _leaves(
+                context, whom, strip, Basis(prep.word.i, prep.target.j if prep.target else None)
+            )
+
+
+def _out_of(prep: Prep, context: Context) -> bool:
+    """``pulls out of a bus stop``."""
+    words = [t.low for t in context.tokens[max(0, prep.word.i - 1) : prep.word.j]]
+    return words == ["out", "of"]
 
 
 def _strip_of(place: NounPhrase | None) -> Iterator[tuple[Strip, Basis]]:

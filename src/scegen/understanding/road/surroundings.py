@@ -93,6 +93,8 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)
             _bare_limit(found, terms, k, tokens)
+        elif term.value == "lane" and "count" in term.data:
+            found.lanes, found.lanes_basis = found.lanes or term.data["count"], basis
         elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":
             _two_lanes(found, term, tokens)
         elif term.cat == "place" and term.value == "highway":

@@ -34,6 +34,8 @@ def _number(prep: Prep, tokens: list[Token]) -> int | None:
     place = prep.target
     if prep.value not in _WITHIN or not isinstance(place, Place) or place.kind != "lane":
         return None
+    if place.head is not None and "number" in place.head.data:
+        return int(place.head.data["number"])
     last = number_at(tokens, place.j - 1)
     named = place.head is not None and place.j > place.head.j
     return int(last.value) if last is not None and named else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.words.lane_numbers import number_of_a_lane
 from scegen.understanding.words.noun_turns import names_a_turn
 from scegen.understanding.words.other_classes import other_class
 from scegen.understanding.words.paces import doing
@@ -26,7 +27,7 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     term = _of_lights_and_times(term, tokens)
     if term.value == "genitive":
         term = _shortened(term, terms, tokens)
-    term = role_alone(term, terms, tokens)
+    term = number_of_a_lane(role_alone(term, terms, tokens), terms, tokens)
     if (term.cat, term.value, term.form) == ("verb", "approach", "s") and _counted(terms):
         term = Term("leg", "leg", term.i, term.j, "s")
     term = _in_place_of_a_noun(term, terms, tokens)

@@ -1,0 +1,62 @@
+"""Lanes told apart by a number: "the number two lane", "the middle lane of three"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.terms import Term, longest_match
+from scegen.understanding.words.tokens import Token
+
+_MOST = 6
+"""More lanes than that are no lanes that one tells apart."""
+
+
+def number_of_a_lane(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """The term as the number of, or in, the lane that is named beside it.
+
+    The number one lane is the one at the centre line.
+
+    Args:
+        term: a term.
+        terms: the terms before it; those that become part of the lane are taken away.
+        tokens: the tokens of the text.
+    """
+    number = number_at(tokens, term.i)
+    two_lane = term.cat == "label" and tokens[term.j - 1].low == "lane" and number is not None
+    if two_lane and number is not None and terms and _numbers(terms[-1], tokens):
+        opening = terms.pop()  # "number two lane": no two-lane road
+        data = {"ranked": True, "number": int(number.value)}
+        return Term("place", "lane", opening.i, term.j, data=data)
+    if (term.cat, term.value) == ("place", "lane") and _numbered(terms, tokens):
+        count = terms.pop()
+        opening = terms.pop()
+        data = {**term.data, "ranked": True, "number": int(count.data["number"])}
+        return replace(term, i=opening.i, data=data)
+    if len(terms) < 2 or term.cat != "num":
+        return term
+    lane, of = terms[-2:]
+    counted = lane.cat == "place" and lane.value == "lane" and of.value == "of"
+    count = int(min(term.data["number"], _MOST + 1))
+    if not (counted and 1 < count <= _MOST and not _noun_at(tokens, term.j)):
+        return term
+    del terms[-2:]
+    return replace(lane, j=term.j, data={**lane.data, "count": count})
+
+
+def _numbered(terms: list[Term], tokens: list[Token]) -> bool:
+    if len(terms) < 2 or terms[-1].cat != "num":
+        return False
+    small = 1 <= terms[-1].data["number"] <= _MOST
+    return small and _numbers(terms[-2], tokens)
+
+
+def _numbers(term: Term, tokens: list[Token]) -> bool:
+    return tokens[term.i].low in word_list("numbering")
+
+
+def _noun_at(tokens: list[Token], j: int) -> bool:
+    """``the left lane of three cars``: what is counted are no lanes."""
+    following = longest_match(tokens, j) if j < len(tokens) else None
+    return following is not None and following.has("actor") and not following.has("verb")
