@@ -30,9 +30,9 @@ def number_of_a_lane(term: Term, terms: list[Term], tokens: list[Token]) -> Term
         data = {"ranked": True, "number": int(number.value)}
         return Term("place", "lane", opening.i, term.j, data=data)
     if (term.cat, term.value) == ("place", "lane") and _numbered(terms, tokens):
-        count = terms.pop()
+        told = terms.pop()
         opening = terms.pop()
-        data = {**term.data, "ranked": True, "number": int(count.data["number"])}
+        data = {**term.data, "ranked": True, "number": int(told.data["number"])}
         return replace(term, i=opening.i, data=data)
     if len(terms) < 2 or term.cat != "num":
         return term
