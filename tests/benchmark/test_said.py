@@ -55,6 +55,17 @@ def test_what_cannot_be_made_says_why_and_holds_nothing(judged):
     assert said.tally([row]) == {"others": (0, 1)}
 
 
+def test_a_judge_that_fails_costs_its_row_and_no_other():
+    def judge(facts, _path):
+        return [(name, wanted, 1 / wanted, True) for name, wanted in facts.items()]
+
+    fails, stands = _rows(judge, {"others": 0}, {"others": 1})
+    assert "the judge" in fails.problem
+    assert "ZeroDivisionError" in fails.problem
+    assert not fails.right
+    assert stands.right
+
+
 def test_records_are_lines_of_json(tmp_path):
     file = tmp_path / "records.jsonl"
     file.write_text(json.dumps({"id": "a", "text": "b", "facts": {}}) + "\n\n")

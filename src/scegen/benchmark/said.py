@@ -159,11 +159,26 @@ def _row(item: Record, judge: Judge, seed: int, folder: Path) -> Row:
         recorded = record(scenario, concrete)
         played = folder / "played.csv"
         played.write_text(recorded.csv, encoding="utf-8")
-        facts = tuple(Fact(*fact) for fact in judge(item.facts, str(played)))
+        facts = _judged(judge, item.facts, played)
     except ScegenError as error:
         return Row(item, problem=error.render())
     missed = tuple(claim.statement for claim in made.proofs[concrete.name].missed)
     return Row(item, facts, recorded.player, missed=missed)
+
+
+def _judged(judge: Judge, facts: dict[str, Any], played: Path) -> tuple[Fact, ...]:
+    """What a judge measures.
+
+    Raises:
+        InputError: the judge, which is the user's own code, fails.
+    """
+    try:
+        return tuple(Fact(*fact) for fact in judge(facts, str(played)))
+    except Exception as failure:  # noqa: BLE001 - whatever the user's code does
+        message = f"failed on the recording: {type(failure).__name__}: {failure}"
+        raise InputError(
+            message, where="the judge", hint="mend it, or leave the fact out"
+        ) from None
 
 
 def _first(made: Result) -> Path:
