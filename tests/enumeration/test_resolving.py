@@ -64,6 +64,7 @@ def test_of_every_kind_somebody_causes_and_somebody_else_suffers(describe, kind)
         {"id": "car"},
         {"id": "bike", "kind": "bicycle", "maneuvers": ["cross"]},
         {"id": "child", "kind": "pedestrian"},
+        {"id": "deer", "kind": "large_animal"},
         {"id": "van", "kind": "van", "parked": True, "maneuvers": ["stay"]},
     ]
     functional = describe("four_way", 4, people, [{"kind": kind.value}])

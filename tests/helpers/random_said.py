@@ -29,6 +29,7 @@ ALONE = {
     HazardKind.UNPROTECTED_LEFT_TURN: TOWARDS,
     HazardKind.CROSSING_PEDESTRIAN: ACROSS,
     HazardKind.CROSSING_CYCLIST: ACROSS,
+    HazardKind.CROSSING_ANIMAL: ACROSS,
     HazardKind.OCCLUSION: ACROSS,
     HazardKind.OBSTACLE: AHEAD,
     HazardKind.RED_LIGHT_RUNNING: ACROSS,
@@ -50,6 +51,7 @@ _MOVES = {
     HazardKind.UNPROTECTED_LEFT_TURN: "left",
     HazardKind.CROSSING_PEDESTRIAN: "cross",
     HazardKind.CROSSING_CYCLIST: "cross",
+    HazardKind.CROSSING_ANIMAL: "cross",
     HazardKind.OCCLUSION: "cross",
 }
 _BRAKES = {HazardKind.HARD_BRAKING, HazardKind.STOPPING}
@@ -118,6 +120,8 @@ def _other(rng, kind, hazard, numbers):
         body = "pedestrian"
     elif hazard is HazardKind.CROSSING_CYCLIST:
         body = "bicycle"
+    elif hazard is HazardKind.CROSSING_ANIMAL:
+        body = rng.choice(["animal", "large_animal"])
     approaches = rng.choice(places)
     moves = [_MOVES[hazard]] if hazard in _MOVES else []
     if hazard is HazardKind.OBSTACLE:
@@ -125,7 +129,7 @@ def _other(rng, kind, hazard, numbers):
     speed = None
     if numbers and (rng.random() < 0.5) and hazard is not HazardKind.OBSTACLE:
         slowest, fastest = (3, 6) if body == "pedestrian" else (12, 20)
-        if body not in {"pedestrian", "bicycle"}:
+        if body in FOUR_WHEELS:
             slowest, fastest = 30, 50 if kind is not _PLAIN else 90
         speed = rng.randint(slowest, fastest)
         if hazard in {HazardKind.SPEEDING, HazardKind.SLOW_DRIVING, HazardKind.REVERSING}:
