@@ -101,6 +101,7 @@ def at_size(campaign: Campaign, folder: Path, workers: int) -> dict[str, object]
     store = Store(folder)
     begin = perf_counter()
     suite = select(store, SUITE).to_data()
+    needed = suite["needed_to_cover"]
     selected_s = perf_counter() - begin
     begin = perf_counter()
     page = write_report(store, folder / "report", 10, lambda _: None)
@@ -115,7 +116,8 @@ def at_size(campaign: Campaign, folder: Path, workers: int) -> dict[str, object]
         "whole": not found.bad and not problems,
         "verified_s": verified_s,
         "suite": {
-            "scenarios": len(suite["scenarios"]),
+            "scenarios": needed,
+            "proved_fewest": suite["proved_fewest"],
             "covered": suite["covered"],
             "coverable": suite["coverable"],
             "cannot_be_covered": suite["cannot_be_covered"],

@@ -1,4 +1,4 @@
-"""Workers do not outlive who employs them."""
+"""What is made is kept whole, and workers do not outlive who employs them."""
 
 import os
 import signal
@@ -7,8 +7,14 @@ import sys
 import time
 from pathlib import Path
 
+import pyarrow.parquet as pq
 import pytest
+from campaigns import campaign, make
 from command import SOURCE
+
+from scegen.campaign.report.scenario import files_of
+from scegen.campaign.store import Store
+from scegen.pipeline.export import LAMPS_FILE, SCENARIO_FILE
 
 EMPLOYER = """
 import os, time
@@ -58,3 +64,15 @@ def lives(pid):
     except OSError:
         return False
     return state != "Z"
+
+
+def test_a_scenario_with_lights_keeps_the_file_with_the_lamps_too(tmp_path):
+    text = (
+        "At a four-way intersection with traffic lights a truck from the left runs the red light "
+        "while the ego goes straight on."
+    )
+    make(campaign({"red": text}, count=1, concretizations=1), tmp_path / "made")
+    store = Store(tmp_path / "made")
+    (row,) = pq.read_table(store.table).to_pylist()
+    assert (row["status"], row["reason"]) == ("made", None)
+    assert {SCENARIO_FILE, LAMPS_FILE} <= set(files_of(store, row))

@@ -11,7 +11,8 @@ from scegen.campaign.analysis.coverage import NEEDED as FOR_COVERAGE
 from scegen.campaign.analysis.coverage import Coverage, coverage
 from scegen.campaign.analysis.features import NEEDED as FOR_LIKENESS
 from scegen.campaign.analysis.suite import Suite, suite_of
-from scegen.campaign.report.scenario import COLUMNS, files_of
+from scegen.campaign.report.scenario import files_of
+from scegen.campaign.rows import FILE_COLUMNS
 from scegen.campaign.store import Store, write_whole
 from scegen.campaign.table import query
 from scegen.checking.subject import FUNCTIONAL_FILE
@@ -71,7 +72,7 @@ def select(store: Store, size: int) -> Selected:
     Raises:
         InputError: there are no rows, or none that is good enough.
     """
-    names = dict.fromkeys((*_NAMED, *COLUMNS.values(), *FOR_COVERAGE, *FOR_LIKENESS))
+    names = dict.fromkeys((*_NAMED, *FILE_COLUMNS.values(), *FOR_COVERAGE, *FOR_LIKENESS))
     table = query(store, f"SELECT {', '.join(names)} FROM rows ORDER BY key")  # noqa: S608
     covered = coverage(store, table)
     return Selected(suite_of(table, covered, size), table.to_pylist(), covered)

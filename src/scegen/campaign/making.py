@@ -19,6 +19,7 @@ from scegen.campaign.parameters import spread
 from scegen.campaign.planning import Item, items
 from scegen.campaign.rows import (
     FAILED,
+    FILE_COLUMNS,
     MADE,
     OBJECT_COLUMNS,
     SECONDS,
@@ -37,15 +38,11 @@ from scegen.errors import ScegenError
 from scegen.measures import warm_kernels
 from scegen.pipeline.attempts import make_one
 from scegen.pipeline.export import (
-    CONCRETE_FILE,
-    PREVIEW_FILE,
-    ROAD_FILE,
-    SCENARIO_FILE,
     export_scenario,
 )
 from scegen.pipeline.judging import judge
 from scegen.pipeline.options import Options
-from scegen.pipeline.raising import chosen_target
+from scegen.pipeline.raising import PROOF_FILE, chosen_target
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json
 from scegen.scenario.functional import FunctionalScenario
@@ -55,13 +52,6 @@ from scegen.scenario.proof import Proof
 OWN_CHECKERS = (opendrive.CHECKER, openscenario.CHECKER, schema.CHECKER)
 """What needs neither the player nor another environment."""
 PLAYED_CHECKERS = (player.CHECKER, said.CHECKER)
-_COLUMNS = {
-    ROAD_FILE: ("road", "xodr"),
-    SCENARIO_FILE: ("scenario", "xosc"),
-    CONCRETE_FILE: ("concrete", "yaml"),
-    PREVIEW_FILE: ("preview", "png"),
-}
-"""In which column the object of a file is named, and what it ends in."""
 _SHARE_DIGITS = 8
 _EMPLOYER = "SCEGEN_CAMPAIGN_EMPLOYER"
 """Where a worker process keeps the id of the process that started it."""
@@ -215,10 +205,9 @@ def _made(
     with clock.step("write"):
         files = export_scenario(concrete, osc=campaign.osc, picture=campaign.pictures)
         for name, content in files.items():
-            column, ending = _COLUMNS[name]
-            row[column] = store.put(content, ending)
+            row[FILE_COLUMNS[name]] = store.put(content, name.rsplit(".", 1)[1])
         if proof is not None:
-            row["proof"] = store.put(to_json(proof).encode(), "json")
+            row[FILE_COLUMNS[PROOF_FILE]] = store.put(to_json(proof).encode(), "json")
     stage[0] = "check"
     return row | _checked(campaign, item, files, concrete, functional, proof, clock)
 

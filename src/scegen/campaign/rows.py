@@ -14,7 +14,15 @@ import pyarrow as pa
 
 from scegen.campaign.store import digest
 from scegen.enumeration.choosing.coverage import Meeting, meeting_of, meetings
+from scegen.pipeline.export import (
+    CONCRETE_FILE,
+    LAMPS_FILE,
+    PREVIEW_FILE,
+    ROAD_FILE,
+    SCENARIO_FILE,
+)
 from scegen.pipeline.judging import Judged
+from scegen.pipeline.raising import PROOF_FILE
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Conflict, LogicalScenario
@@ -27,6 +35,15 @@ Row = dict[str, Any]
 _TEXT, _NUMBER, _WHOLE, _YES = pa.string(), pa.float64(), pa.int64(), pa.bool_()
 _TEXTS = pa.list_(_TEXT)
 _NUMBERS = pa.map_(_TEXT, _NUMBER)
+FILE_COLUMNS = {
+    ROAD_FILE: "road",
+    SCENARIO_FILE: "scenario",
+    LAMPS_FILE: "lamps",
+    CONCRETE_FILE: "concrete",
+    PROOF_FILE: "proof",
+    PREVIEW_FILE: "preview",
+}
+"""In which column a file of a scenario folder is named."""
 STEPS = ("concretize", "search", "judge", "write", "check", "confirm")
 """What is timed."""
 MEASURES = {
@@ -91,16 +108,12 @@ SCHEMA = pa.schema(
         ("confirmed", _TEXT),
         ("cells", _TEXTS),
         ("covered", _TEXTS),
-        ("road", _TEXT),
-        ("scenario", _TEXT),
-        ("concrete", _TEXT),
-        ("proof", _TEXT),
-        ("preview", _TEXT),
+        *((column, _TEXT) for column in FILE_COLUMNS.values()),
         *((f"{SECONDS}_{step}", _NUMBER) for step in STEPS),
         (SECONDS, _NUMBER),
     ]
 )
-OBJECT_COLUMNS = ("functional", "road", "scenario", "concrete", "proof", "preview")
+OBJECT_COLUMNS = ("functional", *FILE_COLUMNS.values())
 """Columns that name objects of the store."""
 _BAND_KPH = 20
 

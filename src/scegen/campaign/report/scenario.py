@@ -7,11 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from scegen.campaign.rows import FILE_COLUMNS
 from scegen.campaign.store import Store, digest
 from scegen.errors import InputError
-from scegen.pipeline.export import CONCRETE_FILE, PREVIEW_FILE, ROAD_FILE, SCENARIO_FILE
 from scegen.pipeline.judging import judge
-from scegen.pipeline.raising import PROOF_FILE
 from scegen.report.contents import CheckRow
 from scegen.report.html import ConcreteEntry, ReportInput, report_html
 from scegen.report.player.scene import scene_of
@@ -19,15 +18,6 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import from_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
-
-COLUMNS = {
-    ROAD_FILE: "road",
-    SCENARIO_FILE: "scenario",
-    CONCRETE_FILE: "concrete",
-    PROOF_FILE: "proof",
-    PREVIEW_FILE: "preview",
-}
-"""In which column a file of a scenario folder is named."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +36,7 @@ def files_of(store: Store, row: Mapping[str, Any]) -> dict[str, bytes]:
     Raises:
         InputError: one of them is missing or broken.
     """
-    return {file: _sound(store, row[name]) for file, name in COLUMNS.items() if row[name]}
+    return {file: _sound(store, row[name]) for file, name in FILE_COLUMNS.items() if row[name]}
 
 
 def _sound(store: Store, name: str) -> bytes:
