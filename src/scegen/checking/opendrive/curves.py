@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from cmath import exp
 from dataclasses import dataclass
-from math import atan2, ceil, sin
+from math import atan2, ceil, pi
 from typing import Protocol
 
 import numpy as np
@@ -39,8 +39,8 @@ class Arc:
 
     def point(self, ds: float) -> complex:
         """See Curve."""
-        k = self.bend
-        return complex(ds) if k == 0.0 else exp(1j * k * ds / 2) * (2 * sin(k * ds / 2) / k)
+        half = self.bend * ds / 2
+        return exp(1j * half) * (ds * float(np.sinc(half / pi)))
 
     def heading(self, ds: float) -> float:
         """See Curve."""
