@@ -82,11 +82,15 @@ class _Reader:
         value = element.get(name, "")
         return self.parameters.get(value, value)
 
-    def number(self, element: etree._Element, name: str, default: str | None = None) -> float:
-        text = self.text(element, name) or default
-        if text and text.startswith("$"):
+    def worked_out(self, element: etree._Element, name: str) -> str:
+        text = self.text(element, name)
+        if text.startswith("$"):
             message = f"<{element.tag}> {name}={text!r} is not worked out"
             raise _UnreadableError(element, message, unchecked)
+        return text
+
+    def number(self, element: etree._Element, name: str, default: str | None = None) -> float:
+        text = self.worked_out(element, name) or default
         try:
             value = float(text or "")
         except ValueError:
@@ -162,10 +166,7 @@ class _Reader:
         return WorldPoint(x, y, self.number(element, "h", "0"))
 
     def lane_point(self, element: etree._Element) -> LanePoint:
-        text = self.text(element, "laneId")
-        if text.startswith("$"):
-            message = f"<LanePosition> laneId={text!r} is not worked out"
-            raise _UnreadableError(element, message, unchecked)
+        text = self.worked_out(element, "laneId")
         if not text.lstrip("+-").isdecimal():
             raise _UnreadableError(element, f"<LanePosition> laneId={text!r} is not a lane number")
         return LanePoint(
