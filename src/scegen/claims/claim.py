@@ -81,6 +81,32 @@ class Claim:
         return found._replace(margin=np.nan_to_num(found.margin, nan=-NEVER, neginf=-NEVER))
 
 
+def rule_claim(
+    name: str, statement: str, test: Test, *, unit: str = "s", tolerance: float = 0.0,
+    scale: float = 1.0,
+) -> Claim:  # fmt: skip
+    """A statement that a rule of the road is kept, or broken by who is said to break it.
+
+    Args:
+        name: what tells it from others, after ``rule.``.
+        statement: what has to be so.
+        test: how it is judged.
+        unit: of margin, measured value and tolerance.
+        tolerance: see Claim.
+        scale: see Claim.
+    """
+    return Claim(
+        id=f"rule.{name}",
+        kind=ClaimKind.RULE,
+        statement=statement,
+        field="junction.control",
+        unit=unit,
+        test=test,
+        tolerance=tolerance,
+        scale=scale,
+    )
+
+
 def within(value: Floats, wanted: Interval, tolerance: float) -> Floats:
     """How far a value lies inside a range with its tolerance; below 0 outside (c,)."""
     return np.minimum(value - (wanted.low - tolerance), wanted.high + tolerance - value)

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
+from scegen.claims.claim import NEVER, Claim, Judged, rule_claim
 from scegen.claims.moments import first
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
@@ -27,16 +27,10 @@ def claims(told: Told) -> Iterator[Claim]:
             continue
         order = "whoever of both stops later" if duty.by_arrival else duty.yields
         between = f"{duty.yields} and {duty.other}" if duty.by_arrival else duty.other
-        yield Claim(
-            id=f"rule.way.{duty.yields}.{duty.other}",
-            kind=ClaimKind.RULE,
-            statement=f"{order} gives way: {between} ({plain(duty.rule)})",
-            field="junction.control",
-            unit="s",
-            test=partial(_in_order if duty.by_arrival else _gives_way, duty),
-            tolerance=TIME_S,
-            scale=1.0,
-        )
+        statement = f"{order} gives way: {between} ({plain(duty.rule)})"
+        test = partial(_in_order if duty.by_arrival else _gives_way, duty)
+        name = f"way.{duty.yields}.{duty.other}"
+        yield rule_claim(name, statement, test, tolerance=TIME_S)
 
 
 def _gives_way(duty: Duty, view: View) -> Judged:

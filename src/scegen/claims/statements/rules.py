@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, yes_or_no
+from scegen.claims.claim import NEVER, Claim, Judged, rule_claim, yes_or_no
 from scegen.claims.moments import first
 from scegen.claims.told import Told
 from scegen.claims.tolerances import TIME_S
@@ -34,39 +34,19 @@ from scegen.scenario.signals import SignalState
 def claims(told: Told) -> Iterator[Claim]:
     """One for everybody and every rule that it meets with."""
     for name in sorted(must_stop(told.functional, told.logical)):
-        yield Claim(
-            id=f"rule.stop.{name}",
-            kind=ClaimKind.RULE,
-            statement=f"{name} stands at the stop line before it goes over it",
-            field="junction.control",
-            unit="s",
-            test=partial(_stops, name),
-            tolerance=TIME_S,
-            scale=0.5,
-        )
+        statement = f"{name} stands at the stop line before it goes over it"
+        test = partial(_stops, name)
+        yield rule_claim(f"stop.{name}", statement, test, tolerance=TIME_S, scale=0.5)
     drives = at_lights(told.functional, told.logical)
     runners = light_runners(told.functional, told.logical)
     for name in sorted(runners | must_obey(told.functional, told.logical)):
         runs = name in runners
-        at_red = f"at red, {RED_FOR_S} s or more after amber"
-        yield Claim(
-            id=f"rule.light.{name}",
-            kind=ClaimKind.RULE,
-            statement=f"{name} goes over the line {at_red if runs else 'while it is not red'}",
-            field="junction.control",
-            unit="s",
-            test=partial(_runs if runs else _obeys, drives[name]),
-            scale=2.0,
-        )
+        when = f"at red, {RED_FOR_S} s or more after amber" if runs else "while it is not red"
+        test = partial(_runs if runs else _obeys, drives[name])
+        yield rule_claim(f"light.{name}", f"{name} goes over the line {when}", test, scale=2.0)
     for name, drive in sorted(at_dark_lights(told.functional, told.logical).items()):
-        yield Claim(
-            id=f"rule.light.{name}",
-            kind=ClaimKind.RULE,
-            statement=f"{name} goes over the line while its light is off",
-            field="junction.control",
-            unit="1",
-            test=partial(_passes_dark, drive),
-        )
+        statement = f"{name} goes over the line while its light is off"
+        yield rule_claim(f"light.{name}", statement, partial(_passes_dark, drive), unit="1")
 
 
 def _stops(name: str, view: View) -> Judged:
