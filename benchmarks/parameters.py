@@ -58,9 +58,7 @@ def main() -> int:
         )
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            for path, content in made.files.items():
-                (folder / path).parent.mkdir(parents=True, exist_ok=True)
-                (folder / path).write_bytes(content)
+            made.save(folder)
             checked = check_parameters(
                 folder / PARAMETERISED_FILE, folder / VALUES_FILE, set_files(folder, asked.sets)
             )

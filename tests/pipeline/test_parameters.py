@@ -15,6 +15,7 @@ from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError
 from scegen.export.expressions import Expression
+from scegen.pipeline.export import ROAD_FILE
 from scegen.pipeline.parameter_sets import (
     PARAMETERISED_FILE,
     VALUES_FILE,
@@ -49,9 +50,7 @@ def written(said, tmp_path_factory):
     """The files of three sets, and their folder."""
     made = write_parameter_files(*said, count=3, seed=5, alone=True)
     folder = tmp_path_factory.mktemp("parameters")
-    for name, content in made.files.items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_bytes(content)
+    made.save(folder)
     return made, folder
 
 
@@ -175,3 +174,12 @@ def test_refusals(said):
     )
     with pytest.raises(InfeasibleError):
         write_parameter_files(functional, still, count=1, seed=0)
+
+
+def test_the_road_has_the_lights_that_the_scenario_changes():
+    text = "A truck from the right runs the red light at a crossing while the ego goes straight on."
+    files = write_parameter_files(*made_of(text), count=1, seed=5).files
+    road, scenario = (etree.fromstring(files[n]) for n in (ROAD_FILE, PARAMETERISED_FILE))
+    lights = {found.get("id") for found in road.iterfind("controller")}
+    named = {found.get("name") for found in scenario.iter("TrafficSignalController")}
+    assert len(lights) == len(named) > 0

@@ -50,13 +50,7 @@ def parameterise(
         raise MissingToolError(f"esmini is not on PATH; {ESMINI_HINT}")
     functional, concrete = parameter_source(source, index, seed, scenario)
     made = run(functional, concrete, count=sets, seed=seed, alone=alone or confirm)
-    try:
-        for name, content in made.files.items():
-            file = output / name
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(content)
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}", where=str(output)) from error
+    made.save(output)
     for item in made.declared:
         result(f"{item.name}  {item.low:g} to {item.high:g}, {item.value:g}")
     for line in made.frozen:

@@ -11,11 +11,10 @@ import numpy as np
 
 from scegen.criticality.search.rebuild import DECIMALS
 from scegen.errors import InfeasibleError, InputError
-from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_distribution, write_openscenario, write_parameterised
 from scegen.export.openscenario_parameters import Declared
 from scegen.motion.batch.arrays import Floats
-from scegen.pipeline.export import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE
+from scegen.pipeline.export import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE, road_file
 from scegen.pipeline.parameterising import (
     ParameterSpace,
     UnusableError,
@@ -56,6 +55,20 @@ class ParameterFiles:
     frozen: Sequence[str]
     passed_over: Counter[str] = field(default_factory=Counter)
 
+    def save(self, folder: Path) -> None:
+        """Write all files into a folder, which is made if need be.
+
+        Raises:
+            InputError: it cannot be written to.
+        """
+        try:
+            for name, content in self.files.items():
+                file = folder / name
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_bytes(content)
+        except OSError as error:
+            raise InputError(f"cannot be written: {error.strerror}", where=str(folder)) from error
+
 
 def write_parameter_files(
     functional: FunctionalScenario | None,
@@ -87,7 +100,7 @@ def write_parameter_files(
         ParameterSet(space.values(x, one), one)
         for x, one in _drawn(space, count, seed, passed_over)
     ]
-    road = _road(space)
+    road = road_file(space.concrete.road, space.concrete.signals)
     files = {
         ROAD_FILE: road,
         PARAMETERISED_FILE: write_parameterised(
@@ -112,13 +125,6 @@ def set_files(folder: Path, count: int) -> dict[str, Path]:
 
 def _set_folder(number: int) -> str:
     return f"{SETS_FOLDER}/{number:03d}"
-
-
-def _road(space: ParameterSpace) -> bytes:
-    road = space.concrete.road
-    return write_opendrive(
-        space.network, control=road.control, controlled_arms=road.controlled_arms
-    ).encode()
 
 
 def _drawn(
