@@ -112,12 +112,6 @@ def gap_m(frame: Boxes, other: Boxes) -> Floats:
     return np.maximum(clear.front, clear.rear)
 
 
-def apart(a: Boxes, b: Boxes) -> Floats:
-    """Greatest free distance along an axis of either box; at most 0 where they touch."""
-    distance: Floats = np.max([*free(a, b), *free(b, a)], axis=0)
-    return distance
-
-
 def course(frame: Boxes, other: Boxes) -> Floats:
     """Direction of the other's heading from the frame's, counter-clockwise positive, rad."""
     sin = frame.cos * other.sin - frame.sin * other.cos

@@ -8,9 +8,10 @@ from math import inf
 
 import numpy as np
 
-from scegen.claims.boxes import apart, same_way, seen
+from scegen.claims.boxes import same_way, seen
 from scegen.concretization.amounts import BRAKING, CLOSEST_M, SLOWING, answering_rates_mps2
 from scegen.concretization.asked import contact_wanted
+from scegen.concretization.boxes import apart
 from scegen.concretization.courses import Sort, SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import same_arm
@@ -74,7 +75,7 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
                 continue  # who meets one that reverses answers that in its own way
             if other in scene.walks and other not in moments.sets_off_s:
                 continue
-            touching = np.flatnonzero(apart(tracks[name], there) <= 0.0)
+            touching = np.flatnonzero(apart(tracks[name], there, 0.0) <= 0.0)
             if not touching.size:
                 continue
             before = moments.track(name, times[:1] + times[touching[0]] - _BEFORE_S)[0]
@@ -91,13 +92,13 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
 
 
 def _room(moments: Moments, who: str, other: str) -> Callable[[], float]:
-    """What says how near one comes to another, whose way does not change meanwhile."""
+    """What says how near one comes to another, whose way does not change meanwhile; inf if not."""
     times = _times(moments)
     there = moments.track(other, times)[0] if other in moments.scene.drives else None
 
     def least_m() -> float:
         others = moments.track(other, times)[0] if there is None else there
-        return float(apart(moments.track(who, times)[0], others).min())
+        return float(apart(moments.track(who, times)[0], others, CLOSEST_M).min())
 
     return least_m
 

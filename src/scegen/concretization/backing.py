@@ -9,8 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scegen.claims.boxes import apart
-from scegen.concretization.boxes import box_at
+from scegen.concretization.boxes import apart, box_at
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
@@ -238,4 +237,4 @@ def in_each_others_way(path: Path, body: Body, other: Path, other_body: Body) ->
     x2, y2, heading2 = (row[None, :] for row in its)
     still = np.zeros(1)
     first, second = box_at(x, y, heading, body, still), box_at(x2, y2, heading2, other_body, still)
-    return np.asarray(apart(first, second) < 0.0)
+    return np.asarray(apart(first, second, 0.0) < 0.0)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from math import hypot
+
 import numpy as np
 
-from scegen.claims.boxes import Boxes, apart
+from scegen.claims.boxes import Boxes, free
 from scegen.motion.model import Array, Path
 from scegen.road.geometry import Pose
 from scegen.scenario.bodies import Body
@@ -32,6 +34,22 @@ def box_of(pose: Pose, body: Body) -> Boxes:
     return box_at(x, y, heading, body, np.zeros(1))
 
 
+def apart(a: Boxes, b: Boxes, within_m: float) -> Array:
+    """Greatest free distance along an axis of either box; at most 0 where they touch.
+
+    Where it is more than ``within_m`` it is inf: only those who are near are looked at.
+    """
+    reach = hypot(a.half_length, a.half_width) + hypot(b.half_length, b.half_width) + within_m
+    dx, dy = b.x - a.x, b.y - a.y
+    near = dx * dx + dy * dy <= 2 * reach * reach
+    rows = np.broadcast_arrays(near, *a[:4], *b[:4])[1:]
+    x, y, cos, sin, *other = (row[near] for row in rows)
+    one, two = Boxes(x, y, cos, sin, *a[4:]), Boxes(*other, *b[4:])
+    distance = np.full(near.shape, np.inf)
+    distance[near] = np.max([*free(one, two), *free(two, one)], axis=0)
+    return np.where(distance <= within_m, distance, np.inf)
+
+
 def overlap(first: Pose, first_body: Body, second: Pose, second_body: Body) -> bool:
     """Whether two bodies overlap on the ground."""
-    return bool(apart(box_of(first, first_body), box_of(second, second_body))[0] < 0.0)
+    return bool(apart(box_of(first, first_body), box_of(second, second_body), 0.0)[0] < 0.0)

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes, apart
-from scegen.concretization.boxes import box_on
+from scegen.claims.boxes import Boxes
+from scegen.concretization.boxes import apart, box_on
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.priorities import Manners, Waits
 from scegen.motion.model import Array
@@ -34,7 +34,7 @@ def touch(first: DriveDraft, first_s: float, second: DriveDraft, second_s: float
     if not near.any():
         return False
     times = np.concatenate([np.arange(t, t + _COARSE_S, _SAMPLE_S) for t in coarse[near]])
-    near_m = apart(_boxes(first, times - first_s), _boxes(second, times - second_s))
+    near_m = apart(_boxes(first, times - first_s), _boxes(second, times - second_s), _MARGIN_M)
     return bool((near_m < _MARGIN_M).any())
 
 

@@ -65,11 +65,6 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     )
 
 
-def _step_m(x: Array, y: Array) -> float:
-    """The greatest distance of two points that follow one another."""
-    return float(np.hypot(np.diff(x), np.diff(y)).max())
-
-
 def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
     """Where two ways that start apart first cross, merge or graze each other.
 
@@ -77,7 +72,7 @@ def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
     """
     s1, x1, y1, h1 = sampled(first)
     s2, x2, y2, h2 = sampled(second)
-    nearest, gaps = nearest_points(x1, y1, x2, y2, _step_m(x2, y2))
+    nearest, gaps = nearest_points(x1, y1, x2, y2, _GRAZE_M)
     touching = np.flatnonzero(gaps < _TOUCH_M)
     opposed = False
     if touching.size:
@@ -160,8 +155,9 @@ def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
     """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
     _, x1, y1, _ = sampled(first.laid.path)
     _, x2, y2, _ = sampled(second.laid.path)
-    _, gaps = nearest_points(x1, y1, x2, y2, _step_m(x2, y2))
-    return bool(gaps.min() < (first.body.width_m + second.body.width_m) / 2)
+    wide_m = (first.body.width_m + second.body.width_m) / 2
+    _, gaps = nearest_points(x1, y1, x2, y2, wide_m)
+    return bool(gaps.min() < wide_m)
 
 
 def shared_length_m(first: DriveDraft, second: DriveDraft) -> float:

@@ -13,8 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from scegen.claims.boxes import apart
-from scegen.concretization.boxes import box_of, box_on
+from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clock import same_lane
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
@@ -63,7 +62,8 @@ class _Spot:
     def touches(self, path: Path, body: Body) -> bool:
         """Whether one who goes along a path comes too close to it."""
         s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
-        return bool((apart(box_on(path, body, s), box_of(self.pose, self.body)) < _CLEAR_M).any())
+        free_m = apart(box_on(path, body, s), box_of(self.pose, self.body), _CLEAR_M)
+        return bool((free_m < _CLEAR_M).any())
 
 
 def needs_obstacle(functional: FunctionalScenario, hazard: Hazard) -> bool:

@@ -19,10 +19,12 @@ Indicators, brake lights, signals and rules of priority are not looked at.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import inf
 
 import numpy as np
 
 from scegen.measures.bodies import body_of
+from scegen.measures.conflict_areas import nearest_points
 from scegen.measures.distance import distance_series
 from scegen.measures.occlusion import occlusion_series
 from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Bools, Floats, S, X, Y
@@ -74,7 +76,7 @@ def _evident(tracks: Floats, bodies: Floats, way: Path, ego: int, other: int) ->
     in_front: Bools = (x - own[X]) * own[COS] + (y - own[Y]) * own[SIN] > 0.0
     s = np.linspace(0.0, way.length_m, max(2, int(way.length_m / _FINE_M)))
     px, py = np.interp(s, way.s_m, way.x_m), np.interp(s, way.s_m, way.y_m)
-    aside = np.sqrt(np.min((x[:, None] - px) ** 2 + (y[:, None] - py) ** 2, axis=1))
+    _, aside = nearest_points(x, y, px, py, inf)
     in_corridor = aside < mine.half_width_m + body.half_width_m
     nearer = np.maximum.accumulate(aside) - aside >= WANDERING_M
     evident: Bools = in_front & (in_corridor | nearer)

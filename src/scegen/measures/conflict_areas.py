@@ -21,7 +21,7 @@ from scegen.measures.boxes import Box
 from scegen.measures.contact import boxes_touch
 from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Bools, Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.model import Path
 
 SAMPLING_M = 0.5
@@ -99,9 +99,7 @@ def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, flo
 
 def _touching_parts(one: _Sampled, two: _Sampled) -> list[tuple[slice, slice]]:
     """Row and column ranges of the parts of both ways that touch; only where they are near."""
-    steps_m = np.hypot(np.diff(two.x), np.diff(two.y))
-    step_m = float(steps_m.max()) if steps_m.size else 0.0
-    top, bottom, left, right = _near(one, two, step_m)
+    top, bottom, left, right = _near(one, two)
     touch = touching(_part(one, slice(top, bottom)), _part(two, slice(left, right)))
     return [
         (slice(r.start + top, r.stop + top), slice(c.start + left, c.stop + left))
@@ -147,26 +145,45 @@ def _part(boxes: _Sampled, part: slice) -> _Sampled:
     return _Sampled(s, x, y, cos, sin, boxes.half_length, boxes.half_width)
 
 
-@kernel
-def _near(one: _Sampled, two: _Sampled, step_m: float) -> tuple[int, int, int, int]:
-    """The first box of one and that behind the last one that may touch one of two, and of two.
+@inner_kernel
+def _longest_step_m(x: Floats, y: Floats) -> float:
+    """The greatest distance of two points of a line that follow one another."""
+    longest = 0.0
+    for n in range(1, x.shape[0]):
+        dx, dy = x[n] - x[n - 1], y[n] - y[n - 1]
+        longest = max(longest, dx * dx + dy * dy)
+    return float(np.sqrt(longest))
 
-    Boxes of two that follow one another are at most ``step_m`` apart: none is looked at that
-    cannot be near.
-    """
+
+@inner_kernel
+def _on_to(squared_m2: float, wanted_m2: float, step_m: float) -> int:
+    """How many points of a line further on the next may lie that is nearer than wanted."""
+    if step_m == 0.0 or squared_m2 <= wanted_m2:
+        return 1
+    return max(1, int((np.sqrt(squared_m2) - np.sqrt(wanted_m2)) / step_m))
+
+
+@inner_kernel
+def _reach_m2(one: _Sampled, two: _Sampled) -> float:
+    """The squared distance within which boxes may touch."""
     reach = np.hypot(one.half_length, one.half_width) + np.hypot(two.half_length, two.half_width)
+    return float(reach * reach)
+
+
+@kernel
+def _near(one: _Sampled, two: _Sampled) -> tuple[int, int, int, int]:
+    """The first box of one and that behind the last one that may touch one of two, and of two."""
+    reach, step_m = _reach_m2(one, two), _longest_step_m(two.x, two.y)
     top, bottom, left, right = one.x.shape[0], 0, two.x.shape[0], 0
     for m in range(one.x.shape[0]):
         n = 0
         while n < two.x.shape[0]:
-            away = np.hypot(two.x[n] - one.x[m], two.y[n] - one.y[m])
-            skip = 1
-            if away <= reach:
+            dx, dy = two.x[n] - one.x[m], two.y[n] - one.y[m]
+            squared = dx * dx + dy * dy
+            if squared <= reach:
                 top, bottom = min(top, m), m + 1
                 left, right = min(left, n), max(right, n + 1)
-            elif step_m > 0.0:
-                skip = max(1, int((away - reach) / step_m))
-            n += skip
+            n += _on_to(squared, reach, step_m)
     return (top, bottom, left, right) if bottom > 0 else (0, 0, 0, 0)
 
 
@@ -174,14 +191,17 @@ def _near(one: _Sampled, two: _Sampled, step_m: float) -> tuple[int, int, int, i
 def touching(one: _Sampled, two: _Sampled) -> Bools:
     """Whether box m of one and box n of the other touch: (m, n)."""
     result = np.zeros((one.x.shape[0], two.x.shape[0]), dtype=np.bool_)
-    reach = np.hypot(one.half_length, one.half_width) + np.hypot(two.half_length, two.half_width)
+    reach, step_m = _reach_m2(one, two), _longest_step_m(two.x, two.y)
     for m in range(one.x.shape[0]):
         a = Box(one.x[m], one.y[m], one.cos[m], one.sin[m], one.half_length, one.half_width)
-        for n in range(two.x.shape[0]):
+        n = 0
+        while n < two.x.shape[0]:
             dx, dy = two.x[n] - a.x, two.y[n] - a.y
-            if dx * dx + dy * dy <= reach * reach:
+            squared = dx * dx + dy * dy
+            if squared <= reach:
                 b = Box(two.x[n], two.y[n], two.cos[n], two.sin[n], two.half_length, two.half_width)
                 result[m, n] = boxes_touch(a, b)
+            n += _on_to(squared, reach, step_m)
     return result
 
 
@@ -251,7 +271,7 @@ def merge_point(
         np.interp(s_first, first.s_m, first.y_m),
         np.interp(second_s, second.s_m, second.x_m),
         np.interp(second_s, second.s_m, second.y_m),
-        float(s_second[-1] - s_second[0]) / (len(second_s) - 1),
+        MERGED_ASIDE_M,
     )
     turn = np.abs(np.angle(np.exp(1j * (h1 - h2[nearest]))))
     near = (away < MERGED_ASIDE_M) & (turn < MERGED_TURN_RAD)
@@ -263,29 +283,28 @@ def merge_point(
 
 @kernel
 def nearest_points(
-    x: Floats, y: Floats, fx: Floats, fy: Floats, step_m: float
+    x: Floats, y: Floats, fx: Floats, fy: Floats, within_m: float
 ) -> tuple[Ints, Floats]:
     """For each point the nearest one of a line, the first of several, and its distance.
 
-    Points of the line that follow one another are at most ``step_m`` apart: none is looked at that
-    cannot be nearer than the nearest so far.
+    Where none is ``within_m`` the distance is inf, and which is the nearest is not looked for.
     """
+    step_m = _longest_step_m(fx, fy)
     index = np.zeros(x.shape[0], dtype=np.int64)
-    away = np.empty(x.shape[0])
+    away = np.full(x.shape[0], np.inf)
     for n in range(x.shape[0]):
         best = index[n - 1] if n else 0
         dx, dy = x[n] - fx[best], y[n] - fy[best]
-        least = dx * dx + dy * dy
+        least = min(dx * dx + dy * dy, within_m * within_m)
         m = 0
         while m < fx.shape[0]:
             dx, dy = x[n] - fx[m], y[n] - fy[m]
             squared = dx * dx + dy * dy
             if squared < least or (squared == least and m < best):
                 least, best = squared, m
-            skip = 1
-            if step_m > 0.0:
-                skip = max(1, int((np.sqrt(squared) - np.sqrt(least)) / step_m))
-            m += skip
+            m += _on_to(squared, least, step_m)
+        dx, dy = x[n] - fx[best], y[n] - fy[best]
         index[n] = best
-        away[n] = np.hypot(x[n] - fx[best], y[n] - fy[best])
+        if dx * dx + dy * dy <= within_m * within_m:
+            away[n] = np.hypot(dx, dy)
     return index, away
