@@ -67,6 +67,7 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
     """Unwanted contacts; with walkers only where the text says when they set off."""
     times = _times(moments)
     tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks, *scene.pulls)}
+    touching: dict[frozenset[str], Array] = {}
     for name in scene.drives:
         for other, there in tracks.items():
             if other == name or contact_wanted(scene.functional, name, other):
@@ -75,11 +76,15 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
                 continue  # who meets one that reverses answers that in its own way
             if other in scene.walks and other not in moments.sets_off_s:
                 continue
-            touching = np.flatnonzero(apart(tracks[name], there, 0.0) <= 0.0)
-            if not touching.size:
+            pair = frozenset((name, other))
+            if pair not in touching:
+                free_m = apart(tracks[name], there, 0.0)
+                touching[pair] = times[free_m <= 0.0]
+            if not touching[pair].size:
                 continue
-            before = moments.track(name, times[:1] + times[touching[0]] - _BEFORE_S)[0]
-            then = moments.track(other, times[:1] + times[touching[0]] - _BEFORE_S)[0]
+            first_s = touching[pair][:1]
+            before = moments.track(name, first_s - _BEFORE_S)[0]
+            then = moments.track(other, first_s - _BEFORE_S)[0]
             ahead = float(seen(before, then).x[0]) > 0.0
             along = float(same_way(before, then)[0]) > _ALONG
             follows = (
@@ -88,7 +93,7 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
                 and same_arm(scene.drives[name], scene.drives[other])
             )
             runs_in = ahead and (follows or other not in scene.drives)
-            yield _Contact(float(times[touching[0]]), name, other, runs_in)
+            yield _Contact(float(first_s[0]), name, other, runs_in)
 
 
 def _room(moments: Moments, who: str, other: str) -> Callable[[], float]:

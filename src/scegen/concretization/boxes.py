@@ -42,10 +42,18 @@ def apart(a: Boxes, b: Boxes, within_m: float) -> Array:
     reach = hypot(a.half_length, a.half_width) + hypot(b.half_length, b.half_width) + within_m
     dx, dy = b.x - a.x, b.y - a.y
     near = dx * dx + dy * dy <= 2 * reach * reach
-    rows = np.broadcast_arrays(near, *a[:4], *b[:4])[1:]
-    x, y, cos, sin, *other = (row[near] for row in rows)
-    one, two = Boxes(x, y, cos, sin, *a[4:]), Boxes(*other, *b[4:])
     distance = np.full(near.shape, np.inf)
+    if not near.any():
+        return distance
+    one, two = (
+        boxes._replace(
+            x=np.broadcast_to(boxes.x, near.shape)[near],
+            y=np.broadcast_to(boxes.y, near.shape)[near],
+            cos=np.broadcast_to(boxes.cos, near.shape)[near],
+            sin=np.broadcast_to(boxes.sin, near.shape)[near],
+        )
+        for boxes in (a, b)
+    )
     distance[near] = np.max([*free(one, two), *free(two, one)], axis=0)
     return np.where(distance <= within_m, distance, np.inf)
 

@@ -62,7 +62,8 @@ from scegen.scenario.logical import Drive, LogicalScenario
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
-_PATIENT, _GROWTH = 12, 1.15
+_GROWTH = 0.5
+"""No attempt makes arms longer by a larger share, unless so much is missing."""
 _AGAIN = 3
 
 
@@ -105,8 +106,8 @@ def _on_long_enough_arms(
     *,
     obstacles: bool,
 ) -> ConcreteScenario:
-    arm_m = FIRST_ARM_M
-    for attempt in range(_ATTEMPTS):
+    arm_m, before = FIRST_ARM_M, (0.0, 0.0)
+    for _ in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
@@ -115,9 +116,9 @@ def _on_long_enough_arms(
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
-            # Some plans ask for little more each time: after a while, go faster.
-            least = arm_m * _GROWTH if attempt >= _PATIENT else 0.0
-            arm_m = ceil(max(arm_m + need.metres, least) / _ARM_STEP_M) * _ARM_STEP_M
+            longer_m = _longer_m((arm_m, need.metres), before)
+            before = arm_m, need.metres
+            arm_m = ceil((arm_m + longer_m) / _ARM_STEP_M) * _ARM_STEP_M
             if road is not None or arm_m > LONGEST_ARM_M:
                 longest = max(arm.length_m for arm in parameters.arms)
                 raise MotionInfeasibleError(
@@ -126,6 +127,18 @@ def _on_long_enough_arms(
                     hint="Give longer arms, or fewer or slower vehicles.",
                 ) from need
     raise MotionInfeasibleError(f"no arm length up to {arm_m:.0f} m lets everybody in and out")
+
+
+def _longer_m(now: tuple[float, float], before: tuple[float, float]) -> float:
+    """How much longer arms are to be, by (length, what is missing) of this and the last attempt.
+
+    Who starts farther out often needs more: what is missing is followed to where nothing would be.
+    """
+    (arm_m, missing_m), (shorter_m, missed_m) = now, before
+    share = (missed_m - missing_m) / (arm_m - shorter_m)
+    if not 0.0 < share < 1.0:
+        return missing_m
+    return max(missing_m, min(missing_m / share, _GROWTH * arm_m, LONGEST_ARM_M - arm_m))
 
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
@@ -191,10 +204,10 @@ def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     offsets = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
     offsets = do_acts(scene, offsets)
     moments = _with_lead_in(scene, offsets, meetings)
-    answer(scene, moments)
     short, who = shortfall(scene, moments.offsets_s)
     if short > 0:
         raise NeedsLongerArms(short, who)
+    answer(scene, moments)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
         draft.offset_s = moments.offsets_s[name]
