@@ -103,6 +103,8 @@ def _played(
 ) -> Iterator[CheckResult]:
     """What needs the player: the file must be XML that it can be given."""
     asked = [name for name in (player.CHECKER, REPLAY, said.CHECKER) if name in checkers]
+    if not asked:
+        return
     if not scenario.sound or not (subject.road is None or subject.road.sound):
         yield from (not_run(name, UNSOUND) for name in asked)
         return
@@ -149,6 +151,8 @@ class _Prepared:
 
 
 def _asam(subjects: list[Subject], checkers: Collection[str]) -> list[list[CheckResult]]:
+    if asam.OPENDRIVE not in checkers and asam.OPENSCENARIO not in checkers:
+        return [[] for _ in subjects]
     prepared = [_prepare(subject, checkers) for subject in subjects]
     ran = asam.run_asam([item.job for item in prepared])
     return [item.results + results for item, results in zip(prepared, ran, strict=True)]

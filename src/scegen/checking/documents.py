@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from lxml import etree
@@ -10,10 +11,13 @@ from lxml import etree
 from scegen.checking.results import Finding, error
 from scegen.errors import InputError
 
+_KEPT = 4
+"""Documents that are kept: several checkers look at one after the other."""
+
 
 @dataclass(frozen=True)
 class Document:
-    """A parsed XML file. ``name`` is the file name that findings show."""
+    """A parsed XML file. ``name`` is the file name that findings show; nobody changes it."""
 
     name: str
     content: bytes
@@ -38,6 +42,7 @@ def read_bytes(path: Path) -> bytes:
         ) from failure
 
 
+@lru_cache(maxsize=_KEPT)
 def parse_document(name: str, content: bytes, root_tag: str) -> Document:
     """Parse XML whose root must be ``root_tag``; BrokenXmlError names the line."""
     parser = etree.XMLParser(

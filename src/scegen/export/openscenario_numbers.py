@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.export.expressions import Expression, Number
+from scegen.motion.batch.playing import play
 from scegen.motion.model import Path
-from scegen.motion.simulation import STANDING_MPS, simulate
+from scegen.motion.simulation import STANDING_MPS
 from scegen.scenario.concrete import LATEST, ConcreteScenario
 
 _BEFORE_END_S = 1.0
@@ -76,7 +77,7 @@ def numbers_of(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> Numbers
 
 def _ego_goes_m(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> float:
     """How far the ego has come shortly before the end; a little less if it has stopped by then."""
-    trace = simulate(concrete, paths)[concrete.ego.id]
+    trace = play(concrete, paths)[concrete.ego.id]
     before = max(0.0, concrete.duration_s - _BEFORE_END_S)
     far = float(np.interp(before, trace.time_s, trace.s_m))
     stopped = np.interp(before, trace.time_s, trace.speed_mps) < STANDING_MPS

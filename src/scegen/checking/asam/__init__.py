@@ -11,6 +11,7 @@ from __future__ import annotations
 import subprocess
 import tempfile
 from collections.abc import Sequence
+from copy import deepcopy
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import NamedTuple
@@ -90,7 +91,7 @@ def _lay(job: Job, place: Path) -> list[str]:
 
 
 def _as_next_version(road: bytes) -> bytes | None:
-    root = parse_document("road", road, "OpenDRIVE").root
+    root = deepcopy(parse_document("road", road, "OpenDRIVE").root)
     header = root.find("header")
     if header is None or header.get("revMinor", "") not in NEXT_MINOR:
         return None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from cmath import exp
 from dataclasses import dataclass
-from math import atan2, ceil, pi
+from math import atan2, ceil, sin
 from typing import Protocol
 
 import numpy as np
@@ -40,7 +40,7 @@ class Arc:
     def point(self, ds: float) -> complex:
         """See Curve."""
         half = self.bend * ds / 2
-        return exp(1j * half) * (ds * float(np.sinc(half / pi)))
+        return exp(1j * half) * (ds * sin(half) / half if half else ds)
 
     def heading(self, ds: float) -> float:
         """See Curve."""

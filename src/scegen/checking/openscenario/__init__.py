@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 from pathlib import PurePosixPath
 
 from scegen.checking.documents import BrokenXmlError, parse_document
 from scegen.checking.opendrive.arms import match_arms
 from scegen.checking.opendrive.network import Network
-from scegen.checking.openscenario.read import read_storyboard
+from scegen.checking.openscenario.read import ReadStoryboard, read_storyboard
 from scegen.checking.openscenario.rules.objects import check_objects
 from scegen.checking.openscenario.rules.paths import check_paths
 from scegen.checking.openscenario.rules.references import (
@@ -66,10 +67,9 @@ def check_openscenario(
         concrete: what the file should say, if known.
     """
     try:
-        document = parse_document(name, content, "OpenSCENARIO")
+        storyboard, unread = _read(name, content)
     except BrokenXmlError as broken:
         return verdict(CHECKER, [broken.finding])
-    storyboard, unread = read_storyboard(document)
     arms = match_arms(network, concrete).arms if network and concrete else {}
     situation = Situation(storyboard, network, concrete, arms)
     findings = [*unread, *_road_file(storyboard, road_file)]
@@ -83,10 +83,19 @@ def check_openscenario(
 def driven_from_outside(name: str, content: bytes) -> frozenset[str]:
     """The entities of a file that somebody else drives; none in a file that cannot be read."""
     try:
-        document = parse_document(name, content, "OpenSCENARIO")
+        return _read(name, content).storyboard.driven_from_outside
     except BrokenXmlError:
         return frozenset()
-    return read_storyboard(document).storyboard.driven_from_outside
+
+
+@lru_cache(maxsize=1)
+def _read(name: str, content: bytes) -> ReadStoryboard:
+    """The storyboard of a file, for all who ask for it one after the other.
+
+    Raises:
+        BrokenXmlError: it cannot be read.
+    """
+    return read_storyboard(parse_document(name, content, "OpenSCENARIO"))
 
 
 def _road_file(storyboard: Storyboard, beside: str | None) -> Iterator[Finding]:
