@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
+from importlib import import_module
 from pathlib import Path
 from threading import Thread
 from time import perf_counter, sleep
@@ -94,6 +95,7 @@ class Clock:
 def warm() -> None:
     """Load what every batch needs, before the clock runs."""
     warm_kernels()
+    import_module("cmaes")  # the search waits with it until it is needed
 
 
 def enlist() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 from itertools import combinations
+from math import inf
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from scegen.claims.statements.touching import touched
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
+from scegen.measures.conflict_areas import nearest_points
 from scegen.scenario.logical import (
     Assignment,
     ConflictKind,
@@ -264,8 +266,8 @@ def _cross(told: Told, first: str, second: str, view: View) -> Judged:
     for name in (first, second):
         speed = view.speed_mps(name)[np.arange(view.count), view.last_step]
         excused |= touched(told, view, name) | (speed < STANDS_MPS)
+    rows = [np.ascontiguousarray(row[:, sparse]) for row in (a.x, a.y, b.x, b.y)]
     for c in range(view.count):
-        x, y = (np.subtract.outer(p[c, sparse], q[c, sparse]) for p, q in ((a.x, b.x), (a.y, b.y)))
-        apart[c] = np.hypot(x, y).min()
+        apart[c] = nearest_points(*(row[c] for row in rows), inf)[1].min()
     margin = np.where(excused, np.maximum(reach - apart, 0.0), reach - apart)
     return Judged(margin, apart, np.zeros(view.count))

@@ -17,7 +17,6 @@ from scegen.scenario.vocabulary import HazardKind
 
 _LATEST_S = 40.0
 _STEP_S = 0.05
-_FAR_M = 1e3
 _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 24
@@ -174,7 +173,10 @@ def _follow(story: Story, who: Runner, other: Runner) -> bool:
         speed = step.target_mps
     hardest = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
     who.steps = steps
-    if max(s.rate_mps2 for s in steps) <= hardest and _least_gap_m(who, other) >= _KEEPS_M:
+    if (
+        max(s.rate_mps2 for s in steps) <= hardest
+        and _least_gap_m(who, other, _KEEPS_M) >= _KEEPS_M
+    ):
         return True
     who.steps = []
     return False
@@ -253,9 +255,9 @@ def _latest_s(
     return low
 
 
-def _least_gap_m(who: Runner, other: Runner) -> float:
-    """The least free length between two while one is in the other's line."""
-    least, time_s = _FAR_M, 0.0
+def _least_gap_m(who: Runner, other: Runner, most_m: float = CLOSEST_M) -> float:
+    """The least free length between two while one is in the other's line, if less than most."""
+    least, time_s = most_m, 0.0
     while time_s < _LATEST_S:
         gap = gap_m(who, other, time_s)
         if gap < least and in_line(who, other, time_s, LANE_WIDTH_M):
