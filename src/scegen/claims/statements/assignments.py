@@ -266,8 +266,8 @@ def _cross(told: Told, first: str, second: str, view: View) -> Judged:
     for name in (first, second):
         speed = view.speed_mps(name)[np.arange(view.count), view.last_step]
         excused |= touched(told, view, name) | (speed < STANDS_MPS)
-    rows = [np.ascontiguousarray(row[:, sparse]) for row in (a.x, a.y, b.x, b.y)]
+    x, y, its_x, its_y = (np.ascontiguousarray(p[:, sparse]) for p in (a.x, a.y, b.x, b.y))
     for c in range(view.count):
-        apart[c] = nearest_points(*(row[c] for row in rows), inf)[1].min()
+        apart[c] = nearest_points(x[c], y[c], its_x[c], its_y[c], inf)[1].min()
     margin = np.where(excused, np.maximum(reach - apart, 0.0), reach - apart)
     return Judged(margin, apart, np.zeros(view.count))
