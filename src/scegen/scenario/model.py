@@ -14,7 +14,7 @@ T = TypeVar("T", bound=Enum)
 class FrozenModel(BaseModel):
     """Immutable, hashable where its fields are, refuses unknown fields."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
 
     @classmethod
     def from_valid(cls, fields: dict[str, Any], names: set[str]) -> Self:
