@@ -2,7 +2,9 @@
 
 import os
 import re
+import shutil
 import signal
+import subprocess
 import time
 from collections import Counter
 from pathlib import Path
@@ -196,6 +198,35 @@ def test_a_disk_that_fills_loses_only_what_is_under_way(first, tmp_path, monkeyp
     finished = make(order, tmp_path / "c")
     assert finished.fresh == finished.rows - kept
     assert finished.digest == first[1].digest
+
+
+@pytest.fixture
+def disk(tmp_path):
+    """A disk in memory, and what makes it of another size, in bytes."""
+    place = tmp_path / "disk"
+    place.mkdir()
+
+    def sized(size, *options):
+        told = ",".join([*options, f"size={size}"])
+        return subprocess.run(
+            ["mount", "-t", "tmpfs", "-o", told, "tmpfs", place], capture_output=True, check=False
+        )
+
+    if shutil.which("mount") is None or sized(2**16).returncode:
+        pytest.skip("nothing can be mounted here")
+    yield place, lambda size: sized(size, "remount").check_returncode()
+    subprocess.run(["umount", place], check=True)
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
+def test_on_a_disk_that_is_really_full_nothing_is_lost(first, disk, share):
+    place, resize = disk
+    resize(int(share * sum(f.stat().st_blocks for f in first[0].rglob("*") if f.is_file()) * 512))
+    with pytest.raises(StoreError, match="No space"):
+        make(campaign(), place / "c")
+    resize(2**28)
+    assert make(campaign(), place / "c").digest == first[1].digest
+    assert whole(place / "c")
 
 
 def test_batches_hold_every_item_once():
