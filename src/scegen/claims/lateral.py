@@ -22,18 +22,23 @@ _WIDE_M = 1.0
 """Beyond its edges, somebody counts as on an arm."""
 
 
-def lateral_m(view: View, name: str, drive: Drive | None) -> Floats:
+def lateral_m(view: View, name: str, drive: Drive | None, steps: int | None = None) -> Floats:
     """How far somebody has gone to its own left since the start, along its arms (c, t).
 
     In a crossing the value stays as it was; in a ring it is how much nearer to its middle somebody
     has come (farther from it, where traffic keeps left). On the way out it goes on from there.
+    Only of the first ``steps``, if that is given.
     """
-    return view.once(("lateral", name), lambda: _lateral(view, name, drive))
+    upto = view.steps if steps is None else min(steps, view.steps)
+    return view.once(("lateral", name, upto), lambda: _lateral(view, name, drive, upto))
 
 
-def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
+def _lateral(view: View, name: str, drive: Drive | None, upto: int) -> Floats:
     if drive is None:
         box = boxes(view, name)
+        box = box._replace(
+            x=box.x[:, :upto], y=box.y[:, :upto], cos=box.cos[:, :upto], sin=box.sin[:, :upto]
+        )
         x, y, cos, sin = (values[:, :1] for values in (box.x, box.y, box.cos, box.sin))
         return offset(box._replace(x=x, y=y, cos=cos, sin=sin), box)[1]
     entry, leaving = (arms_of(view)[arm] for arm in (drive.entry, drive.exit))
@@ -42,7 +47,7 @@ def _lateral(view: View, name: str, drive: Drive | None) -> Floats:
     ring = 0.0
     if road.kind is JunctionKind.ROUNDABOUT:
         ring, straight_on = (1.0 if road.driving_side is DrivingSide.RIGHT else -1.0), False
-    moved = np.empty((view.count, view.steps))
+    moved = np.empty((view.count, upto))
     tracks = view.laid[:, view.index[name]]
     ahead_m = view.body(name).centre_ahead_m
     _write(tracks, ahead_m, _line(entry), _line(leaving), straight_on, ring, moved)

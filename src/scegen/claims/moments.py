@@ -98,6 +98,10 @@ def _sense(act: Act) -> float:
 
 def leaves_lane(view: View, name: str, drive: Drive | None) -> Ints:
     """The step in which somebody was last on its line before it left it; all steps if never."""
+    return view.once(("leaves lane", name), lambda: _leaves_lane(view, name, drive))
+
+
+def _leaves_lane(view: View, name: str, drive: Drive | None) -> Ints:
     moved = np.abs(lateral_m(view, name, drive))
     gone = first(moved > LEAVES_M)
     before = np.arange(view.steps) < gone[:, None]

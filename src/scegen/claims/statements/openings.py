@@ -51,7 +51,7 @@ def _undisturbed(told: Told, name: str, view: View) -> Judged:
     speed = view.speed_mps(name)[:, : upto + 1]
     changes = np.abs(np.diff(speed, axis=1, append=speed[:, -1:])) > CHANGES_MPS2 * view.dt_s
     changes[:, -1] = False
-    aside = np.abs(lateral_m(view, name, told.drive(name))[:, : upto + 1]) > LEAVES_M
+    aside = np.abs(lateral_m(view, name, told.drive(name), upto + 1)) > LEAVES_M
     disturbed = changes | aside
     step = np.where(disturbed.any(axis=1), disturbed.argmax(axis=1), upto)
     time_s = view.time_of(step)
