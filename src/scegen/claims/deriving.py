@@ -42,6 +42,7 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     acts.claims,
     rules.claims,
     giving_way.claims,
+    giving_way.said,
     dangers.claims,
     objects.claims,
     outcomes.claims,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from math import pi
 
 from scegen.concretization.limits import (
@@ -12,7 +12,7 @@ from scegen.concretization.limits import (
     STOPPING_MPS2,
     SUDDEN_ACCELERATION_MPS2,
 )
-from scegen.scenario.acts import Act, ActKind, AfterAct
+from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterAct, When
 from scegen.scenario.bodies import Body
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind
@@ -28,19 +28,22 @@ _HARDER = (1.0, 1.2, 1.4, 9.0)
 _OF_GRIP = 0.95
 
 
-def spelled_out(acts: Sequence[Act]) -> tuple[Act, ...]:
+AS_LONG_AS_NEEDED_S = Interval(low=0.0, high=60.0)
+"""How long one waits where the text does not say."""
+
+
+def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Act, ...]:
     """The acts, those of who waits told as stopping and setting off so much later.
+
+    Who gives way to one of ``by_rules`` does so by the rules of the road, so that is no act here.
 
     The stop keeps the name of the wait; what sets it off next, if that is an act of the text whose
     moment is not said, begins when the wait is over.
     """
+    acts = [act for act in acts if not (act.kind in LETS_BY and act.into in by_rules)]
     found: list[Act] = []
     over: dict[str, AfterAct] = {}
-    stands = {
-        act.id: act.duration_s or Interval(low=0.0, high=0.0)
-        for act in acts
-        if act.kind is ActKind.WAIT
-    }
+    stands = {act.id: act.duration_s or AS_LONG_AS_NEEDED_S for act in acts if act.kind in LETS_BY}
     for n, act in enumerate(acts):
         when = act.when
         if isinstance(when, AfterAct) and when.act in stands and when.since == "end":
@@ -53,7 +56,7 @@ def spelled_out(acts: Sequence[Act]) -> tuple[Act, ...]:
         waited = over.pop(act.participant, None)
         if waited is not None and (act.kind is ActKind.SET_OFF or act.when is None):
             act = act.model_copy(update={"when": waited})  # noqa: PLW2901
-        if act.kind is not ActKind.WAIT:
+        if act.kind not in LETS_BY:
             found.append(act)
             continue
         found.append(act.model_copy(update={"kind": ActKind.STOP, "duration_s": None}))
@@ -65,6 +68,11 @@ def spelled_out(acts: Sequence[Act]) -> tuple[Act, ...]:
             name = f"{act.id}_over"[:40]
             found.append(Act(id=name, participant=act.participant, kind=ActKind.SET_OFF, when=on))
     return tuple(found)
+
+
+def goes_on_when_free(when: When | None) -> bool:
+    """Whether somebody who waits goes on as soon as nobody is in the way any more."""
+    return isinstance(when, AfterAct) and when.delay_s == AS_LONG_AS_NEEDED_S
 
 
 def change_of_speed(

@@ -9,7 +9,13 @@ from math import inf
 import numpy as np
 
 from scegen.claims.boxes import same_way, seen
-from scegen.concretization.amounts import BRAKING, CLOSEST_M, SLOWING, answering_rates_mps2
+from scegen.concretization.amounts import (
+    BRAKING,
+    CLOSEST_M,
+    SLOWING,
+    answering_rates_mps2,
+    goes_on_when_free,
+)
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.boxes import apart
 from scegen.concretization.courses import Sort, SpeedChange
@@ -112,7 +118,8 @@ def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contac
     """Brake as late as leaves a little room; not at all where nothing does."""
     own = _loose(scene, who)
     before = who.deeds
-    rest = [mark for mark in before if mark is not own]
+    waits = [m for m in before if m.act is not None and goes_on_when_free(scene.act(m.act).when)]
+    rest = [mark for mark in before if mark is not own and mark not in waits]
     kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKING and who.id in h.by]
     target = _slowest_mps(scene, moments, contact)
     who.deeds, who.course_ = rest, None
@@ -138,22 +145,24 @@ def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contac
             middle = (early + after) / 2
             early, after = (middle, after) if brake(middle, rate) >= CLOSEST_M else (early, middle)
         brake(early, rate)
+        if waits or own is None:
+            _go_on(who, least_m, waits)
         if own is None:
-            _go_on(who, least_m)
             reason = f"brakes for {contact.other}, as a driver who sees it does"
             scene.note(f"{who.id}.rate_mps2", rate, reason)
         return
     who.deeds, who.course_ = before, None
 
 
-def _go_on(who: DriveDraft, least_m: Callable[[], float]) -> None:
-    """Drive on as soon as that is free; where it never is, stay as slow."""
-    if any(mark.act is not None for mark in who.deeds):
+def _go_on(who: DriveDraft, least_m: Callable[[], float], said: list[SpeedChange]) -> None:
+    """Drive on as soon as that is free, by its own act if that is said; else stay as slow."""
+    if not said and any(mark.act is not None for mark in who.deeds):
         return
     kept = who.deeds
     rate = who.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
+    usual = SpeedChange(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT)
     for then in _GOES_ON_S:
-        on = SpeedChange(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT, then_s=then)
+        on = replace(next(iter(said), usual), then_s=then)
         who.deeds, who.course_ = [*kept, on], None
         if least_m() >= CLOSEST_M - 0.1:
             return

@@ -41,7 +41,7 @@ def arrange(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     while _arrange_one(scene, dangers, offsets, None):
         continue
     duties = must_give_way(scene.functional, scene.logical)
-    manners = Manners(lights_of(scene, offsets), duties, patient_ones(scene, ordered))
+    manners = Manners(lights_of(scene, offsets), duties, patient_ones(scene, ordered, duties))
     while len(offsets) < len(scene.drives):
         if _arrange_one(scene, ordered, offsets, manners):
             continue

@@ -56,6 +56,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
+from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -187,6 +188,7 @@ def _place(scene: Setup) -> None:
 
 def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
+    others = {each.participant for each in scene.logical.drives}
     cruise = cruise_speed_mps(scene, participant)
     if scene.sets_off(participant.id):
         cruise = usual_speed_mps(scene, participant.id)
@@ -196,7 +198,11 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
         drive=drive,
         cruise_mps=cruise,
         grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
-        stops_at_line=participant.id in must_stop(scene.functional, scene.logical),
+        stops_at_line=participant.id in must_stop(scene.functional, scene.logical)
+        or any(
+            act.kind is ActKind.WAIT and act.participant == participant.id and act.into in others
+            for act in scene.functional.acts
+        ),
     )
 
 

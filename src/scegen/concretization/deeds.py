@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from scegen.concretization.amounts import GAINING, change_of_speed
+from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
 from scegen.concretization.asked import hazard_of
 from scegen.concretization.courses import Sort, SpeedChange
 from scegen.concretization.drafts import DriveDraft
@@ -15,6 +15,7 @@ from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
+from scegen.measures.grounds import grounds
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
 from scegen.scenario.vocabulary import HazardKind
@@ -111,7 +112,7 @@ def _marks(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         if not own and before == 0.0:
             then = STOOD_S
         elif follows_own and isinstance(when, AfterAct):
-            then = when.delay_s.middle or _HOLDS_S
+            then = _delay_s(when) or _HOLDS_S
             if when.since == "begin":
                 then = max(0.0, then - took_s)
         elif own and when is None:
@@ -127,6 +128,10 @@ def _marks(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         own.add(act.id)
 
 
+def _delay_s(when: AfterAct) -> float:
+    return 0.0 if goes_on_when_free(when) else when.delay_s.middle
+
+
 def is_open(scene: Setup, mark: SpeedChange) -> bool:
     """Whether the place of an act is free: neither said, nor that of the act before it."""
     if mark.act is None or mark.then_s is not None:
@@ -140,7 +145,10 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     way = _way_m(draft.cruise_mps, draft.deeds)
     first = draft.deeds[0]
     place = first.s_m
-    if is_open(scene, first):
+    lets_by = _before_walker_m(scene, draft, first)
+    if lets_by is not None:
+        place = lets_by - _way_m(draft.cruise_mps, [first])
+    elif is_open(scene, first):
         kind = first.hazard or HazardKind.HARD_BRAKING
         act = scene.act(first.act or "").kind
         place = happens_s_m(scene, draft, kind, act) - way
@@ -152,6 +160,16 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     ]
     draft.deeds = [replace(first, s_m=place), *later]
     draft.course_ = None
+
+
+def _before_walker_m(scene: Setup, draft: DriveDraft, mark: SpeedChange) -> float | None:
+    """Where it stands that waits for somebody who crosses: just before that one's way."""
+    act = scene.act(mark.act or "")
+    walk = scene.walks.get(act.into or "")
+    if walk is None:
+        return None
+    shared = grounds(draft.laid.path, draft.kind, walk.path, walk.kind)
+    return shared[0].enter_m - _BEFORE_LINE_M if shared else None
 
 
 def _way_m(speed_mps: float, marks: list[SpeedChange]) -> float:

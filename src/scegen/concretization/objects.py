@@ -54,7 +54,9 @@ def lying_in_the_way(
             continue
         if thing is not None and any(each.id == thing.id for each in lying):
             continue
-        who = next((n for n in hazard.to if n in drivers), _who_reacts(functional, logical))
+        who = next(
+            (n for n in hazard.to if n in drivers), _who_reacts(functional, logical, drivers)
+        )
         taken = {each.id for each in lying} | {*drivers}
         name = free_name(functional, ThingKind.OBSTACLE, taken)
         thing = thing or Thing(id=name, kind=ThingKind.OBSTACLE)
@@ -64,15 +66,14 @@ def lying_in_the_way(
     return found
 
 
-def _who_reacts(functional: FunctionalScenario, logical: LogicalScenario) -> str:
-    """Who does something that one does because of a thing in its way; else the ego."""
-    for hazard in dangers(functional, logical):
-        if hazard.by and HAZARDS[hazard.kind].acts:
-            return hazard.by[0]
+def _who_reacts(
+    functional: FunctionalScenario, logical: LogicalScenario, drivers: Collection[str]
+) -> str:
+    """The driver who does something that one does because of a thing in its way; else the ego."""
+    acting = [h.by[0] for h in dangers(functional, logical) if h.by and HAZARDS[h.kind].acts]
     sideways = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
-    return next(
-        (d.participant for d in logical.drives if d.maneuver in sideways), functional.ego.id
-    )
+    aside = [d.participant for d in logical.drives if d.maneuver in sideways]
+    return next((name for name in (*acting, *aside) if name in drivers), functional.ego.id)
 
 
 def made_of(name: str, shape: Shape, called: str | None, pose: Pose) -> StaticObject:

@@ -126,15 +126,21 @@ class Manners:
         return (yields, other) if _takes_way(*yields, *other) else None
 
 
-def patient_ones(scene: Setup, meetings: Iterable[Meeting]) -> frozenset[str]:
-    """Those who may be let wait: nothing is told of what they do, and they are to meet nobody.
+def patient_ones(
+    scene: Setup, meetings: Iterable[Meeting], duties: Iterable[Duty]
+) -> frozenset[str]:
+    """Those who may be let wait: who is said to let others go first, and nothing else at a line;
+
+    and those of whom nothing is told, and who are to meet nobody.
 
     Where the text asks for no danger and tells of no good end, a near miss with the ego is looked
     for: those who meet it do not wait.
     """
     functional = scene.functional
+    asked = {d.yields for d in duties if d.rule is None and d.other in scene.drives}
+    asked = {name for name in asked if name in scene.drives and _is_free(scene.drives[name])}
     if scene.road.control is Control.SIGNALS or functional.spacings:
-        return frozenset()
+        return frozenset(asked)
     outcome, ego = functional.outcome, functional.ego.id
     hazards = functional.hazards
     told = {name for h in hazards for name in (*h.by, *h.to)}
@@ -146,15 +152,21 @@ def patient_ones(scene: Setup, meetings: Iterable[Meeting]) -> frozenset[str]:
         pair = {meeting.first, meeting.second}
         if meeting.priority < ORDINARY or (near and ego in pair):
             told |= pair
-    return frozenset(
+    return frozenset(asked) | frozenset(
         draft.id
         for draft in scene.drives.values()
         if draft.id not in told
-        and not (draft.marks or draft.deeds or draft.reversal or draft.lane_changes)
-        and not (draft.stands or draft.halts_at_m is not None or draft.drive.circulating)
+        and _is_free(draft)
         and not any(act.participant == draft.id for act in scene.acts)
         and (scene.road.control in _SIGNED or not scene.has_said_speed(draft.id))
     )
+
+
+def _is_free(draft: DriveDraft) -> bool:
+    """Whether nothing else fixes how it comes to its line."""
+    does = draft.marks or draft.deeds or draft.reversal or draft.lane_changes
+    stands = draft.stands or draft.halts_at_m is not None or draft.drive.circulating
+    return not (does or stands)
 
 
 def set_gaps(scene: Setup) -> None:

@@ -101,7 +101,8 @@ class Setup:
     @property
     def acts(self) -> tuple[Act, ...]:
         """What the text tells that happens, in order."""
-        return spelled_out(self.logical.acts or self.functional.acts)
+        drivers = {drive.participant for drive in self.logical.drives}
+        return spelled_out(self.logical.acts or self.functional.acts, drivers)
 
     def act(self, name: str) -> Act:
         """An act by its id."""

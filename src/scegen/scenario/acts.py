@@ -34,6 +34,12 @@ class ActKind(Word):
         "`stop`, after which it stays at rest; a delay, which lies between two acts",
         "waits 6 s at the stop line; stands there for 20 s",
     )
+    GIVE_WAY = (
+        "give_way",
+        "lets another go first, slowing down or standing for as long as that takes",
+        "`wait`, which lasts a time that is said; failing to (hazard `failure_to_yield`)",
+        "gives way to the pedestrian; lets the oncoming car pass; waits for the bus",
+    )
     SET_OFF = (
         "set_off",
         "begins to move from rest, up to a speed that may be given",
@@ -77,6 +83,10 @@ class ActKind(Word):
         "`change_lane` without getting past",
         "pulls out to overtake the truck",
     )
+
+
+LETS_BY = frozenset({ActKind.GIVE_WAY, ActKind.WAIT})
+"""What one does for another that goes first, where one is named."""
 
 
 class AfterStart(FrozenModel):
@@ -137,7 +147,8 @@ class Act(FrozenModel):
     on the way (a magnitude: the kind says which way), ``duration_s`` how long the act takes, of one
     who waits how long it stands,
     ``distance_m`` how far it goes on doing it. ``side`` is its own left or right, ``into`` names
-    whose lane it comes into; ``lateral_m`` how far it goes sideways, ``lateral_mps`` its greatest
+    whose lane it comes into, of one who overtakes whom, of one who waits or gives way for whom;
+    ``lateral_m`` how far it goes sideways, ``lateral_mps`` its greatest
     speed sideways. ``when`` is None where the text does not say what sets it off.
     """
 

@@ -53,6 +53,8 @@ def claims(told: Told) -> Iterator[Claim]:
     """Of every act: that it happens, each of its amounts, what sets it off."""
     for act in told.functional.acts:
         yield from _in_order(told, act)
+        if act.kind is ActKind.GIVE_WAY:
+            continue  # whom it lets go first is a claim of its own
         does = f"{act.participant} is to {plain(act.kind)}"
         yield _claim(told, act, "", f"{act.participant} does {plain(act.kind)}", "s", _happens)
         if act.kind in SLOWING | GAINING:

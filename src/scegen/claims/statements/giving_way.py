@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from math import inf
 
 import numpy as np
 
-from scegen.claims.claim import NEVER, Claim, Judged, rule_claim
-from scegen.claims.moments import first
+from scegen.claims.boxes import boxes, offset, same_way
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
+from scegen.claims.moments import at, first
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View
@@ -16,6 +18,7 @@ from scegen.measures.grounds import Ground, grounds
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
 from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS
+from scegen.scenario.acts import LETS_BY
 
 _ENOUGH_S = 10.0
 
@@ -23,7 +26,7 @@ _ENOUGH_S = 10.0
 def claims(told: Told) -> Iterator[Claim]:
     """One for every two whose ways meet."""
     for duty in must_give_way(told.functional, told.logical):
-        if {duty.yields, duty.other} == {*told.brought_together}:
+        if duty.rule is None or {duty.yields, duty.other} == {*told.brought_together}:
             continue
         order = "whoever of both stops later" if duty.by_arrival else duty.yields
         between = f"{duty.yields} and {duty.other}" if duty.by_arrival else duty.other
@@ -31,6 +34,46 @@ def claims(told: Told) -> Iterator[Claim]:
         test = partial(_in_order if duty.by_arrival else _gives_way, duty)
         name = f"way.{duty.yields}.{duty.other}"
         yield rule_claim(name, statement, test, tolerance=TIME_S)
+
+
+def said(told: Told) -> Iterator[Claim]:
+    """One for everybody who is said to let another go first."""
+    for act in told.functional.acts:
+        if act.kind in LETS_BY and act.into is not None:
+            yield Claim(
+                id=f"act.{act.id}.into",
+                kind=ClaimKind.ACT,
+                statement=f"{act.participant} lets {act.into} go first",
+                field=f"acts.{act.id}.into",
+                unit="s",
+                test=partial(_lets_by, act.participant, act.into),
+                tolerance=TIME_S,
+            )
+
+
+def _lets_by(name: str, other: str, view: View) -> Judged:
+    """How long after the other has left their ground it comes onto it, or that it gets past."""
+    margin, time_s = np.full(view.count, _ENOUGH_S), np.zeros(view.count)
+    shared = _grounds(view, name, other)
+    for ground in shared:
+        left_m = ground.other_leaves_m
+        if not left_m < inf:
+            left_m = ground.other_enters_m + view.body(other).length_m
+        they_go = view.reaches_s(other, left_m)
+        comes = view.reaches_s(name, ground.enter_m)
+        own = np.where(np.isfinite(comes), comes - they_go, _ENOUGH_S)
+        own = np.clip(np.where(np.isfinite(they_go), own, -NEVER), -NEVER, _ENOUGH_S) + TIME_S
+        time_s = np.where(own < margin, np.where(np.isfinite(they_go), they_go, 0.0), time_s)
+        margin = np.minimum(margin, own)
+    return Judged(margin, margin, time_s) if shared else _gets_past(name, other, view)
+
+
+def _gets_past(name: str, other: str, view: View) -> Judged:
+    """By how much the other, who goes the same way or comes the other, is past in the end (m)."""
+    own, theirs = boxes(view, name), boxes(view, other)
+    ahead_m = offset(own, theirs)[0] * np.sign(same_way(own, theirs))
+    past_m = at(ahead_m - own.half_length - theirs.half_length, view.last_step)
+    return Judged(past_m, past_m, view.time_of(view.last_step))
 
 
 def _gives_way(duty: Duty, view: View) -> Judged:

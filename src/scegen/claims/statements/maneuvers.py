@@ -18,7 +18,7 @@ from scegen.claims.told import KPH, Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import LETS_BY, ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
@@ -133,7 +133,10 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         yield _claim(f"overtake.{name}", does, field, "m", test, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
-        yield _claim(f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive))
+        held_up = not any(act.kind in LETS_BY for act in told.acts_of(name))
+        yield _claim(
+            f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive, held_up)
+        )
 
 
 def _is_an_act(told: Told, drive: Drive) -> bool:
@@ -151,8 +154,8 @@ def _overtaken(told: Told, name: str) -> list[str]:
     return list(dict.fromkeys(whom))
 
 
-def _turns(drive: Drive, view: View) -> Judged:
-    """The change of heading up to the end; who is not through yet is still to turn."""
+def _turns(drive: Drive, held_up: bool, view: View) -> Judged:  # noqa: FBT001
+    """The change of heading up to the end; who is held up before the junction is still to turn."""
     name = drive.participant
     heading = view.row(name, HEADING)
     last = view.last_step
@@ -163,7 +166,7 @@ def _turns(drive: Drive, view: View) -> Judged:
         margin = (turned if drive.turn is Maneuver.LEFT else -turned) - _TURNS_DEG
     arm = arms_of(view)[drive.entry]
     along, _ = arm.place(boxes(view, name))
-    waits = (at(along, last) <= arm.length_m) & (np.abs(turned) < _TURNS_DEG)
+    waits = held_up & (at(along, last) <= arm.length_m) & (np.abs(turned) < _TURNS_DEG)
     waits &= at(view.speed_mps(name), last) < STANDS_MPS
     return Judged(np.where(waits, 0.0, margin), turned, view.time_of(last))
 

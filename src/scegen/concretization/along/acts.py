@@ -23,7 +23,7 @@ def all_acts(
     functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
 ) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
-    told = spelled_out(logical.acts or functional.acts)
+    told = spelled_out(logical.acts or functional.acts, runners)
     said = [a for a in told if a.participant in runners]
     acts = [_on_a_plain_road(act) for act in said]
     acts = [act for act in acts if act.kind in _ALONG]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 
 from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.amounts import goes_on_when_free
 from scegen.concretization.asked import allowed
 from scegen.concretization.limits import (
     HARD_BRAKING_MPS2,
@@ -227,6 +228,22 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     act = own.act if own is not None else None
     answers = None if said else walk.id
     meets.steps.append(Step(begins, target, rate, act, hazard, reacts_to=answers))
+    _go_on(story, walk, meets)
+
+
+def _go_on(story: Story, walk: Walk, meets: Runner) -> None:
+    """Who waits for somebody goes on as soon as that one is out of its way."""
+    edge = edge_y_m(story, left=walk.from_left)
+    wide = (meets.body.width_m + walk.body.length_m) / 2
+    across = abs(edge - meets.y_m(0.0, LANE_WIDTH_M)) + walk.setback_m + wide
+    gone_s = walk.sets_off_s + walk.runs_s(across) + _LEAST_LEAD_S
+    for n, step in enumerate(meets.steps):
+        if step.act is not None and goes_on_when_free(story.act(step.act).when):
+            begins = max(
+                gone_s, *(s.begins_s + _LEAST_LEAD_S for s in meets.steps if s is not step)
+            )
+            meets.steps[n] = replace(step, begins_s=begins)
+            story.begins_s[step.act] = begins
 
 
 def _touches(walk: Walk, meets: Runner, story: Story) -> bool:

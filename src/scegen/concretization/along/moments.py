@@ -8,6 +8,7 @@ from scegen.concretization.along.auxiliary import ON_RAMP_S, merging
 from scegen.concretization.along.performing import perform
 from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.along.story import FIRST_ACT_S, Story
+from scegen.concretization.amounts import goes_on_when_free
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import Act, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT
@@ -58,7 +59,7 @@ def _moment_s(story: Story, act: Act) -> float:
         return runner.profile.time_s(when.distance_m.middle)
     if isinstance(when, AfterAct) and not story.is_loose(act):
         known = story.ends_s if when.since == "end" else story.begins_s
-        delay = when.delay_s.middle
+        delay = 0.0 if goes_on_when_free(when) else when.delay_s.middle
         alone = story.act(when.act).participant == act.participant
         if alone and delay == 0.0 and when.since == "end":
             delay = _HOLDS_S  # "and then": what it has reached is held for a moment

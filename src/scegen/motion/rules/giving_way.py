@@ -12,6 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.motion.rules.breaches import breaks, told_hazards
+from scegen.scenario.acts import LETS_BY
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import RoadRule
 from scegen.scenario.logical import Conflict, ConflictKind, Drive, LogicalScenario, Rule
@@ -40,19 +41,20 @@ _MEET = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 class Duty:
     """``yields`` gives way to ``other`` by ``rule``.
 
-    ``by_arrival``: who is later at its line does; ``yields`` where both come at once.
+    ``by_arrival``: who is later at its line does; ``yields`` where both come at once. Without a
+    rule it does because the text says so.
     """
 
     yields: str
     other: str
-    rule: Rule
+    rule: Rule | None
     by_arrival: bool = False
 
 
 def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Duty, ...]:
     """Who gives way to whom, as nobody is said not to.
 
-    What is said of two wins: those whom a danger or the end brings together, whose distance is
+    What is said of two wins: who is said to give way does, and those whom a danger or the end brings together, whose distance is
     said, or of whom one does something that the text tells, meet as is told.
     """
     told = _told_pairs(functional, logical)
@@ -63,7 +65,12 @@ def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> t
     free = acting | stepping
     breaking = breaks(functional, logical, RoadRule.RIGHT_OF_WAY)
     all_way = functional.junction.control is Control.ALL_WAY_STOP
-    return tuple(
+    said = tuple(
+        Duty(act.participant, act.into, None)
+        for act in functional.acts
+        if act.kind in LETS_BY and act.into is not None
+    )
+    return said + tuple(
         Duty(yields, other, conflict.rule, all_way and conflict.rule is not Rule.CROSSWALK)
         for conflict in logical.conflicts
         if conflict.kind in _MEET and conflict.rule in _RULES and conflict.yields is not None

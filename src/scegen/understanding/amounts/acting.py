@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
+from scegen.understanding.amounts.letting_by import let_by
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
@@ -19,7 +20,7 @@ _WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
-                     ActKind.REVERSE, ActKind.TURN, ActKind.OVERTAKE})  # fmt: skip
+                     ActKind.REVERSE, ActKind.TURN, ActKind.GIVE_WAY, ActKind.OVERTAKE})  # fmt: skip
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
 
@@ -53,6 +54,9 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
     frame = ActFrame(ActKind.CHANGE_LANE, always=True) if changed else acts().get(event.name)
     if frame is None and _starts(event):
         frame = ActFrame(ActKind.SET_OFF, always=False)  # "the van starts 0.7 s after the car"
+    whom = let_by(scene)
+    if whom and event.name != "stop":
+        frame = ActFrame(ActKind.GIVE_WAY, always=True)
     if frame is None or event.negated or event.unable:
         return []
     if parent is not None and (parent.name in _PREVENTED or parent.negated):
@@ -72,6 +76,8 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         )
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
+        if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
+            doing.into, doing.into_basis = whom[0], basis
         _aside(doing, scene, text, context)
         _to_standstill(doing, text)
         made.append(doing)

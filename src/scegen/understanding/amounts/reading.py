@@ -10,6 +10,7 @@ from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart
 from scegen.understanding.amounts.doings import FIELDS, Filler
 from scegen.understanding.amounts.items import items_in
+from scegen.understanding.amounts.letting_by import go_on
 from scegen.understanding.amounts.outcomes import Judge
 from scegen.understanding.amounts.placed import MEASURES, Spacer
 from scegen.understanding.amounts.releasing import Releaser
@@ -71,6 +72,7 @@ def read_amounts(
         if not done:
             _note(number, context)
     clock.order()
+    found.acts = go_on(found.acts, text)
     kept_apart(found, context)
     found.acts = _kept(found)
     _gently(found, context)

@@ -1,0 +1,73 @@
+"""Who lets others go first, and who goes on after a stop."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import ActKind
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Entity
+from scegen.understanding.frames import words
+from scegen.understanding.happenings import Doing
+from scegen.understanding.semantics.context import Clause
+
+_GOES = frozenset(
+    {"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge", "through"}
+)
+_HOLDING = frozenset({"wait", "stop"})
+_GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
+
+
+def let_by(clause: Clause) -> list[Entity]:
+    """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``.
+
+    Args:
+        clause: what happens.
+    """
+    event = clause.event
+    if event.name == "yield":
+        return clause.targets
+    if event.lemma == "let":
+        return clause.targets if any(c.name in _GOES for c in event.children) else []
+    if event.name not in _HOLDING:
+        return []
+    named = [p.target for p in event.pps if p.value == "for" and isinstance(p.target, Mention)]
+    return [e for mention in named for e in mention.entities if e not in clause.actors]
+
+
+def go_on(acts: list[Doing], text: Sentences) -> list[Doing]:
+    """The acts, with those who stop and go on afterwards as waiting.
+
+    Args:
+        acts: in the order of the text, each with what sets it off.
+        text: the text with its clauses.
+    """
+    kept = list(acts)
+    for stop in [a for a in acts if a.kind is ActKind.STOP and a.entity.is_vehicle]:
+        later = [a for a in kept if a.entity is stop.entity and a.i > stop.i]
+        same = text.bounds(stop.i)
+        letting = [a for a in later if a.kind is ActKind.GIVE_WAY and text.bounds(a.i) == same]
+        if letting:
+            stop.kind, stop.into, stop.into_basis = ActKind.WAIT, letting[0].into, letting[0].basis
+            kept.remove(letting[0])
+        elif stop.into is not None or _moves_again(stop, later, text):
+            stop.kind = ActKind.WAIT
+    for act in kept:
+        if act.when is not None and act.when.act is not None and act.when.act not in kept:
+            act.when = None
+    return kept
+
+
+def _moves_again(stop: Doing, later: list[Doing], text: Sentences) -> bool:
+    """``stops and then turns left``, ``stops …, then drives on``."""
+    if any(a.kind is ActKind.SET_OFF for a in later[:1]):
+        return False  # it is told how
+    if any(a.when is not None and a.when.act is stop for a in later[:1]):
+        return True
+    for clause in text.scenes:
+        event = clause.event
+        if stop.entity not in clause.actors or event.i <= stop.i or event.name not in _GOING:
+            continue
+        on = text.low(event.i, event.j + 1).endswith((" on ", " off ", " again "))
+        if on or event.lemma in words()["going_on"] or text.says("then", stop.i, event.i):
+            return not event.negated
+    return False
