@@ -16,7 +16,7 @@ from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import HazardKind, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Side
 
 CHANGES_MPS2 = 0.3
 """Speed that changes faster than this is braking or accelerating."""
@@ -28,6 +28,7 @@ LEAVES_M, HELD_M = 0.01, 0.001
 TURNS_RAD = 0.1
 ASIDE_MPS = 0.05
 """Who goes sideways faster than this is on its way to there."""
+_GOES_ON_S = 0.2
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 SIDEWAYS = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
@@ -66,23 +67,33 @@ def sideways_begin(
         if a.participant == act.participant and a.kind in SIDEWAYS
     ]
     before = leaves_lane(view, act.participant, drive)
-    if not earlier and not _comes_back_by(functional, act):
+    if not earlier and not _comes_back_by(functional, drive, act):
         return before
     if earlier:
         before = sideways_begin(view, functional, drive, earlier[-1])
     moved = lateral_m(view, act.participant, drive)
     speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
     sense = _sense(act) or (-_sense(earlier[-1]) if earlier else 0.0)
+    # A body that straightens up swings back for a step: what is a move goes on for a moment.
+    soon = max(1, round(_GOES_ON_S / view.dt_s))
+    ahead = np.minimum(np.arange(view.steps) + soon, view.steps - 1)
+    goes_on = (moved[:, ahead] - moved) / _GOES_ON_S
     there = np.abs(speed) if sense == 0.0 else sense * speed
+    under_way = (np.abs(goes_on) if sense == 0.0 else sense * goes_on) > ASIDE_MPS
     steps = np.arange(view.steps)
     goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
     # Between two moves to one side it rests for a moment.
     rests = (there <= ASIDE_MPS) & (steps > goes[:, None])
-    return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS))
+    return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS) & under_way)
 
 
-def _comes_back_by(functional: FunctionalScenario, act: Act) -> bool:
-    """Whether one who overtakes comes back by it, before the one it has passed."""
+def _comes_back_by(functional: FunctionalScenario, drive: Drive | None, act: Act) -> bool:
+    """Whether one who overtakes comes back by it, before the one it has passed.
+
+    Who drives beside that one at first has not left its lane before.
+    """
+    if drive is None or Approach.ADJACENT in functional.participant(drive.participant).approaches:
+        return False
     return any(
         hazard.kind is HazardKind.OVERTAKING
         and act.participant in hazard.by

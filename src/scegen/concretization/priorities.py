@@ -129,9 +129,7 @@ class Manners:
 def patient_ones(
     scene: Setup, meetings: Iterable[Meeting], duties: Iterable[Duty]
 ) -> frozenset[str]:
-    """Those who may be let wait: who is said to let others go first, and nothing else at a line;
-
-    and those of whom nothing is told, and who are to meet nobody.
+    """Those who may be let wait: who is said to, and of whom nothing is told nor whom they meet.
 
     Where the text asks for no danger and tells of no good end, a near miss with the ego is looked
     for: those who meet it do not wait.

@@ -22,7 +22,13 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import Measure
 
-AT_JUNCTIONS = {ActKind.TURN, ActKind.REVERSE, ActKind.WAIT, ActKind.ENTER}
+AT_JUNCTIONS = {
+    ActKind.TURN,
+    ActKind.REVERSE,
+    ActKind.WAIT,
+    ActKind.ENTER,
+    ActKind.GIVE_WAY,
+}
 MOST = 4
 MISTAKEN = {
     "is_followed_and_brakes": "speed.tail",

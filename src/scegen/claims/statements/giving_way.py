@@ -18,7 +18,8 @@ from scegen.measures.grounds import Ground, grounds
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
 from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS
-from scegen.scenario.acts import LETS_BY
+from scegen.scenario.acts import LETS_BY, Act
+from scegen.scenario.vocabulary import JunctionKind
 
 _ENOUGH_S = 10.0
 
@@ -40,13 +41,14 @@ def said(told: Told) -> Iterator[Claim]:
     """One for everybody who is said to let another go first."""
     for act in told.functional.acts:
         if act.kind in LETS_BY and act.into is not None:
+            pair = act.participant, act.into
             yield Claim(
                 id=f"act.{act.id}.into",
                 kind=ClaimKind.ACT,
                 statement=f"{act.participant} lets {act.into} go first",
                 field=f"acts.{act.id}.into",
                 unit="s",
-                test=partial(_lets_by, act.participant, act.into),
+                test=partial(_lets_by if _meet(told, act) else _gets_past, *pair),
                 tolerance=TIME_S,
             )
 
@@ -61,11 +63,18 @@ def _lets_by(name: str, other: str, view: View) -> Judged:
             left_m = ground.other_enters_m + view.body(other).length_m
         they_go = view.reaches_s(other, left_m)
         comes = view.reaches_s(name, ground.enter_m)
-        own = np.where(np.isfinite(comes), comes - they_go, _ENOUGH_S)
+        with np.errstate(invalid="ignore"):
+            own = np.where(np.isfinite(comes), comes - they_go, _ENOUGH_S)
         own = np.clip(np.where(np.isfinite(they_go), own, -NEVER), -NEVER, _ENOUGH_S) + TIME_S
         time_s = np.where(own < margin, np.where(np.isfinite(they_go), they_go, 0.0), time_s)
         margin = np.minimum(margin, own)
     return Judged(margin, margin, time_s) if shared else _gets_past(name, other, view)
+
+
+def _meet(told: Told, act: Act) -> bool:
+    """Whether the ways of the two cross; along a plain road one gets past the other."""
+    along = told.functional.junction.kind is JunctionKind.STRAIGHT
+    return not along or told.drive(act.into or "") is None
 
 
 def _gets_past(name: str, other: str, view: View) -> Judged:

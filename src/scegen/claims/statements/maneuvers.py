@@ -154,7 +154,7 @@ def _overtaken(told: Told, name: str) -> list[str]:
     return list(dict.fromkeys(whom))
 
 
-def _turns(drive: Drive, held_up: bool, view: View) -> Judged:  # noqa: FBT001
+def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
     """The change of heading up to the end; who is held up before the junction is still to turn."""
     name = drive.participant
     heading = view.row(name, HEADING)

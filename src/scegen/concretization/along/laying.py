@@ -29,7 +29,7 @@ def lay(story: Story) -> list[Walk]:
     Raises:
         MotionInfeasibleError: an act never comes about, or there is nobody to overtake.
     """
-    waiting = time_what_is_known(story)
+    waiting, following = time_what_is_known(story)
     kept = {name: (list(r.steps), list(r.moves), r.offset_m) for name, r in story.runners.items()}
     begins, ends = dict(story.begins_s), dict(story.ends_s)
     walks: list[Walk] = []
@@ -50,6 +50,7 @@ def lay(story: Story) -> list[Walk]:
                 hint="Change the value of its trigger, or the speeds or distances of the two.",
             )
         overtake(story)
+        perform_waiting(story, following)
         come_back(story)
         touching = react(story)
         walks = cross(story, strips_m(story))

@@ -18,11 +18,18 @@ _HOLDS_S = 1.5
 _LATE_S, _LOOK_S = 60.0, 0.02
 
 
-def time_what_is_known(story: Story) -> list[Act]:
-    """Give every act its moment that needs nobody's place; returns those that need one."""
+def time_what_is_known(story: Story) -> tuple[list[Act], list[Act]]:
+    """Give every act its moment that needs nobody's place.
+
+    Returns those that need one, and those that follow upon overtaking, which is timed last.
+    """
     waiting: list[Act] = []
+    following: list[Act] = []
     for act in story.acts:
         when = act.when
+        if isinstance(when, AfterAct) and _is_timed_last(story, when, following):
+            following.append(act)
+            continue
         placed = isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
         placed = placed or isinstance(when, AfterDistance)
         follows = isinstance(when, AfterAct) and when.act not in story.begins_s
@@ -30,7 +37,15 @@ def time_what_is_known(story: Story) -> list[Act]:
             waiting.append(act)
         else:
             perform(story, act, _moment_s(story, act))
-    return waiting
+    return waiting, following
+
+
+def _is_timed_last(story: Story, when: AfterAct, following: Sequence[Act]) -> bool:
+    before = next((a for a in story.acts if a.id == when.act), None)
+    if before is None:
+        return False
+    round_it = story.goes_round(before) or story.comes_back(before)
+    return before in following or (round_it and when.since == "end")
 
 
 def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:

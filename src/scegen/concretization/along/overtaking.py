@@ -151,7 +151,7 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     """Out as late as it can, past them all, and back so far ahead as is said, or usual.
 
-    Who drives in another lane than all of them stays in it.
+    Who drives in another lane than all of them, or is made room for, stays in it until then.
     """
     hazard, lasts = story.hazard_of(act), LANE_CHANGE_S
     slow, foremost = line[0], line[-1]
@@ -162,8 +162,12 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         begins = story.begins_s[act.id]
         fast.steps.append(Step(begins + lasts, top, COMFORTABLE_ACCELERATION_MPS2, act.id))
     back = _return_of(story, act, fast, slow)
-    if back is None and all(each.lane != fast.lane for each in line):
-        story.ends_s[act.id] = _when(partial(_is_past, fast, foremost, 0.0), begins)
+    if all(each.lane != fast.lane or _makes_room(story, each) for each in line):
+        past_m = 0.0 if back is None else _gap_at(story, back)
+        story.ends_s[act.id] = past_s = _when(partial(_is_past, fast, foremost, past_m), begins)
+        if back is not None:
+            fast.moves.append(Move(past_s, lasts, slow.lane, 0.0, back.id, hazard))
+            story.begins_s[back.id], story.ends_s[back.id] = past_s, past_s + lasts
         return
     if not any(spacing.at == act.id for spacing in story.functional.spacings):
         begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
@@ -177,6 +181,11 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.ends_s[act.id] = clear if back is not None else clear + lasts
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _makes_room(story: Story, slow: Runner) -> bool:
+    """Whether it goes over into another lane itself."""
+    return any(a.kind is ActKind.CHANGE_LANE and a.participant == slow.id for a in story.acts)
 
 
 def _is_past(fast: Runner, slow: Runner, clear_m: float, time_s: float) -> bool:

@@ -138,7 +138,7 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
     hazard = next(iter(kinds), thing)
     rest = [s for s in who.steps if s is not own]
     before = who.steps
-    sees_s = ceil((_sees_s(other) + REACTION_S) / _STEP_S) * _STEP_S
+    sees_s = ceil((_sees_s(who, other) + REACTION_S) / _STEP_S) * _STEP_S
     rates = _rates_mps2(story, who, own, hard=bool(kinds))
     for rate in rates:
         found = _latest_s(who, other, rest, rate, sees_s, own)
@@ -190,7 +190,8 @@ def _just_enough(
     for _ in range(_ROUNDS // 2):
         middle = (low + high) / 2
         who.steps = [*rest, _braking(begins_s, middle, who, other, own, None)]
-        low, high = (low, middle) if _least_gap_m(who, other) >= CLOSEST_M else (middle, high)
+        enough = _least_gap_m(who, other, from_s=begins_s) >= CLOSEST_M
+        low, high = (low, middle) if enough else (middle, high)
     return high
 
 
@@ -202,11 +203,11 @@ def _rates_mps2(story: Story, who: Runner, own: Step | None, *, hard: bool) -> l
     return answering_rates_mps2(most, hard=hard)
 
 
-def _sees_s(other: Runner) -> float:
+def _sees_s(who: Runner, other: Runner) -> float:
     """When the other becomes a danger: as it slows down, or comes into the lane."""
     moments = [s.begins_s for s in other.steps if s.target_mps < other.speed_mps]
-    moments += [m.begins_s for m in other.moves]
-    return min(moments, default=0.0)
+    comes = [m.begins_s for m in other.moves if m.lane == who.lane]
+    return min([*moments, *(comes or [m.begins_s for m in other.moves])], default=0.0)
 
 
 def _braking(
@@ -239,7 +240,7 @@ def _latest_s(
     def near(begins_s: float) -> float:
         step = _braking(begins_s, rate, who, other, own, None)
         who.steps = [*rest, step]
-        return _least_gap_m(who, other)
+        return _least_gap_m(who, other, from_s=max(earliest_s, 0.0))
 
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = (s.begins_s for s in rest if s.target_mps > who.speed_mps)
@@ -255,9 +256,11 @@ def _latest_s(
     return low
 
 
-def _least_gap_m(who: Runner, other: Runner, most_m: float = CLOSEST_M) -> float:
-    """The least free length between two while one is in the other's line, if less than most."""
-    least, time_s = most_m, 0.0
+def _least_gap_m(
+    who: Runner, other: Runner, most_m: float = CLOSEST_M, from_s: float = 0.0
+) -> float:
+    """The least free length of two while one is in the other's line, if less than most."""
+    least, time_s = most_m, from_s
     while time_s < _LATEST_S:
         gap = gap_m(who, other, time_s)
         if gap < least and in_line(who, other, time_s, LANE_WIDTH_M):

@@ -33,6 +33,7 @@ from scegen.scenario.reversing import BacksUp
 _LEAST_MOVE_M = 2.0
 _SPARE_M = 3.0
 _MOVES_MPS = 0.1
+_LOOK_S = 0.25
 
 
 def written_runner(story: Story, frame: Frame, participant: Participant) -> ConcreteParticipant:
@@ -112,18 +113,26 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
     moment = just_before_step_s(step.begins_s)
     if step.reacts_to is not None and step.reacts_to in story.runners:
         other = story.runners[step.reacts_to]
-        here, there = (
-            frame.pose(who.x_m(moment), who.y_m(moment, LANE_WIDTH_M)) for who in (runner, other)
-        )
-        apart = hypot(here.x_m - there.x_m, here.y_m - there.y_m)
+        apart = _apart_m(frame, runner, other, moment)
+        # Who has been passed by was as near before.
+        looks = range(int(max(moment - _LOOK_S, 0.0) / _LOOK_S))
+        first = all(_apart_m(frame, runner, other, n * _LOOK_S) > apart for n in looks)
         along = other.speed_at_mps(moment) * runner.sign * other.sign
         closing = runner.speed_at_mps(moment) > along + 0.05
         participant = any(p.id == other.id for p in story.functional.participants)
-        if closing and participant:
+        if closing and participant and first:
             return DistanceBelow(participant=other.id, distance_m=round(apart, 3))
         if participant and step.act is None:
             return _come_so_far((other, story.ego, runner), moment)
     return _come_so_far((story.ego, runner), moment)
+
+
+def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
+    """The straight distance of two reference points."""
+    here, there = (
+        frame.pose(who.x_m(time_s), who.y_m(time_s, LANE_WIDTH_M)) for who in (one, other)
+    )
+    return hypot(here.x_m - there.x_m, here.y_m - there.y_m)
 
 
 def _come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:

@@ -54,8 +54,9 @@ class Duty:
 def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Duty, ...]:
     """Who gives way to whom, as nobody is said not to.
 
-    What is said of two wins: who is said to give way does, and those whom a danger or the end brings together, whose distance is
-    said, or of whom one does something that the text tells, meet as is told.
+    What is said of two wins: who is said to give way does, and those whom a danger or the end
+    brings together, whose distance is said, or of whom one does something that the text tells,
+    meet as is told.
     """
     told = _told_pairs(functional, logical)
     acting = {act.participant for act in (*functional.acts, *logical.acts)}

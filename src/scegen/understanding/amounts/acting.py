@@ -20,7 +20,8 @@ _WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
-                     ActKind.REVERSE, ActKind.TURN, ActKind.GIVE_WAY, ActKind.OVERTAKE})  # fmt: skip
+                     ActKind.REVERSE, ActKind.TURN, ActKind.GIVE_WAY,
+                     ActKind.OVERTAKE})  # fmt: skip
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
 

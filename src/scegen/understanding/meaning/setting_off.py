@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event
+from scegen.understanding.chunks import Event, Thing
 from scegen.understanding.semantics.context import Context
 
 _MOVING = frozenset({"pull_out", "unpark", "leave", "enter", "turn", "u_turn", "lane_change",
@@ -17,8 +17,9 @@ def set_off(events: list[Event], context: Context) -> None:
     """
     for event in events:
         moves = event.name in _MOVING and not event.nominal and event.premod_of is None
-        if not moves or event.negated or event.passive:
-            continue
+        gives = event.name == "leave" and isinstance(event.object, Thing)
+        if not moves or event.negated or event.passive or gives:
+            continue  # "parked vans leave 1 m of free space"
         for entity in (e for m in event.subject for e in m.entities):
             entity.sets_off = max(entity.sets_off, event.i)
             if entity.parked and not entity.ego:
