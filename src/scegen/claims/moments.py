@@ -218,8 +218,6 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
         run = act_run(view, functional, act)
         return np.where(stands, 0, np.where(run.happens, run.begin, never))
-    if act.kind is ActKind.GIVE_WAY:
-        return np.zeros(view.count, dtype=np.int64)  # it may be no more than to keep back
     if act.kind is ActKind.ENTER:
         return _comes_in(view, name, drive_of(logical, name))
     if act.kind in SLOWING | GAINING:

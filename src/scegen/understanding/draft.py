@@ -57,6 +57,8 @@ class Entity:
     """Whether it walks as the ego drove before it turned (else against that)."""
     start_lane: tuple[str, Basis] | None = None
     """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
+    held: Basis | None = None
+    """Words that say that it stands at a light when it begins."""
     sets_off: int = -1
     """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)

@@ -52,9 +52,9 @@ _THEN_S = Interval(low=0.0, high=2.0)
 def claims(told: Told) -> Iterator[Claim]:
     """Of every act: that it happens, each of its amounts, what sets it off."""
     for act in told.functional.acts:
-        yield from _in_order(told, act)
         if act.kind is ActKind.GIVE_WAY:
             continue  # whom it lets go first is a claim of its own
+        yield from _in_order(told, act)
         does = f"{act.participant} is to {plain(act.kind)}"
         yield _claim(told, act, "", f"{act.participant} does {plain(act.kind)}", "s", _happens)
         if act.kind in SLOWING | GAINING:
@@ -70,7 +70,7 @@ def claims(told: Told) -> Iterator[Claim]:
 
 def _in_order(told: Told, act: Act) -> Iterator[Claim]:
     """What one does comes in the order of the text, where no moments are given."""
-    own = told.acts_of(act.participant)
+    own = [a for a in told.acts_of(act.participant) if a.kind is not ActKind.GIVE_WAY]
     before = own[own.index(act) - 1] if own.index(act) else None
     if before is None or isinstance(act.when, AfterAct) or before.when is not None:
         return

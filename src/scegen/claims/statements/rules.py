@@ -9,6 +9,7 @@ import numpy as np
 
 from scegen.claims.claim import NEVER, Claim, Judged, rule_claim, yes_or_no
 from scegen.claims.moments import first
+from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View, longest_run
@@ -42,7 +43,7 @@ def claims(told: Told) -> Iterator[Claim]:
     for name in sorted(runners | must_obey(told.functional, told.logical)):
         runs = name in runners
         when = f"at red, {RED_FOR_S} s or more after amber" if runs else "while it is not red"
-        test = partial(_runs if runs else _obeys, drives[name])
+        test = partial(_runs, drives[name]) if runs else partial(_obeys, told, drives[name])
         yield rule_claim(f"light.{name}", f"{name} goes over the line {when}", test, scale=2.0)
     for name, drive in sorted(at_dark_lights(told.functional, told.logical).items()):
         statement = f"{name} goes over the line while its light is off"
@@ -65,15 +66,17 @@ def _goes_over(over: Bools, view: View) -> Bools:
     return first(over) <= view.last_step
 
 
-def _obeys(drive: Drive, view: View) -> Judged:
+def _obeys(told: Told, drive: Drive, view: View) -> Judged:
     """How far from red it goes over the line; measured: for how long it has been red, or not yet.
 
-    One that does not get there has not run it.
+    One that does not get there has not run it, nor has one that has hit somebody before.
     """
     red_s, left_s, step = _red_at_line(drive, view)
     margin = np.where(red_s < 0.0, -red_s, -np.minimum(red_s, left_s))
-    margin = np.where(step <= view.last_step, margin, 0.0)
-    return Judged(margin, red_s, view.time_of(step))
+    gets_there = (step <= view.last_step) & (
+        view.time_of(step) < hit_s(told, view, drive.participant)
+    )
+    return Judged(np.where(gets_there, margin, 0.0), red_s, view.time_of(step))
 
 
 def _runs(drive: Drive, view: View) -> Judged:

@@ -140,7 +140,7 @@ def _forced(event: Event) -> bool:
 
 def _stands_then(entity: Entity, event: Event) -> bool:
     """``has stopped in the lane``: where it is, nothing that it does."""
-    own = entity.stands is not None and entity.stands.i == event.i
+    own = any(said is not None and said.i == event.i for said in (entity.stands, entity.held))
     return (own or entity.parked or (entity.stands is not None and entity.sets_off < 0)) and (
         event.name in {"stop", "wait"}
     )

@@ -83,6 +83,9 @@ def _followed(
     oncoming = _oncoming(entity, draft)
     if oncoming is not None:
         return Maneuver.STRAIGHT, oncoming, "it comes on: nothing says that it turns"
+    stays = entity.held is not None and entity.moves is None and entity.sets_off < 0
+    if stays and not any(token.low == "green" for token in draft.tokens):
+        return Maneuver.STAY, entity.held or Basis(), "nothing says that it goes on"
     if entity.waits is not None:
         return Maneuver.STRAIGHT, entity.waits, "it waits for the light: nothing says that it turns"
     return None

@@ -13,6 +13,7 @@ from scegen.understanding.words.terms import Term
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", "sidewalk",
                    "shoulder"})  # fmt: skip
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
+_IN_LANE = frozenset({"road", "lane", "middle"})
 _REACH = 3
 
 
@@ -24,10 +25,14 @@ def stand(clause: Clause, context: Context) -> None:
     lemma = event.lemma
     stands = event.name in {"wait", "stop"} and lemma in word_list("standing")
     stands = stands or (event.name == "stop" and _over(event, context))
-    waiting = event.name == "wait" and event.premod_of is not None
-    if waiting and not context.junction.crossing:  # "a waiting bus"
+    in_lane = any(p.kind in _IN_LANE for p in clause.places())
+    waiting = event.name == "wait" and (event.premod_of is not None or in_lane)
+    if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
         _stand_in_the_lane([e for e in clause.actors if e.is_vehicle and e.sets_off < 0], clause)
         return
+    if any(p.kind == "signal" for p in clause.places()) and _waits_there(event, context):
+        for entity in clause.actors:
+            entity.held = entity.held or clause.words
     if not stands:
         return
     if any(p.kind in _ROADSIDE for p in clause.places()):
@@ -45,6 +50,13 @@ def stand(clause: Clause, context: Context) -> None:
         walks = not entity.is_vehicle and not entity.parked
         if walks and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
+
+
+def _waits_there(event: Event, context: Context) -> bool:
+    """``waits at a red light``: it stands there when it begins; who stops there comes there."""
+    stopped = event.name == "stop" and _over(event, context)
+    stands = event.name == "wait" or event.lemma in word_list("standing")
+    return stopped or (stands and event.link is None)
 
 
 def _stand_in_the_lane(entities: list[Entity], clause: Clause) -> None:
