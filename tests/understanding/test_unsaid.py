@@ -12,7 +12,7 @@ from scegen.understanding import read
         ("I overtake a slow tractor on a country road.", "truck_1", {Maneuver.STRAIGHT}),
         ("The ego turns left at a junction and yields to an oncoming van.", "van_1", {"straight"}),
         ("The ego meets an oncoming van that turns left at the lights.", "van_1", {"left"}),
-        ("The ego waits at a red light and a bus crosses from the right.", "ego", {"straight"}),
+        ("The ego waits at a red light and a bus crosses from the right.", "ego", {"stay"}),
         ("A taxi turns left at a junction and a van brakes.", "van_1", set()),
     ],
 )

@@ -26,6 +26,7 @@ def stand(clause: Clause, context: Context) -> None:
     stands = event.name in {"wait", "stop"} and lemma in word_list("standing")
     stands = stands or (event.name == "stop" and _over(event, context))
     in_lane = any(p.kind in _IN_LANE for p in clause.places())
+    in_lane = in_lane and lemma not in word_list("standing")
     waiting = event.name == "wait" and (event.premod_of is not None or in_lane)
     if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
         _stand_in_the_lane([e for e in clause.actors if e.is_vehicle and e.sets_off < 0], clause)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from unicodedata import normalize
 
 from scegen.understanding.lexicon import load
 from scegen.understanding.words.lemmas import lemmas
@@ -76,7 +77,7 @@ def tokenize(text: str) -> list[Token]:
         if match.start() in points:
             continue
         kind = _KINDS.get(match.lastgroup or "", match.lastgroup or "punct")
-        low = match.group().lower().replace("’", "'")
+        low = _plain(match.group().lower().replace("’", "'"))
         low = low.replace("/", "") if match.lastgroup == "bound" else low
         low = _unit(low) if match.lastgroup == "unit" else _ORDINALS.get(low, low)
         low = "±" if match.lastgroup == "tolerance" else low
@@ -88,6 +89,14 @@ def tokenize(text: str) -> list[Token]:
         slip = mended is not None
         found.append(Token(match.group(), low, match.start(), match.end(), kind, forms, slip))
     return found
+
+
+def _plain(low: str) -> str:
+    """``coupé``: without accents, if it is a word of the lexicon so."""
+    if low.isascii():
+        return low
+    plain = "".join(normalize("NFD", letter)[0] for letter in low)
+    return plain if plain in load().words else low
 
 
 def _unit(written: str) -> str:
