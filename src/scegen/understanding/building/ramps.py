@@ -54,5 +54,7 @@ def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane) -> None:
     for entity in draft.entities:
         # All others are on the road that the ego joins, which lies to the other side.
         beside = entity.beside is not None and entity.beside[0] == kerb.value
+        # "In front of a truck" is where it gets to: until then the truck drives beside the ramp.
+        beside = beside or entity.approaches in ({Approach.AHEAD}, {Approach.BEHIND})
         if entity.by_ramp is None and (beside or entity.approaches == {Approach.ADJACENT, kerb}):
             entity.approaches, entity.beside = {Approach.ADJACENT, centre}, None

@@ -12,7 +12,8 @@ from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.ways import head_on
 from scegen.understanding.words.terms import Term
 
-_CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow"})
+_CLOSING = frozenset({"approach", "encounter", "collide", "move", "brake", "hard_brake", "slow",
+                      "speed", "accelerate", "dash"})  # fmt: skip
 _COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
 _HEAD_ON = frozenset({"towards", "toward"})
@@ -69,6 +70,9 @@ def _driven_up_to(clause: Clause, context: Context) -> None:
         for other in clause.drivers:
             _comes_towards(clause, other, context)
         targets = [e for e in targets if not e.ego or _from_the_rear(clause, context)]
+    elif _own(event, context) & _HEAD_ON and event.lemma == "come":
+        _comes_to_meet(clause, context)
+        return
     certain = _from_the_rear(clause, context) or _along_the_road(clause, context)
     late = [d for d in context.draft.dangers if d.kind is HazardKind.DELAYED_BRAKING]
     certain = certain or any(driver in d.by for d in late)  # "failed to stop and hit the bus"
@@ -109,6 +113,15 @@ def _comes_towards(clause: Clause, driver: Entity, context: Context) -> None:
             if head_on(clause, place, context):
                 words = Basis(place.i, place.j)
                 context.draft.hazard(HazardKind.ONCOMING_LANE, words, [driver], [ego])
+
+
+def _comes_to_meet(clause: Clause, context: Context) -> None:
+    """``comes towards it``: towards one who drives, or past one who stands, from the front."""
+    met = next((e for e in clause.targets if e.moving_vehicle and not e.still), None)
+    for driver in clause.drivers:
+        if met is None or not _placed(driver, met, context):
+            basis = Basis(clause.event.i, clause.event.j, "comes the other way")
+            context.draft.place(driver, met, {Approach.OPPOSITE}, basis)
 
 
 def _at_the_ego(prep: Prep, clause: Clause, context: Context) -> bool:

@@ -189,6 +189,8 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     else:
         return
     count = int(min(number.data["number"], 99))
+    if count == 1 and {t.low for t in tokens[noun.j : noun.j + 3]} & word_list("lanes_aside"):
+        return  # "moves one lane to the left"
     each_way = each_way or noun.form == "s" or _one_way(terms[k + 1 : k + 4], count, tokens)
     lanes = count if each_way else max(1, count // 2)
     if not 1 <= lanes <= MAX_LANES:
