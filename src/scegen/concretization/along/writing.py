@@ -31,6 +31,8 @@ from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.reversing import BacksUp
 
 _LEAST_MOVE_M = 2.0
+_BETWEEN_M = 0.1
+"""Two changes of lane without anything between would share a vertex, and players round."""
 _SPARE_M = 3.0
 _MOVES_MPS = 0.1
 _LOOK_S = 0.25
@@ -92,7 +94,7 @@ def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
                 hazard=move.hazard,
             )
         )
-        before = round(begins, 3) + round(length, 3)
+        before = round(begins, 3) + round(length, 3) + _BETWEEN_M
     return tuple(changes)
 
 

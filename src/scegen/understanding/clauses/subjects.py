@@ -84,8 +84,9 @@ def _link(event: Event, state: State) -> None:
 
 
 def _without_ability(state: State) -> bool:
-    """``without being able to stop``."""
-    return state.prep is not None and state.prep.value == "without" and "aux:can" in state.between
+    """``without being able to stop``, ``without having braked``."""
+    helped = {"aux:can", "aux:have"} & state.between
+    return state.prep is not None and state.prep.value == "without" and bool(helped)
 
 
 def before_by(event: Event, state: State) -> None:

@@ -282,6 +282,8 @@ class Chunker:
         heads = [self._terms[m]]
         m += 1
         while m < len(self._terms) and self._terms[m].cat == "actor":
+            if "speaks" in self._terms[m].data:
+                break  # "the lorry we follow"
             heads.append(self._terms[m])
             m += 1
         start = mods[0].i if mods else heads[0].i
