@@ -83,6 +83,11 @@ def _followed(
     oncoming = _oncoming(entity, draft)
     if oncoming is not None:
         return Maneuver.STRAIGHT, oncoming, "it comes on: nothing says that it turns"
+    return _at_the_light(entity, draft)
+
+
+def _at_the_light(entity: Entity, draft: Draft) -> tuple[Maneuver, Basis, str] | None:
+    """``stands at a red light``: it stays there; who stops there goes on."""
     stays = entity.held is not None and entity.moves is None and entity.sets_off < 0
     if stays and not any(token.low == "green" for token in draft.tokens):
         return Maneuver.STAY, entity.held or Basis(), "nothing says that it goes on"
