@@ -112,3 +112,26 @@ def test_who_does_not_wait_is_caught():
     ]
     hasty = concrete.model_copy(update={"participants": tuple(others)})
     assert "act.a.into" in missed(functional, hasty)
+
+
+@pytest.mark.parametrize(
+    ("acts", "problem"),
+    [
+        ([{"id": "a", "participant": "ego", "kind": "give_way"}], "gives way to nobody"),
+        (
+            [
+                {"id": "a", "participant": "ego", "kind": "give_way", "into": "child"},
+                {
+                    "id": "b",
+                    "participant": "ego",
+                    "kind": "turn",
+                    "when": {"type": "after", "act": "a"},
+                },
+            ],
+            "no moment of its own",
+        ),
+    ],
+)
+def test_giving_way_is_to_somebody_and_has_no_moment(acts, problem):
+    with pytest.raises(ValueError, match=problem):
+        said("four_way", person("ego", maneuvers=["right"]), CHILD, acts=acts)

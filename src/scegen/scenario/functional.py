@@ -11,7 +11,14 @@ from typing import Literal
 
 from pydantic import Field, model_validator
 
-from scegen.scenario.acts import Act, AfterAct, AfterDistance, BeforeJunction, WhenMeasure
+from scegen.scenario.acts import (
+    Act,
+    ActKind,
+    AfterAct,
+    AfterDistance,
+    BeforeJunction,
+    WhenMeasure,
+)
 from scegen.scenario.bends import Bend
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
 from scegen.scenario.outcome import Outcome
@@ -357,6 +364,10 @@ class FunctionalScenario(FrozenModel):
                 msg = f"{place} names the unknown participant {name!r}; "
                 msg += f"known: {', '.join(sorted(known))}"
                 raise ValueError(msg)
+        self._moments_known(moments)
+
+    def _moments_known(self, moments: Collection[str]) -> None:
+        """Every act that is named as a moment is told of, and has one."""
         acts = Counter(act.id for act in self.acts)
         if doubled := [name for name, times in acts.items() if times > 1]:
             msg = f"two acts are called {doubled[0]!r}"
@@ -364,6 +375,14 @@ class FunctionalScenario(FrozenModel):
         for moment in moments:
             if moment not in acts:
                 msg = f"the unknown act {moment!r} is named; known: {', '.join(acts) or 'none'}"
+                raise ValueError(msg)
+        for act in self.acts:
+            if act.kind is ActKind.GIVE_WAY and act.into is None:
+                msg = f"acts.{act.id} gives way to nobody: say in `into` to whom"
+                raise ValueError(msg)
+            if act.kind is ActKind.GIVE_WAY and act.id in moments:
+                msg = f"acts.{act.id} gives way, which has no moment of its own: "
+                msg += "leave the trigger out, or let it `wait`"
                 raise ValueError(msg)
 
     @property

@@ -52,8 +52,9 @@ def go_on(acts: list[Doing], text: Sentences) -> list[Doing]:
         elif stop.into is not None or _moves_again(stop, later, text):
             stop.kind = ActKind.WAIT
     for act in kept:
-        if act.when is not None and act.when.act is not None and act.when.act not in kept:
-            act.when = None
+        before = act.when.act if act.when is not None else None
+        if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):
+            act.when = None  # that the other goes first says it
     return kept
 
 
