@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Control, HazardKind
-from scegen.understanding.draft import Danger
 from scegen.understanding.semantics.context import Context
 
 
@@ -21,9 +20,6 @@ def subsume(context: Context) -> None:
         for e in d.by
     }
     context.draft.dangers[:] = [
-        d for d in context.draft.dangers if d.by or d.to or not _told_of_somebody(d, context)
-    ]
-    context.draft.dangers[:] = [
         d
         for d in context.draft.dangers
         if d.kind is not HazardKind.FAILURE_TO_YIELD or not d.by or {e.index for e in d.by} - red
@@ -39,9 +35,3 @@ def _none_is_red(context: Context) -> None:
     context.draft.dangers[:] = [
         d for d in context.draft.dangers if d.kind is not HazardKind.RED_LIGHT_RUNNING
     ]
-
-
-def _told_of_somebody(danger: Danger, context: Context) -> bool:
-    """``Running a red light: a van runs …``: what nobody does is what somebody does."""
-    alike = [d for d in context.draft.dangers if d.kind is danger.kind and d.by]
-    return bool(alike) and danger.kind not in {HazardKind.OBSTACLE, HazardKind.OCCLUSION}

@@ -8,8 +8,6 @@ other half of the road, and something that makes the ego go there.
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.draft import Basis, Entity
@@ -39,17 +37,7 @@ def get_past(chunks: list[Chunk], clauses: list[Clause], context: Context) -> No
     words = next((d.basis for d in across if ego in d.by), None)
     words = words or _by_verb(ego, clauses, context) or _by_noun(ego, chunks, clauses, context)
     if words is not None:
-        if _things_passed(chunks, context):
-            context.draft.hazard(HazardKind.OBSTACLE, words, [])
         context.draft.maneuver(ego, {Maneuver.OVERTAKE}, Basis(words.i, words.j, _REASON))
-
-
-def _things_passed(chunks: list[Chunk], context: Context) -> bool:
-    """``no way past the skip``: the skip is in the way."""
-    return any(
-        isinstance(word, Word) and isinstance(thing, Thing) and _around(word, thing, context)
-        for word, thing in pairwise(chunks)
-    )
 
 
 def _barred(chunks: list[Chunk], clauses: list[Clause], context: Context) -> bool:

@@ -29,7 +29,6 @@ def positions(clauses: list[Clause], context: Context) -> None:
     oncoming.unseen(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
-            _around_something(danger, context)
             _face_to_face(danger, context)
 
 
@@ -174,24 +173,12 @@ def _slower(entity: Entity, context: Context) -> bool:
 def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
     """Whether something is already said of where one is, seen from the other or from the ego."""
     across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.AHEAD, Approach.BEHIND}
-    for p in context.draft.placements:
-        pair = p.entity is entity and p.reference in {None, observer}
-        turned = p.entity is observer and p.reference is entity
-        if (pair or turned) and p.approaches & across:
-            return True
-    headings = {entity.heading, observer.heading}
-    return None not in headings and len(headings) > 1
-
-
-def _around_something(danger: Danger, context: Context) -> None:
-    """``a parked bus blocks the lane; the ego detours through the oncoming lane``: past it."""
-    draft = context.draft
-    blocked = any(e.still for e in draft.entities) or any(
-        d.kind in _SLOWER | {HazardKind.OBSTACLE} for d in draft.dangers
+    return any(
+        (p.entity is entity and p.reference in {None, observer})
+        or (p.entity is observer and p.reference is entity)
+        for p in context.draft.placements
+        if p.approaches & across
     )
-    for entity in danger.by if blocked else []:
-        if entity.ego and not entity.maneuvers:
-            draft.maneuver(entity, {Maneuver.OVERTAKE}, danger.basis)
 
 
 def _face_to_face(danger: Danger, context: Context) -> None:

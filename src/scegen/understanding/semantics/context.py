@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
@@ -134,12 +134,6 @@ class Context:
             return False
         between = self.tokens[max(0, earlier.i - _ORDER_REACH) : event.i]
         return any(t.low in word_list("order") for t in between)
-
-    def crosses(self, entity: Entity) -> bool:
-        """Whether a cyclist is said to cross."""
-        return any(
-            d.kind is HazardKind.CROSSING_CYCLIST and entity in d.by for d in self.draft.dangers
-        )
 
     def is_cyclist(self, entity: Entity) -> bool:
         """Whether somebody rides a bicycle."""

@@ -48,7 +48,7 @@ def _behind_or_late(clause: Clause, context: Context) -> bool:
     if _signed(clause):
         return False
     late = any(context.tokens[m.j - 1].low == "time" for m in clause.event.mods)
-    crosses = any(Maneuver.CROSS in e.maneuvers or context.crosses(e) for e in clause.drivers)
+    crosses = any(Maneuver.CROSS in e.maneuvers for e in clause.drivers)
     return late or clause.event.late or (_all_behind(clause, context) and not crosses)
 
 

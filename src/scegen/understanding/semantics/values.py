@@ -6,10 +6,9 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Maneuver
-from scegen.understanding.chunks import Place
 from scegen.understanding.draft import Basis
 from scegen.understanding.semantics import ways
-from scegen.understanding.semantics.context import Clause, Context, span
+from scegen.understanding.semantics.context import Clause, Context
 
 Named: TypeAlias = Callable[[Clause, Context], dict[Maneuver, Basis]]
 _EXITS = {
@@ -51,21 +50,12 @@ def _exit(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
     return {_EXITS[named]: Basis(place.i, place.j)} if place and named else {}
 
 
-def _sides(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
-    side = clause.event.object
-    if not isinstance(side, Place):
-        return {}
-    basis = span(clause.event, side.i, side.j)
-    return {ways.DIRECTIONS[d]: basis for d in side.dirs if d in {"left", "right"}}
-
-
 VALUES: dict[str, Named] = {
     "ways": _ways,
     "aside": _aside,
     "alike": alike,
     "either": _either,
     "exit": _exit,
-    "sides": _sides,
 }
 
 

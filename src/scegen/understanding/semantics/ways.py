@@ -324,12 +324,6 @@ def _against_lane(clause: Clause, _: Context) -> bool:
     return lane is not None and any(against(e, lane) for e in clause.drivers)
 
 
-def _lane_ahead(clause: Clause, _: Context) -> bool:
-    """``the lane in front of V1``."""
-    lane = into_lane(clause.event)
-    return lane is not None and any(p.word.cat == "locus" and p.value == "ahead" for p in lane.pps)
-
-
 def _out_of_a_side(clause: Clause, context: Context) -> bool:
     out = any(p.kind in _ASIDE for p in clause.places())
     across = any(context.comes_across(e) for e in clause.drivers)
@@ -347,7 +341,6 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "across_somebody": across_somebody,
     "against_lane": _against_lane,
     "head_on": lambda clause, c: head_on(clause, into_lane(clause.event), c),
-    "lane_ahead": _lane_ahead,
     "out_of_a_side": _out_of_a_side,
     "stays_there": stays_there,
     "onto_the_road": lambda clause, _: onto_the_road(clause.event),
