@@ -207,6 +207,8 @@ class Judge(Teller):
         """Whose part it is: "the ego's front", "the rear of the car", "its rear"."""
         if place.owner is not None and place.owner.entities:
             return place.owner.entities[0]  # type: ignore[no-any-return]
+        if any((m.cat, m.value) == ("possessive", "first_person") for m in place.mods):
+            return ego_of(self._context)
         k = next(k for k, c in enumerate(self._text.chunks) if c is place)
         of = self._text.chunks[k + 1 : k + 3]
         if len(of) == 2 and getattr(of[0], "value", "") == "of" and isinstance(of[1], Mention):
@@ -220,6 +222,9 @@ class Judge(Teller):
         if direct and scene.targets:
             return scene.targets[0]
         flank = bool({"left", "right"} & set(place.dirs))
+        at = place.prep is not None and place.prep.value == "in"
+        if at and not own and scene.event.name == "collide" and scene.targets:
+            return scene.targets[0]  # "hits us in the side"
         met = direct or (flank and place.prep is not None and place.prep.value == "into")
         if met and own and scene.actors:  # "a car behind hits its rear"
             return None if scene.actors[0].ego else ego_of(self._context)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.draft import Basis, Entity
@@ -40,7 +40,8 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
         return True
     afoot = _afoot(number, context) if not taken else []
     whose = afoot or [e for e in _whose(number, text, context) if e not in taken]
-    whose = [e for e in whose if e.is_vehicle or quantity.value.low <= _RUNNING_MPS]
+    outrun = quantity.value.low > _RUNNING_MPS
+    whose = [e for e in whose if not (outrun and e.kind is ParticipantKind.PEDESTRIAN)]
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.clauses import bearing
 from scegen.understanding.draft import Basis, Entity
@@ -191,7 +191,8 @@ class Interpreter:
         if self._numbers.measured(quantity, verb).frame.role != "speed":
             return
         for entity in entities:
-            outrun = not entity.is_vehicle and quantity.value.low > _RUNNING_MPS
+            outrun = entity.kind is ParticipantKind.PEDESTRIAN
+            outrun = outrun and quantity.value.low > _RUNNING_MPS
             if not entity.parked and entity.speed is None and not outrun:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
