@@ -123,10 +123,6 @@ def _ends(chunks: list[Chunk], k: int) -> bool:
 def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> Event | None:
     rest = chunks[k] if k < len(chunks) else None
     fresh = replace(verb, subject=[who], parent=None, children=[], alternative=None)
-    if isinstance(rest, Word) and rest.cat == "dir" and rest.value in _WAYS:
-        kept = [m for m in verb.mods if m.cat != "dir"]
-        who.mods = [m for m in who.mods if m is not rest.term]
-        return replace(fresh, i=rest.i, j=rest.j, mods=[*kept, rest.term])
     if isinstance(rest, Mention) and rest.pronoun == "ordinal" and isinstance(verb.object, Place):
         chunks[k] = place = Place(rest.i, rest.j, rest.mods, verb.object.head, None)
         place.kind = verb.object.kind

@@ -59,8 +59,6 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
     mention.walks = mention.walks or _on_foot(event)
-    if event.name == "swerve" and _person(mention) and _over_the_road(event, tokens):
-        event.name, mention.drives, mention.walks = "cross", False, True
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object

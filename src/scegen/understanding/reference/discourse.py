@@ -304,17 +304,9 @@ class Discourse:
                 continue
             if not self._roster.agree(group, reading):
                 continue
-            if group.dirs and not reading.dirs and (mention.narrowed or mention.pps):
-                continue  # "yields to oncoming traffic. A taxi following it …"
             claimed = self._roster.claim(1, exclude, reading)
             if claimed:
                 return claimed
-            free = [e for e in group.free if e not in exclude and e.kind is ParticipantKind.CAR]
-            if free and group.vague and reading.dirs and group.dirs == reading.dirs:
-                free[0].kind = reading.kind
-                free[0].basis = Basis(mention.i, mention.j)
-                free[0].claimed = True
-                return free[:1]
         return []
 
     def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
