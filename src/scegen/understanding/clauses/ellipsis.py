@@ -13,7 +13,6 @@ from scegen.understanding.words.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
 _EMPTY = frozenset({"light", "try", "cause", "inert", "unknown", "likewise", "avoid"})
-_WAYS = frozenset({"left", "right", "straight"})
 _MOST_AFTER = 3
 
 
