@@ -65,6 +65,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     pronoun = isinstance(acted_on, Mention) and acted_on.pronoun in {"it", "him", "they"}
     mention.besides = mention.besides or (close and pronoun)
     _by_word(mention, tokens[event.i])
+    if event.passive:
+        return  # "the car is hit by a van from the right": the van comes from there
     mention.sides |= _sides([p for p in event.pps if p.value == "from"])
     if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
         mention.elsewhere = mention.pronoun is None
