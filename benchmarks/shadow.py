@@ -84,6 +84,9 @@ def main() -> int:
     parser.add_argument("--evidence", action="store_true", help="compare evidence as well")
     parser.add_argument("--brief", action="store_true", help="the texts alone")
     args = parser.parse_args()
+    for checkout in (args.old, args.new):
+        if not (checkout / "src" / "scegen").is_dir():
+            parser.error(f"{checkout}: no checkout, it has no src/scegen")
     of = texts(args.files)
     changed = 0
     for text, old, new in zip(of, readings(args.old, of), readings(args.new, of), strict=True):

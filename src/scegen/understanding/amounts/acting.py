@@ -154,6 +154,7 @@ def _aside(doing: Doing, scene: Clause, text: Sentences, context: Context) -> No
     goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
+    lanes = [c for c in lanes if c is not event.object]  # "moves one lane to the left"
     for goal in [p for p in goals if isinstance(p, Place)]:
         within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
         named = [] if within else goal.dirs  # "from the lane to its right": from there
