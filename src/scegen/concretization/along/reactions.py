@@ -13,6 +13,7 @@ from scegen.concretization.amounts import BRAKING, CLOSEST_M, answering_rates_mp
 from scegen.concretization.limits import REACTION_S
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import AfterAct
 from scegen.scenario.vocabulary import HazardKind
 
 _LATEST_S = 40.0
@@ -121,6 +122,7 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
         if contact_wanted(story, who.id, other.id):
             late = max(step.begins_s, contact - _TOO_LATE_S)
             who.steps = [*who.steps, replace(step, begins_s=late, reacts_to=other.id)]
+            _put_off(story, step.act or "", late - step.begins_s)
         elif _brake_for(story, who, other, step):
             return
         break
@@ -148,9 +150,25 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
             if len(rates) > 1:
                 enough = _just_enough(who, other, rest, begins, rate, own)
             who.steps = [*rest, _braking(begins, enough, who, other, own, hazard)]
+            if own is not None and own.act is not None:
+                _put_off(story, own.act, begins - own.begins_s)
             return True
     who.steps = before
     return False
+
+
+def _put_off(story: Story, name: str, by_s: float) -> None:
+    """Note that an act happens so much later, and let those that follow upon it do so, too."""
+    story.begins_s[name] = story.begins_s.get(name, 0.0) + by_s
+    story.ends_s[name] = story.ends_s.get(name, 0.0) + by_s
+    for act in story.acts:
+        if isinstance(act.when, AfterAct) and act.when.act == name and act.id in story.begins_s:
+            runner = story.runners[act.participant]
+            runner.steps = [
+                replace(s, begins_s=s.begins_s + by_s) if s.act == act.id else s
+                for s in runner.steps
+            ]
+            _put_off(story, act.id, by_s)
 
 
 def _follow(story: Story, who: Runner, other: Runner) -> bool:

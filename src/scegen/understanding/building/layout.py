@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, Junction
 from scegen.scenario.roadway import (
@@ -285,9 +287,15 @@ class Layout:
         named = [e.start_lane[0] for e in self._draft.entities if e.start_lane is not None]
         if implied is None or not (ring or named or around.highway is not None):
             return (), None, None  # as many as it takes
-        count = _MOST_LANES if "middle" in named else _FEWEST_TO_NAME
+        count = _MOST_LANES if "middle" in named or self._middle_lane() else _FEWEST_TO_NAME
         count = max(count, *(int(name) for name in named if name.isdigit()), 0)
         return (count,) * arms, (2 if ring else None), implied
+
+    def _middle_lane(self) -> bool:
+        """``changes from the left to the middle lane``."""
+        words = [token.low for token in self._draft.tokens]
+        pairs = pairwise(words)
+        return any(one in word_list("middle") and other == "lane" for one, other in pairs)
 
     def _parted(self) -> bool:
         """Whether the words part the directions for sure."""
