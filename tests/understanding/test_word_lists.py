@@ -88,3 +88,16 @@ def test_words_that_yaml_takes_for_truth_values_are_words():
 @pytest.mark.parametrize("name", ["gently", "standing"])
 def test_lists_have_words(name):
     assert len(_lists()[name]) >= FEWEST
+
+
+def test_nothing_stands_twice_in_one_class():
+    seen: dict[tuple[str, str], str] = {}
+    twice = []
+    for path in sorted((PACKAGE / "lexicon").glob("*.yaml")):
+        data = yaml.safe_load(path.read_text(encoding="utf-8"))
+        for row in data if isinstance(data, list) else []:
+            kind = str(sorted((k, str(v)) for k, v in row.items() if k != "words"))
+            for word in map(str, row.get("words", ())):
+                twice += [word] if (kind, word) in seen else []
+                seen[kind, word] = path.name
+    assert not twice
