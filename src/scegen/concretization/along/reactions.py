@@ -224,8 +224,8 @@ def _rates_mps2(story: Story, who: Runner, own: Step | None, *, hard: bool) -> l
 def _sees_s(who: Runner, other: Runner) -> float:
     """When the other becomes a danger: as it slows down, or comes into the lane."""
     moments = [s.begins_s for s in other.steps if s.target_mps < other.speed_mps]
-    comes = [m.begins_s for m in other.moves if m.lane == who.lane]
-    return min([*moments, *(comes or [m.begins_s for m in other.moves])], default=0.0)
+    comes = [m for m in other.moves if m.lane == who.lane and other.forward == who.forward]
+    return min([*moments, *(m.begins_s for m in comes or other.moves)], default=0.0)
 
 
 def _braking(

@@ -10,6 +10,7 @@ from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.tokens import Token
 
 _WITHIN = frozenset({"in", "from"})
+_UNSETTLED = "from which side lanes are counted is not said, so the number names none"
 
 
 def note_lanes(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -27,7 +28,8 @@ def note_lanes(chunks: list[Chunk], events: list[Event], tokens: list[Token]) ->
         number = _number(prep, tokens)
         for entity in entities if number is not None else []:
             if entity.lane is None and not entity.parked:
-                entity.lane, entity.lane_basis = number, Basis(prep.word.i, prep.word.j)
+                ends = prep.target.j if prep.target is not None else prep.word.j
+                entity.lane, entity.lane_basis = number, Basis(prep.word.i, ends)
 
 
 def _number(prep: Prep, tokens: list[Token]) -> int | None:
@@ -57,8 +59,16 @@ def leaves_it(event: Event, entities: list[Entity], tokens: list[Token]) -> bool
 
 
 def beside(draft: Draft, ego: Entity) -> None:
-    """Places those in other lanes than the ego's next to it."""
-    for entity in draft.entities:
-        lanes = entity.lane is not None and ego.lane is not None and entity.lane != ego.lane
-        if lanes and entity is not ego and not entity.approaches:
+    """Places those in the lane with the number before or after the ego's next to it.
+
+    From which side lanes are counted differs, so that a number alone says nothing: it is reported.
+    """
+    for entity in [e for e in draft.entities if e.lane is not None and e.start_lane is None]:
+        others = [e.lane for e in draft.entities if e is not entity and e.lane is not None]
+        away = abs((entity.lane or 0) - (ego.lane or 0)) if ego.lane is not None else None
+        if entity is not ego and not entity.approaches and away == 1:
             entity.approaches, entity.approach_basis = {Approach.ADJACENT}, entity.lane_basis
+        basis = entity.lane_basis
+        said = others and (entity is ego or away is None or away <= 1)
+        if not said and basis is not None and basis.i is not None:
+            draft.note(basis.i, basis.j or basis.i, _UNSETTLED)
