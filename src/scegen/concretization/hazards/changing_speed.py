@@ -7,6 +7,7 @@ an act by the text does it so; who reverses stops for that.
 from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
+from scegen.concretization.asked import contact_wanted
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import (
@@ -73,6 +74,9 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
             )
             continue
         late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
+        struck = [v.id for v in victims(scene, hazard, draft)]
+        if late and any(contact_wanted(scene.functional, draft.id, other) for other in struck):
+            continue  # too late for the one it runs into: it comes as fast as it is
         way = before**2 / (2 * rate) * (_LATE if late else 1.0)
         hold = _HOLDS_S.get(hazard.kind, _HOLD_S)
         walkers = stops_for_walkers(scene, draft)

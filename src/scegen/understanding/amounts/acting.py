@@ -154,7 +154,9 @@ def _aside(doing: Doing, scene: Clause, text: Sentences, context: Context) -> No
     goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
-    lanes = [c for c in lanes if c is not event.object]  # "moves one lane to the left"
+    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
+    moved = [event.object, *sources]  # "moves one lane to the left", "leaves the lane to the left"
+    lanes = [c for c in lanes if not any(c is m for m in moved)]
     for goal in [p for p in goals if isinstance(p, Place)]:
         within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
         named = [] if within else goal.dirs  # "from the lane to its right": from there
@@ -164,7 +166,6 @@ def _aside(doing: Doing, scene: Clause, text: Sentences, context: Context) -> No
             doing.side, doing.side_basis = _SIDES[value], basis
     if doing.kind is ActKind.TURN:
         return
-    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
     for place in sources:
         named = [d for d in place.dirs if d in _SIDES] if isinstance(place, Place) else []
         if named and doing.side is None and place is not None:

@@ -85,7 +85,12 @@ class Judge(Teller):
 
         Not so "nobody reacts, and its front hits the van": there nobody has a verb already.
         """
-        done = [m for s in self._text.scenes if s.event.i < event.i for m in s.event.subject]
+        done = [
+            m
+            for s in self._text.scenes
+            if s.event.i < event.i and s.event is not event.parent
+            for m in s.event.subject
+        ]
         own = [m for m in event.subject if all(m is not other for other in done)]
         named = [*own, event.object, *(p.target for p in event.pps)]
         return any(

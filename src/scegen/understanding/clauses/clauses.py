@@ -271,7 +271,8 @@ class ClauseReader:
         if by_follows(self._chunks, k):
             subjects.before_by(event, state)
         negated = any(word.startswith("neg:") for word in state.between)
-        event.negated = negated or event.negated
+        lacking = state.prep is not None and state.prep.value == "without"
+        event.negated = negated or lacking or event.negated
         event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
         denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
         event.unable = event.unable or (denied and "aux:can" in state.between)

@@ -102,11 +102,14 @@ class Interpreter:
             id(p)
             for e in events
             for p in e.pps
-            if p.on_mention is e.object
-            and (
-                self._starts(e, p)
-                or (e.name in _BESIDE and bearing.is_side(p))
-                or bearing.own_lane(e, p)
+            if (p.outer == "from" and self._into(e, p.on_mention))
+            or (
+                p.on_mention is e.object
+                and (
+                    self._starts(e, p)
+                    or (e.name in _BESIDE and bearing.is_side(p))
+                    or bearing.own_lane(e, p)
+                )
             )
         }
         self._context.told_in_the_past = any(
@@ -268,6 +271,13 @@ class Interpreter:
         """``ends up in front of the ego``: where it gets to, not where it comes from."""
         word = event.lemma
         return event.name == "move" and word in {"end", "finish", "wind", "land"}
+
+    def _into(self, event: Event, mention: Mention | None) -> bool:
+        """``runs into a cyclist from behind``: whom it hits is no object."""
+        tokens = self._context.tokens
+        return mention is not None and any(
+            p.target is mention and tokens[p.word.i].low == "into" for p in event.pps
+        )
 
     def _from_behind_somebody(self, clause: Clause, prep: Prep) -> bool:
         """``hits the van from behind``: behind the van."""

@@ -23,7 +23,11 @@ def by_the_only_one(clauses: list[Clause], context: Context) -> None:
     for clause in clauses:
         event = clause.event
         free = not (clause.actors or event.subject or event.negated or event.premod_of)
-        if not free or any(s.event.name == event.name and s.actors for s in clauses):
+        if not free:
+            continue
+        told_again = next((s for s in clauses if s.event.name == event.name and s.actors), None)
+        if told_again is not None:  # "Cut-out to the right: the lead car cuts out": that way
+            clause.actors = told_again.actors if event.name in _INTO_LANES else []
             continue
         doer = _doer(event, context)
         if doer is None:

@@ -8,7 +8,8 @@ from scegen.understanding.phrases.lookahead import BOUNDARIES
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "lose_control", "obey", "breach"})
 _BREACHES = frozenset({"obey", "breach", "stop", "yield"})
 _SIDEWAYS = frozenset({"move", "enter", "swerve", "walk", "return", "dash", "merge", "cut_in",
-                       "lane_change", "sharp_turn", "speed", "accelerate", "turn"})  # fmt: skip
+                       "lane_change", "sharp_turn", "speed", "accelerate", "turn",
+                       "leave"})  # fmt: skip
 _LONGEST = 10
 
 

@@ -16,7 +16,7 @@ from scegen.understanding.words.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
-_SUFFERING = frozenset({"him", "her"})
+_PERSONAL = frozenset({"he", "she", "him", "her"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,9 +90,7 @@ class Pronouns:
             recent = others or recent  # whoever tells it is no "it"
             subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
         options = subject if len(subject) == 1 and word != "that" else recent[-1:]
-        afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
-        if word in _SUFFERING and afoot:
-            options = afoot[-1:]  # "a van had hidden her, and the ego hit her"
+        options = self._persons(mention, [e for e in recent if e not in exclude], options)
         if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
             order = self.roster.recent
             since = order[order.index(options[0]) + 1 :] if options[0] in order else []
@@ -106,6 +104,21 @@ class Pronouns:
         before = self.roster.before if len(self.roster.before) == 1 else []
         left = [e for e in (*before, *reversed(recent)) if e not in exclude]
         return [e for e in options if e not in exclude] or left[:1]
+
+    def _persons(
+        self, mention: Mention, known: list[Entity], options: list[Entity]
+    ) -> list[Entity]:
+        """``he``, ``she``: somebody on foot or on two wheels before any vehicle.
+
+        "The ego hits a cyclist; he rides …"; "a van had hidden her, and the ego hit her".
+        """
+        if self.tokens[mention.i].low not in _PERSONAL:
+            return options
+        people = [e for e in known if self._person(e)]
+        if mention.walks and not mention.drives:
+            people = [e for e in people if not e.is_vehicle] or people
+        told = [e for e in options if e in people]
+        return told or people[-1:] or options
 
     def _person(self, entity: Entity) -> bool:
         """Whether a word for a person named them: "he" or "she" would mean them."""
@@ -126,7 +139,7 @@ class Pronouns:
     ) -> list[Entity]:
         """``he``, ``she``: not the one who tells it; where nobody else is known, somebody new."""
         others = [e for e in self.roster.recent if not e.ego and e not in exclude and not e.parked]
-        told = [e for e in subject if e in others]
+        told = self._persons(mention, others, [e for e in subject if e in others])
         if told or others:
             return told[:1] or others[-1:]
         if self.tokens[mention.i].low == "him":

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.understanding.chunks import Event, Mention, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, Prep, Thing, Word
 from scegen.understanding.draft import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.words.terms import Term
 
 
 def _side_to_verb(clause: Clause, _: Context) -> None:
@@ -45,8 +46,16 @@ def _take_round(clause: Clause, context: Context) -> None:
         event.pps = [p for p in event.pps if p is not found[0]]
 
 
+def _lane_left(clause: Clause, _: Context) -> None:
+    """``leaves the ego's lane``: that lane is where it comes from, not where it goes."""
+    event, lane = clause.event, clause.event.object
+    source = Word(Term("prep", "from", event.i, event.i + 1))
+    event.pps, event.object = [*event.pps, Prep(source, lane)], None
+
+
 REWRITES: dict[str, Callable[[Clause, Context], None]] = {
     "side_to_verb": _side_to_verb,
     "take_round": _take_round,
+    "lane_left": _lane_left,
 }
 """Rewrite -> what it does to the clause."""
