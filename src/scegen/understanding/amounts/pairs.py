@@ -7,13 +7,15 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
-from scegen.understanding.chunks import Mention, Word
+from scegen.understanding.chunks import Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
-_IN_A_ROW = (" between each ", " between them ", " apart ", " from each ", " from one ")
+_IN_A_ROW = (" between each ", " between them ", " apart ", " from each ", " from one ",
+             " between one ", " behind the next ", " to the next ", " from the next ",
+             " clear of the next ", " behind each other ", " behind one another ")  # fmt: skip
 
 
 def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[Entity, Entity]]:
@@ -27,7 +29,10 @@ def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[En
     if not number.around.after.startswith(_IN_A_ROW):
         return []
     start, _ = text.bounds(number.i)
-    named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
+    own = {id(c.owner) for c in text.chunks if isinstance(c, Place)}  # "in the ego's lane"
+    named = [
+        e for m in text.mentions if start <= m.i < number.i and id(m) not in own for e in m.entities
+    ]
     members = list(dict.fromkeys(named))
     leaders = {
         id(e): {
@@ -40,7 +45,28 @@ def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[En
     members.sort(key=lambda e: len(leaders[id(e)] & set(leaders)), reverse=True)
     pairs = list(pairwise(members))
     known = all(id(b) in leaders[id(a)] for a, b in pairs)
+    if not known and not any(leaders[id(e)] & set(leaders) for e in members):
+        known = _in_one_file(members, context)  # in whichever order: they are alike
     return pairs if known and len(pairs) > 1 else []
+
+
+def _in_one_file(members: list[Entity], context: Context) -> bool:
+    """``three cars stand in the ego's lane``: one behind the other, the first named in front."""
+    ego = ego_of(context)
+    ahead = all(
+        any(
+            p.entity is e and p.approaches == {Approach.AHEAD} and p.reference in (None, ego)
+            for p in context.draft.placements
+        )
+        or e.stands is not None
+        for e in members
+    )
+    alike = len({e.kind for e in members}) == 1
+    if not (ahead and alike and ego is not None and ego not in members):
+        return False
+    for leader, follower in pairwise(members):
+        context.draft.place(leader, follower, {Approach.AHEAD}, leader.basis)
+    return True
 
 
 def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity, Entity] | None:

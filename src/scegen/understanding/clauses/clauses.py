@@ -100,12 +100,19 @@ class ClauseReader:
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
             self._where(k)
+        if word.cat == "sub" and self._put_between(k):
+            state.resumed = subjects.main_in_sentence(state)
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
         if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
+
+    def _put_between(self, k: int) -> bool:
+        """``and, when …``: after that clause the one before goes on."""
+        before = [c.value for c in self._chunks[max(0, k - 2) : k] if isinstance(c, Word)]
+        return before[-1:] in (["and"], ["but"]) or before in (["and", ","], ["but", ","])
 
     def _where(self, k: int) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""

@@ -29,6 +29,7 @@ class State:
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
         bracket: anchor and words between, as they were when a bracket opened.
+        resumed: who goes on after a clause put between ("and, once it has passed, drives on").
         relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
         verb_follows: another verb makes the clause after the participle just read.
         where: a clause has been opened that says what takes place somewhere.
@@ -58,4 +59,5 @@ class State:
     trailing: list[Mention] = field(default_factory=list)
     relative: tuple[Mention, NounPhrase] | None = None
     relating: Mention | None = None
+    resumed: list[Mention] = field(default_factory=list)
     being: Mention | None = None

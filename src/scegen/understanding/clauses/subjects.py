@@ -197,6 +197,9 @@ def _after_comma(event: Event, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     who = state.candidate
     placed = who is not None and any(p.target is state.anchor for p in who.pps)
+    if state.resumed and event.finite and not waiting:
+        event.subject, state.resumed = state.resumed, []
+        return
     been = "aux:be" in state.between and who in state.trailing and bool(state.main)
     if waiting and been and event.form == "s":
         event.subject = state.main  # "steps out when the ego is 30 m away, walks on and stops"
@@ -214,7 +217,7 @@ def _after_comma(event: Event, state: State) -> None:
     elif state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:
-        event.subject = _main_in_sentence(state)
+        event.subject = main_in_sentence(state)
         if not event.finite:
             _inherit_mood(event, state)
     elif isinstance(state.anchor, Mention):
@@ -263,7 +266,12 @@ def _inherit_mood(event: Event, state: State) -> None:
     event.modal = event.modal or state.events[-1].modal
 
 
-def _main_in_sentence(state: State) -> list[Mention]:
+def main_in_sentence(state: State) -> list[Mention]:
+    """Who acts in the last main clause of the sentence.
+
+    Args:
+        state: what the clause reader remembers.
+    """
     finite = [e for e in state.events if e.finite and e.subject]
     finite = [e for e in finite if not e.embedded] or finite  # "hits a man who walks, killing …"
     if finite:

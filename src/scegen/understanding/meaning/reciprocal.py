@@ -26,7 +26,8 @@ def towards_each_other(chunks: list[Chunk], events: list[Event], context: Contex
     places = [(e.subject, p) for e in events for p in e.pps]
     places += [(chain(c), p) for c in chunks if isinstance(c, Mention) for p in c.pps]
     for who, prep in places:
-        if prep.word.cat == "locus" and _mutual(prep.target, context):
+        locus = prep.word.cat == "locus" and prep.value != "between"
+        if locus and _mutual(prep.target, context):
             members = [e for m in who for e in m.entities]
             _place(members, Approach(prep.value), Basis(prep.word.i, prep.word.j), context)
 

@@ -43,6 +43,11 @@ class Discourse:
         self._roster = Roster(draft, tokens)
         self._pronouns = Pronouns(draft, self._roster, tokens)
 
+    @property
+    def entities(self) -> list[Entity]:
+        """Everybody known so far."""
+        return self._draft.entities
+
     def resolve(
         self,
         mention: Mention,

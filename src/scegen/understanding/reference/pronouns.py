@@ -186,14 +186,16 @@ class Pronouns:
         there = [e for e in self.draft.entities if loci_of(mention) & (e.loci | e.dirs)]
         if definite and len(there) == 1 and there[0] not in exclude:
             return there  # "the one in front"
-        claimed = self.roster.claim(count, exclude) if which != "further" else []
+        pointed = definite and self.tokens[mention.i].low in {"that", "this"}
+        free = which != "further" and not pointed
+        claimed = self.roster.claim(count, exclude) if free else []
         if which in {"others", "further"} and not claimed:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
             kind = (alike or [ParticipantKind.CAR])[-1]
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return picked(claimed) if which in {"one", "count"} and not mention.sides else claimed
-        if definite and not mention.sides and _placed(mention):
+        if definite and not mention.sides and (pointed or _placed(mention)):
             others = [e for e in self.roster.recent if not e.ego and e not in exclude]
             if others:
                 return others[-1:]  # "another waits in the stem; the one in the stem …"

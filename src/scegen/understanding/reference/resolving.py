@@ -152,6 +152,9 @@ def _resolve(
     exclude = [e for m in event.subject for e in m.entities] if event else []
     if mention.joined is not None and mention.pronoun is None:
         exclude = [*exclude, *mention.joined.entities]  # "a van and the van behind": two
+    stands = [e for e in discourse.entities if e.parked]
+    if event is not None and event.name == "bypass" and mention.pronoun == "it" and stands:
+        exclude += [e for e in discourse.entities if not e.parked]  # "drives around it"
     described = heads.get(id(mention))
     if described is not None:
         exclude = [*exclude, *described.entities]  # "a bus behind it": "it" is not the bus

@@ -17,7 +17,8 @@ _TOWARDS = ("towards", "toward", "opposite direction", "against", "facing", "onc
 _WITH = (
     "same direction", "direction of traffic", "direction of travel", "away from", "with traffic",
     "'s direction", "direction of the ego", "same way", "ahead", "in front", "with the traffic",
-    "direction as", "with its back", "with his back", "with her back",
+    "direction as", "our direction", "my direction", "with its back", "with his back",
+    "with her back",
 )  # fmt: skip
 _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle",
                    "bike_lane"})  # fmt: skip

@@ -9,7 +9,7 @@ from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
-from scegen.understanding.words.quantities import after_a_measure
+from scegen.understanding.words.quantities import after_a_measure, quantity_at
 from scegen.understanding.words.tokens import Token
 
 DIRECTIONS = {
@@ -27,6 +27,7 @@ _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", 
 _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
 _SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
+_WITHIN_LANE_M = 2.0
 _ASIDE = frozenset({"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"})
 
 
@@ -330,7 +331,22 @@ def _out_of_a_side(clause: Clause, context: Context) -> bool:
     return out or across or context.draft.from_kerb
 
 
+def _a_little_aside(clause: Clause, context: Context) -> bool:
+    """``moves 0.8 m to his left``: less than to another lane, whatever the verb."""
+    event = clause.event
+    sides = [d for p in event.pps if p.value == "to" and isinstance(p.target, Place)
+             for d in p.target.dirs] + [t.value for t in event.dirs]  # fmt: skip
+    lengths = [
+        found.exact.high
+        for term in event.mods
+        if (term.cat, term.value) == ("quantity", "length")
+        and (found := quantity_at(context.tokens, term.i)) is not None
+    ]
+    return bool({"left", "right"} & set(sides)) and any(m < _WITHIN_LANE_M for m in lengths)
+
+
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
+    "a_little_aside": _a_little_aside,
     "next_lane": lambda clause, c: next_lane(clause.event, c),
     "overtaking": overtaking,
     "across_the_road": lambda clause, c: across_the_road(clause.event, c),
