@@ -22,6 +22,7 @@ from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.each_side import both_sides
 from scegen.understanding.phrases.headings import lead, silence
 from scegen.understanding.phrases.identity import in_brackets
+from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.repeated import repeat
 from scegen.understanding.phrases.side_of import sides_of
 from scegen.understanding.phrases.telegrams import spell_out
@@ -82,7 +83,8 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
-    chunks = name_roads(name_hiders(Chunker(terms, tokens).run()), tokens)
+    chunks = lanes_meant(Chunker(terms, tokens).run())
+    chunks = name_roads(name_hiders(chunks), tokens)
     chunks = spell_out(both_sides(sides_of(in_brackets(chunks)), tokens))
     chunks = repeat(silence(lead(chunks)), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)

@@ -101,10 +101,14 @@ def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | No
 def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     """Who drives or walks so fast."""
     tokens = text.tokens
+    start, _ = text.bounds(number.i)
+    ours = [t.low for t in tokens[max(start, number.i - 2) : number.i] if t.low != "own"]
+    ego = ego_of(context)
+    if ours[-1:] in (["our"], ["my"]) and ego is not None:
+        return [ego]  # "faster than our own 60 km/h"
     own = text.holder(number.i, number.j)
     if own:
         return own
-    start, _ = text.bounds(number.i)
     before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
     before |= {t.low for t in tokens[number.j : number.j + 1]} & {"each", "both"}
     if before & {*words()["each"]}:
@@ -113,7 +117,6 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
         everybody = [e for e in context.draft.entities if e.is_vehicle]
         named = named or (everybody if len(everybody) == _PAIR else [])  # "both at 15 m/s: …"
         pair = list(dict.fromkeys([e for e in reversed(named) if not e.still]))
-        ego = ego_of(context)
         pair += [ego] if ego is not None and ego not in pair and len(pair) < _PAIR else []
         return pair if "all" in before or "each" in before else pair[:_PAIR]
     scene = text.scene_at(number.i, number.j)
@@ -152,7 +155,9 @@ def relative(number: Measured, text: Sentences, context: Context) -> bool:
     word = tokens[number.j].low if number.j < len(tokens) else ""
     if word not in {"slower", "faster"}:
         return False
-    who = text.subject_before(number.i)
+    scene = text.scene_at(number.i, number.j)
+    who = [e for e in (scene.actors if scene else []) if e.speed is None]
+    who = who or text.subject_before(number.i)
     near = [e for m in text.mentions if m.i < number.i for e in m.entities]
     other = counterpart(who[0], context, near) if who else None
     if not who or other is None or other.speed is None or who[0].speed is not None:

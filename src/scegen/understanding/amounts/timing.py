@@ -199,13 +199,17 @@ class Clock(Teller):
             if chunk.j >= stop or quantity_at(self._text.tokens, chunk.j) is not None:
                 continue  # "after 2 s"
             end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
-            inside = [a for a in acts if chunk.j <= a.i < end]
+            inside = [a for a in acts if any(chunk.j <= i < end for i in (a.i, *a.told))]
             outside = [a for a in acts if start <= a.i < stop and a not in inside]
-            front = [a for a in outside if a.i < chunk.i]
+            joined = self._text.low(max(start, chunk.i - 2), chunk.i).replace(",", " ").split()
+            put_between = joined[-1:] in (["and"], ["but"])  # "brakes and, once it stands, turns"
+            front = [a for a in outside if a.i < chunk.i and not put_between]
             main = front[-1:] or [a for a in outside if a.i >= end][:1]
             if not inside or not main or main[0].when is not None:
                 continue
             if opening == "when" and not main[0].always:
                 continue  # "passes a bus when a child runs out": what goes on meanwhile
-            since = "begin" if because or opening in words()["while_begun"] else "end"
+            begun = because or opening in words()["while_begun"]
+            over = [c for c in self._text.within(chunk.j, end) if c.event.perfect]
+            since = "begin" if begun and not over else "end"  # "when it has stopped"
             main[0].when = Trigger("after", Basis(chunk.i, chunk.j), act=inside[0], since=since)

@@ -181,6 +181,7 @@ class Placer:
         approaches = place_approaches(target, word if word in word_list("past") else prep.value)
         approaches = _between_lanes(approaches, event)
         if not approaches:
+            self._in_the_egos_lane(prep, target, entities, basis)
             return
         plural = target.head is not None and target.head.form == "s"
         plural = plural or any(m.form == "s" for m in target.mods if m.cat == "dir")
@@ -204,6 +205,18 @@ class Placer:
             kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
+
+    def _in_the_egos_lane(
+        self, prep: Prep, lane: Place, entities: list[Entity], basis: Basis
+    ) -> None:
+        """``a truck drives in the ego's lane``: ahead or behind; who stands there is ahead."""
+        owner = lane.owner.entities if lane.owner is not None else []
+        ours = any(m.value == "first_person" for m in lane.mods) or any(e.ego for e in owner)
+        if prep.value != "in" or lane.kind != "lane" or not ours:
+            return
+        for entity in [e for e in entities if e.moving_vehicle and not e.ego]:
+            where = {Approach.AHEAD} | (set() if entity.stands else {Approach.BEHIND})
+            self._draft.place(entity, None, where, basis)
 
     def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
         """``two vans on either side of the bus``: abreast of it."""

@@ -94,9 +94,13 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
 
 
 def _until(event: Event, context: Context) -> bool:
-    """``brakes until it stands``: not before."""
+    """``brakes until it stands``, ``once it has stopped``: not before."""
     before = context.tokens[max(0, event.i - _REACH) : event.i]
-    return any(t.low in {"until", "till"} for t in before)
+    if any(t.low in {"until", "till"} for t in before):
+        return True
+    who = min((m.i for m in event.subject), default=0)
+    opened = context.tokens[who - 1].low if who else ""
+    return event.perfect and opened in word_list("once")
 
 
 def _over(event: Event, context: Context) -> bool:

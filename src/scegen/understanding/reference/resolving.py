@@ -6,6 +6,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Wor
 from scegen.understanding.clauses.located import share_places
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
@@ -35,6 +36,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for m in e.subject
         if not aside(e, events) and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
+    subjects |= _said_to_be_there(chunks)
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = sides_of(events, chunks)
     beside = _beside(chunks)
@@ -102,6 +104,26 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         waiting = []
     for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
+    """``A truck is in front of the ego.``: of whom a sentence without a verb but "is" tells."""
+    found: set[int] = set()
+    opens: Mention | None = None
+    fresh = True
+    for chunk in chunks:
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            opens, fresh = None, True
+            continue
+        if isinstance(chunk, Mention) and fresh:
+            opens, fresh = chunk, False
+        elif isinstance(chunk, Word) and (chunk.cat, chunk.value) == ("aux", "be"):
+            found |= {id(opens)} if opens is not None else set()
+        elif isinstance(chunk, Event):
+            found -= {id(opens)} if opens is not None else set()
+            opens = None
+        fresh = False
+    return found
 
 
 def _told_by_somebody(chunk: Chunk, discourse: Discourse) -> None:

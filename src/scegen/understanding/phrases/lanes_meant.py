@@ -1,0 +1,69 @@
+"""Words that stand for a lane: "the left one of two lanes", "the truck in it"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.words.terms import Term
+
+_LANES = frozenset({"lane", "ramp"})  # "the right lane ends"
+_SIDES = frozenset({"left", "right", "adjacent"})
+
+
+def lanes_meant(chunks: list[Chunk]) -> list[Chunk]:
+    """The chunks with a lane in place of each "one" and "it" that means one.
+
+    Args:
+        chunks: the chunks of the text.
+    """
+    found: list[Chunk] = []
+    named: Place | None = None
+    for k, chunk in enumerate(chunks):
+        lane = _lane(chunk, k, chunks, named)
+        if lane is not None and found and found[-1].i == lane.i:
+            found.pop()  # "the left" of "the left one"
+        found.append(lane or chunk)
+        part = len(found) > 2 and found[-3] is named and getattr(found[-2], "value", "") == "of"
+        if isinstance(found[-1], Place) and found[-1].kind in _LANES and not part:
+            named = found[-1]
+    return found
+
+
+def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Place | None:
+    before, whole = chunks[k - 1] if k else None, _whole(k, chunks)
+    if isinstance(chunk, Place) and chunk.kind == "side":
+        named_side = chunk.mod("det") is not None and chunk.head is None and _sided(chunk)
+        after = before is not None and getattr(before, "value", "") in {"to", "on"}
+        if whole is None or not named_side or after:
+            return None
+        return _as_lane(chunk, chunk, chunk.mods)
+    if not isinstance(chunk, Mention):
+        return None
+    if chunk.pronoun == "one":
+        side = before if isinstance(before, Place) and before.kind == "side" else chunk
+        of = whole or named
+        if of is None or not _sided(side) or side.head not in (None, chunk.head):
+            return None
+        return _as_lane(side, chunk, side.mods)
+    within = isinstance(before, Word) and (before.cat, before.value) == ("prep", "in")
+    used = isinstance(before, Event) and before.name == "use"
+    if chunk.pronoun == "it" and named is not None and (used or within):
+        sides = [m for m in named.mods if m.cat == "dir"]
+        return _as_lane(chunk, chunk, sides)
+    return None
+
+
+def _as_lane(first: NounPhrase, last: NounPhrase, mods: list[Term]) -> Place:
+    head = Term("place", "lane", last.j - 1, last.j)
+    return Place(first.i, last.j, list(mods), head, kind="lane")
+
+
+def _sided(noun: NounPhrase) -> bool:
+    return any(m.cat == "dir" and m.value in _SIDES for m in noun.mods)
+
+
+def _whole(k: int, chunks: list[Chunk]) -> Place | None:
+    """``of two lanes``: the lanes of which it is one."""
+    after = chunks[k + 1 : k + 3]
+    of = len(after) > 1 and isinstance(after[0], Word) and after[0].value == "of"
+    lanes = after[1] if of else None
+    return lanes if isinstance(lanes, Place) and lanes.kind == "lane" else None
