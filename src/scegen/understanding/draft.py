@@ -92,6 +92,8 @@ class Entity:
     """It is one of so many of several alike, no matter which."""
     by_ramp: Basis | None = None
     """Words that say that it comes by a ramp, or in a lane that ends."""
+    in_egos_lane: Basis | None = None
+    """Words that put it in the ego's lane."""
     exits: Basis | None = None
     """Words that say that it leaves the road by a ramp."""
     pulls_out: bool = False

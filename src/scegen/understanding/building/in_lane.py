@@ -26,6 +26,10 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             basis = entity.stands
             entity.approaches = {Approach.AHEAD}
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
+        if entity.in_egos_lane is not None and alone and entity.moving_vehicle:
+            entity.approaches = {Approach.AHEAD}
+            entity.approaches |= set() if entity.stands else {Approach.BEHIND}
+            entity.approach_basis = entity.in_egos_lane
         along = {Approach.AHEAD, Approach.OPPOSITE}
         walks = entity.kind in ON_FOOT
         sides = entity.approaches & {Approach.LEFT, Approach.RIGHT}

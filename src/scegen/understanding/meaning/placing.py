@@ -209,14 +209,12 @@ class Placer:
     def _in_the_egos_lane(
         self, prep: Prep, lane: Place, entities: list[Entity], basis: Basis
     ) -> None:
-        """``a truck drives in the ego's lane``: ahead or behind; who stands there is ahead."""
+        """``a truck drives in the ego's lane``: one of those before or behind it."""
         owner = lane.owner.entities if lane.owner is not None else []
         ours = any(m.value == "first_person" for m in lane.mods) or any(e.ego for e in owner)
-        if prep.value != "in" or lane.kind != "lane" or not ours:
-            return
-        for entity in [e for e in entities if e.moving_vehicle and not e.ego]:
-            where = {Approach.AHEAD} | (set() if entity.stands else {Approach.BEHIND})
-            self._draft.place(entity, None, where, basis)
+        within = self._draft.tokens[prep.word.i].low in {"in", "on"} and lane.kind == "lane"
+        for entity in entities if within and ours else []:
+            entity.in_egos_lane = entity.in_egos_lane or basis
 
     def _on_both_sides(self, prep: Prep, side: Place, entities: list[Entity]) -> bool:
         """``two vans on either side of the bus``: abreast of it."""

@@ -16,7 +16,6 @@ from scegen.understanding.words.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
-_PERSONAL = frozenset({"he", "she", "him", "her"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +111,7 @@ class Pronouns:
 
         "The ego hits a cyclist; he rides …"; "a van had hidden her, and the ego hit her".
         """
-        if self.tokens[mention.i].low not in _PERSONAL:
+        if self.tokens[mention.i].low not in word_list("persons"):
             return options
         people = [e for e in known if self._person(e)]
         if mention.walks and not mention.drives:

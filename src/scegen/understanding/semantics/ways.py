@@ -333,16 +333,18 @@ def _out_of_a_side(clause: Clause, context: Context) -> bool:
 
 def _a_little_aside(clause: Clause, context: Context) -> bool:
     """``moves 0.8 m to his left``: less than to another lane, whatever the verb."""
-    event = clause.event
-    sides = [d for p in event.pps if p.value == "to" and isinstance(p.target, Place)
-             for d in p.target.dirs] + [t.value for t in event.dirs]  # fmt: skip
+    event, tokens = clause.event, context.tokens
+    places = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
+    sides = [(d, place.j) for place in places for d in place.dirs]
+    sides += [(t.value, t.j) for t in event.dirs]
+    named = {side for side, j in sides if tokens[j : j + 1] and tokens[j].low != "of"}
     lengths = [
         found.exact.high
         for term in event.mods
         if (term.cat, term.value) == ("quantity", "length")
-        and (found := quantity_at(context.tokens, term.i)) is not None
+        and (found := quantity_at(tokens, term.i)) is not None
     ]
-    return bool({"left", "right"} & set(sides)) and any(m < _WITHIN_LANE_M for m in lengths)
+    return bool({"left", "right"} & named) and any(m < _WITHIN_LANE_M for m in lengths)
 
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
