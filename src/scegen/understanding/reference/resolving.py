@@ -45,7 +45,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         id(m): e
         for e in events
         for p in e.pps
-        if isinstance(p.target, Mention) and (_is_it(p.target) or p.value == "between")
+        if isinstance(p.target, Mention)
+        and (_is_it(p.target) or _definite(p.target) or p.value == "between")
         for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
     }  # "drives between the ego and the van ahead": not the van itself
     behind = {
@@ -242,6 +243,11 @@ def _settled(events: list[Event]) -> set[int]:
     ways = {"left", "right", "straight"}
     going = [e for e in events if e.finite and any(d.value in ways for d in e.dirs)]
     return {id(m) for e in going for m in e.subject}
+
+
+def _definite(mention: Mention) -> bool:
+    """``behind the broken-down car``: one that is known, so not who stops behind it."""
+    return bool(mention.heads) and any((m.cat, m.value) == ("det", "def") for m in mention.mods)
 
 
 def _is_it(target: object) -> bool:
