@@ -9,6 +9,7 @@ from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
+from scegen.understanding.building.viewpoint import choose_ego
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.own_measures import own_measures
@@ -101,10 +102,11 @@ def read(text: str) -> FunctionalScenario:
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)
     scenes = Interpreter(context, numbers, surroundings.measured).run(chunks, events)
+    ego = choose_ego(draft)
     happenings = read_amounts(numbers, chunks, scenes, context)
     too_fast(draft, surroundings.speed_limit_mps)
     report(draft, terms, chunks)
-    scenario = Builder(draft, happenings, junction, surroundings, lengthwise, tokens).build()
+    scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise, tokens).build()
     return unattached(scenario, terms, tokens)
 
 

@@ -34,6 +34,7 @@ class Releaser(Teller):
         start, end = text.bounds(number.i)
         clause = text.subordinate(number.i)
         opened = clause is not None and clause[2] in words()["triggers"]
+        opened = opened or (clause is not None and clause[2] == "as" and self._nears(number))
         if opened and self.until(number):
             return False
         noun, word = self._what_follows(number)
@@ -77,6 +78,11 @@ class Releaser(Teller):
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
+
+    def _nears(self, number: Measured) -> bool:
+        """``as the ego comes within 30 m``: so near is a moment; "as it follows" lasts."""
+        event = self._text.verb_at(number.i, number.j)
+        return event is not None and event.lemma in {"come", "get", "near", "approach", "reach"}
 
     def _what_follows(self, number: Measured) -> tuple[NounPhrase | None, str]:
         """The noun of the phrase of place after a number, and the word that opens it."""

@@ -34,7 +34,7 @@ from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.ramps import settle_ramp
 from scegen.understanding.building.some_of import some_of
 from scegen.understanding.building.unsaid import maneuvers_of
-from scegen.understanding.building.viewpoint import choose_ego, settle_positions
+from scegen.understanding.building.viewpoint import settle_positions
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.happenings import Happenings
 from scegen.understanding.meaning.crossed_arms import settle_arms
@@ -48,6 +48,7 @@ class Builder:
     """Puts the parts together.
 
     Args:
+        ego: who the ego is, and why.
         draft: participants, hazards and positions.
         happenings: acts, spacings, things and the outcome.
         reading: what the text says about the junction.
@@ -59,6 +60,7 @@ class Builder:
     def __init__(
         self,
         draft: Draft,
+        ego: tuple[Entity, Basis],
         happenings: Happenings,
         reading: JunctionReading,
         surroundings: Surroundings,
@@ -66,6 +68,7 @@ class Builder:
         tokens: list[Token],
     ) -> None:
         self._draft = draft
+        self._ego = ego
         self._happenings = happenings
         self._around = surroundings
         self._proofs = Proofs(draft.text, tokens)
@@ -73,7 +76,7 @@ class Builder:
 
     def build(self) -> FunctionalScenario:
         """The functional scenario with its evidence."""
-        ego, ego_basis = choose_ego(self._draft)
+        ego, ego_basis = self._ego
         for entity in self._draft.entities:
             entity.ego = entity is ego  # "the cops we are": several are called so, one is it
         settle_arms(self._draft, ego)

@@ -7,7 +7,7 @@ from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.draft import Draft, Entity
 
 _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
-                   "inert", "leave", "swerve", "lane_change", "accelerate", "react",
+                   "inert", "leave", "swerve", "lane_change", "accelerate",
                    "reverse"})  # fmt: skip
 """What is told of everybody when nobody does it."""
 _KINDS = {kind.value: kind for kind in ParticipantKind}
