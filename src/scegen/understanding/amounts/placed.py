@@ -26,6 +26,8 @@ MEASURES = {
     "overlap": Measure.OVERLAP_PERCENT,
 }
 _APART = 4
+_AT = (" at ", " at a ", " at a gap of ", " at a distance of ", " at a time gap of ",
+       " at a headway of ")  # fmt: skip
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
@@ -235,8 +237,10 @@ class Spacer(Teller):
         laned = laned or [
             a
             for a in here
-            if measure is Measure.TTC_S and own is not None and own.i in (a.i, *a.told)
-        ]  # "brakes at a TTC of 3 s"
+            if own is not None
+            and own.i in (a.i, *a.told)
+            and (measure is Measure.TTC_S or number.around.before.endswith(_AT))
+        ]  # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
         changes = [a for a in acts if a.kind is ActKind.CHANGE_LANE]
         beside = any(
             p.entity in (entity, reference) and p.approaches == {Approach.ADJACENT}

@@ -223,7 +223,8 @@ def _named_doing(chunks: list[Chunk], k: int) -> bool:
     doer = isinstance(following, Word) and following.value in _DOER and isinstance(who, Mention)
     placed = isinstance(following, Word) and following.cat in {"prep", "locus", "manner"}
     bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
-    return said and opens and (doer or (bare and placed))
+    listed = _is(following, ",") or _is(following, ":")  # "Cut-in, ego 100 km/h, target …"
+    return said and opens and (doer or (bare and (placed or listed)))
 
 
 def _going(chunks: list[Chunk], k: int) -> Event | None:

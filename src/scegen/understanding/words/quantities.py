@@ -14,7 +14,7 @@ from scegen.units import UNITS
 _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "least", "beyond"})
 _BELOW = frozenset({"under", "below", "most"})
-_FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter"})
+_FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
 _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
                     "approx", "circa", "ca"})  # fmt: skip
 _LONGEST_UNIT = 4

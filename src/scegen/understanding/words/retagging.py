@@ -100,6 +100,7 @@ def _gets(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``gets cut off by a van``: is."""
     get = bool(terms) and terms[-1].cat == "verb" and tokens[terms[-1].i].forms[-1][0] == "get"
     by = "by" in [t.low for t in tokens[term.j : term.j + 2]]
+    by = by or (term.value == "collide" and (term.form == "ed" or tokens[term.i].low == "hit"))
     return get and terms[-1].j - terms[-1].i == 1 and term.cat == "verb" and by
 
 
