@@ -41,8 +41,9 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         if _second_of_two(chunks, k):
             continue
         verb = _verb_before(chunk, events)
-        if verb is None or not _ends(chunks, k + 2):
-            continue
+        title = verb is not None and verb.nominal and not verb.subject
+        if verb is None or title or not _ends(chunks, k + 2):
+            continue  # "Cut-out: lead 60 km/h, ego 80 km/h": the title is nobody's
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)

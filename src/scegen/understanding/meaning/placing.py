@@ -59,6 +59,9 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     )
 
 
+_BOTH = ("left", "right")
+
+
 def _same_way(prep: Prep) -> bool:
     """``in the same direction as the ego``."""
     place = prep.target
@@ -222,13 +225,16 @@ class Placer:
             self._draft.tokens[side.i - 1].low == "either"
         )
         owner = side.owner.entities[0] if side.owner and side.owner.entities else None
-        if not both or owner is None or side.dirs or prep.value != "in":
+        if not both or side.dirs or prep.value != "in" or side.kind != "side":
             return False
-        for entity in entities:
-            if entity.moving_vehicle:
-                basis = Basis(prep.word.i, side.j)
-                self._draft.place(entity, owner, {Approach.ADJACENT}, basis)
-        return True
+        basis = Basis(prep.word.i, side.j)
+        movers = [e for e in entities if e.moving_vehicle and not e.ego]
+        for entity in movers:
+            self._draft.place(entity, owner, {Approach.ADJACENT}, basis)
+        if len(movers) == len(_BOTH) and (owner is None or owner.ego):
+            for entity, value in zip(movers, _BOTH, strict=True):
+                entity.beside = entity.beside or (value, basis)
+        return bool(movers)
 
     def _beside(self, side: Place, entities: list[Entity], basis: Basis) -> None:
         """``drives to the right of the bus``: abreast; people stand on that side."""

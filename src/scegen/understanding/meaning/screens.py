@@ -66,7 +66,8 @@ def come_out(context: Context) -> None:
     backing = [e for d in context.draft.dangers if d.kind is HazardKind.REVERSING for e in d.by]
     for entity, basis, by in context.draft.screened:
         seen = bool(by) and all(e in backing for e in by)  # "walks behind a reversing van"
-        if Maneuver.CROSS in entity.maneuvers and not seen:
+        unsaid = not entity.maneuvers and not entity.is_vehicle  # on foot one crosses then
+        if (Maneuver.CROSS in entity.maneuvers or unsaid) and not seen:
             context.draft.hazard(HazardKind.OCCLUSION, basis, by)
 
 

@@ -57,6 +57,9 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
         comma = k + 1 if _is(chunk, ",") else comma
         title = chunks[max(begin, comma) : k]
         if _is(chunk, ":") and title and _adds_nothing(title, chunks, k):
+            first = title[0]
+            if isinstance(first, Event) and first.form == "base" and first.name in _NAMED:
+                first.nominal = True  # "Cut-out: lead vehicle 60 km/h"
             if isinstance(title[0], Word) and title[0].cat == "dir":
                 _describe(title[0].term, chunks, k)
         else:
