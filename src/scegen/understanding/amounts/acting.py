@@ -104,6 +104,8 @@ def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
     afoot = not entity.is_vehicle
     if kind in _DRIVEN and afoot:
         return None
+    if kind is ActKind.ACCELERATE and entity.stands is not None and entity.sets_off >= event.i:
+        return ActKind.SET_OFF  # "accelerates from standstill"
     if kind is ActKind.SET_OFF and afoot and event.name != "move":
         return ActKind.CROSS if Maneuver.CROSS in entity.maneuvers else None
     if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:

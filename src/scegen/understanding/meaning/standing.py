@@ -15,12 +15,19 @@ _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", 
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
 _IN_LANE = frozenset({"road", "lane", "middle"})
 _REACH = 3
+_FROM_REACH = 10
+_STARTING = frozenset({"accelerate", "leave", "move", "light", "try"})
 
 
 def stand(clause: Clause, context: Context) -> None:
     """``a van stands in the lane``, ``a bus has stopped``: from the start, and all the time."""
     event = clause.event
     if event.negated or event.modal or event.nominal or _until(event, context):
+        return
+    if event.name in _STARTING and (_from_rest(event, context) or _first_goes(clause, context)):
+        for entity in [e for e in clause.actors if e.is_vehicle]:
+            entity.sets_off = max(entity.sets_off, event.i)
+            _stand_in_the_lane([entity], clause)
         return
     lemma = event.lemma
     stands = event.name in {"wait", "stop"} and lemma in word_list("standing")
@@ -51,6 +58,26 @@ def stand(clause: Clause, context: Context) -> None:
         walks = not entity.is_vehicle and not entity.parked
         if walks and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
+
+
+def _from_rest(event: Event, context: Context) -> bool:
+    """``accelerates from standstill``: it stands until then."""
+    after = [t.low for t in context.tokens[event.j : event.j + _FROM_REACH]]
+    at = after.index("from") if "from" in after else len(after)
+    return bool(set(after[at + 1 : at + 3]) & word_list("at_rest"))
+
+
+def _first_goes(clause: Clause, context: Context) -> bool:
+    """``the truck sets off``: of whom nothing else is told before, on a road without a junction."""
+    event = clause.event
+    words = " ".join(t.forms[-1][0] for t in context.tokens[event.i : event.j])
+    away = event.object is not None or event.pps or event.dirs or context.junction.crossing
+    if away or words not in word_list("setting_off") or event.premod_of is not None:
+        return False
+    return not any(
+        entity.parked or entity.pulls_out or entity.moves or entity.speed
+        for entity in clause.actors
+    )
 
 
 def _waits_there(event: Event, context: Context) -> bool:
