@@ -141,7 +141,7 @@ def test_who_drives_up_behind_a_walker_is_the_ego():
 
 def test_both_sides_of_the_ego_are_the_lanes_beside():
     text = "Two vans on either side of the ego drift towards its lane."
-    assert seen(text) == [("van", {"adjacent"})] * 2
+    assert seen(text) == [("van", {"adjacent", "left"}), ("van", {"adjacent", "right"})]
 
 
 @pytest.mark.parametrize(

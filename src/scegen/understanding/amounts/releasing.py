@@ -34,10 +34,11 @@ class Releaser(Teller):
         start, end = text.bounds(number.i)
         clause = text.subordinate(number.i)
         opened = clause is not None and clause[2] in words()["triggers"]
-        opened = opened or (clause is not None and clause[2] == "as" and self._nears(number))
+        noun, word = self._what_follows(number)
+        nears = clause is not None and clause[2] == "as" and self._nears(number)
+        opened = opened or (nears and not isinstance(noun, Place))
         if opened and self.until(number):
             return False
-        noun, word = self._what_follows(number)
         short = word in _SHORT
         lines = JUNCTION | ({"crosswalk"} if self._context.junction.crossing else set())
         junction = isinstance(noun, Place) and noun.kind in lines and short

@@ -25,13 +25,10 @@ def stand(clause: Clause, context: Context) -> None:
     if event.negated or event.modal or event.nominal or _until(event, context):
         return
     if event.name in _STARTING and (_from_rest(event, context) or _first_goes(clause, context)):
-        for entity in [e for e in clause.actors if e.is_vehicle]:
-            entity.sets_off = max(entity.sets_off, event.i)
-            _stand_in_the_lane([entity], clause)
+        _until_it_goes(clause)
         return
     lemma = event.lemma
-    stands = event.name in {"wait", "stop"} and lemma in word_list("standing")
-    stands = stands or (event.name == "stop" and _over(event, context))
+    stands = _stands(event, context)
     in_lane = any(p.kind in _IN_LANE for p in clause.places())
     in_lane = in_lane and lemma not in word_list("standing")
     waiting = event.name == "wait" and (event.premod_of is not None or in_lane)
@@ -58,6 +55,17 @@ def stand(clause: Clause, context: Context) -> None:
         walks = not entity.is_vehicle and not entity.parked
         if walks and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
+
+
+def _until_it_goes(clause: Clause) -> None:
+    for entity in [e for e in clause.actors if e.is_vehicle]:
+        entity.sets_off = max(entity.sets_off, clause.event.i)
+        _stand_in_the_lane([entity], clause)
+
+
+def _stands(event: Event, context: Context) -> bool:
+    at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
+    return at_rest or (event.name == "stop" and _over(event, context))
 
 
 def _from_rest(event: Event, context: Context) -> bool:

@@ -79,8 +79,9 @@ def _by_the_other(chunks: list[Chunk], events: list[Event], tokens: list[Token])
         egos = [c for c in others if any(h.data.get("ego") for h in c.heads)]
         others = [c for c in others if c not in egos]
         led = [c for c in others if "ahead" in c.dirs]
+        acts = any(e is not event and e.subject and not e.nominal for e in events)
         if opens and led and "out" in {t.low for t in tokens[event.i : event.j]}:
-            event.subject = led[:1]  # "Cut-out: lead vehicle 60 km/h, ego 80 km/h"
+            event.subject = [] if acts else led[:1]  # "Cut-out: lead 60 km/h, ego 80 km/h"
             continue
         if (
             event.name in {"lane_change", "merge"}
