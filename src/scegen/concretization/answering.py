@@ -72,7 +72,7 @@ def _times(moments: Moments) -> Array:
 def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
     """Unwanted contacts; with walkers only where the text says when they set off."""
     times = _times(moments)
-    tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks, *scene.pulls)}
+    tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks)}
     touching: dict[frozenset[str], Array] = {}
     for name in scene.drives:
         for other, there in tracks.items():
@@ -145,7 +145,7 @@ def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contac
             middle = (early + after) / 2
             early, after = (middle, after) if brake(middle, rate) >= CLOSEST_M else (early, middle)
         brake(early, rate)
-        if waits or own is None:
+        if waits or (own is None and target == 0.0):
             _go_on(who, least_m, waits)
         if own is None:
             reason = f"brakes for {contact.other}, as a driver who sees it does"
@@ -183,9 +183,8 @@ def _slowest_mps(scene: Setup, moments: Moments, contact: _Contact) -> float:
     """How slow whoever it runs into becomes."""
     if contact.other in scene.walks:
         return 0.0
-    if contact.other in scene.pulls:
-        return float(moments.track(contact.other, np.array([contact.time_s]))[1][0])
-    times = np.arange(0.0, contact.time_s + _AFTER_S, _STEP_S)
+    since = contact.time_s if scene.sets_off(contact.other) else 0.0
+    times = np.arange(since, contact.time_s + _AFTER_S, _STEP_S)
     slowest = float(moments.track(contact.other, times)[1].min())
     return slowest if slowest > 0.1 else 0.0
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 
@@ -81,14 +81,12 @@ def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
     motion: Motion
     if name in scene.drives:
         draft = scene.drives[name]
-        speed, program = _program(draft)
+        speed, program = _program(scene, draft)
         motion = draft.motion(draft.laid.station_m(draft.start_m))
     elif name in scene.stands:
         motion = scene.stands[name].motion
     elif name in scene.walks:
         motion, program = scene.walks[name].motion, scene.walks[name].program
-    elif name in scene.pulls:
-        motion, program = scene.pulls[name].motion, tuple(scene.pulls[name].program)
     else:
         raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
     return ConcreteParticipant(
@@ -102,7 +100,7 @@ def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
     )
 
 
-def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
+def _program(scene: Setup, draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded; reactions come where the program reaches them."""
     speed, phases = speed_program(
         draft.id, draft.course, draft.start_s, draft.start_m, draft.triggers
@@ -113,10 +111,11 @@ def _program(draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
             p for p in phases if isinstance(p.trigger, Travelled) and p.trigger.distance_m <= at
         ]
         phases = (*before, *draft.reactions, *phases[len(before) :])
-    return round(speed, 3), tuple(_rounded(phase) for phase in phases)
+    told = {act.id for act in scene.logical.acts or scene.functional.acts}
+    return round(speed, 3), tuple(_rounded(phase, told) for phase in phases)
 
 
-def _rounded(phase: SpeedPhase) -> SpeedPhase:
+def _rounded(phase: SpeedPhase, told: Collection[str]) -> SpeedPhase:
     trigger = phase.trigger
     value = round(getattr(trigger, trigger.measured), 3)
     return phase.model_copy(
@@ -124,6 +123,7 @@ def _rounded(phase: SpeedPhase) -> SpeedPhase:
             "trigger": trigger.model_copy(update={trigger.measured: value}),
             "target_speed_mps": round(phase.target_speed_mps, 3),
             "rate_mps2": round(phase.rate_mps2, 3),
+            "act": phase.act if phase.act in told else None,
         }
     )
 
@@ -206,10 +206,6 @@ def _goal_m(scene: Setup, name: str, path: Path) -> float:
         ]
         places += [ends_m + 10.0 for _, ends_m in draft.laid.path.backwards]
         return min(max(places), draft.laid.path.length_m) - draft.start_m - 1e-6
-    if name in scene.pulls:
-        pull = scene.pulls[name]
-        places = [pull.laid.path_s_m(pull.motion.turning_ends_m) + _INTO_EXIT_M]
-        return min(max(*places, pull.in_lane_m + 5.0), path.length_m) - 1e-6
     if name in scene.walks:
         return max(0.0, path.length_m - 0.5)
     return 0.0

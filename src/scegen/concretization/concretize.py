@@ -35,11 +35,7 @@ from scegen.concretization.obstacles import (
 )
 from scegen.concretization.occluders import hide
 from scegen.concretization.priorities import set_gaps
-from scegen.concretization.pulling_out import (
-    program_pulls,
-    pull_appointments,
-    pull_out,
-)
+from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
@@ -165,7 +161,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
         if rule.act is not None:
             rule.act(scene, hazard)
     stand_in_line(scene)
-    pull_out(scene)
+    meetings += pull_out(scene)
     stop_short(scene)
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, rules, meetings)
@@ -174,7 +170,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
         if rule.react is not None:
             rule.react(scene, hazard)
     program_walkers(scene, moments.leaves_s)
-    program_pulls(scene, moments.leaves_s)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 
@@ -207,7 +202,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
 
 
 def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
-    offsets = schedule(scene, meetings, [*appointments(scene), *pull_appointments(scene)])
+    offsets = schedule(scene, meetings, appointments(scene))
     offsets = do_acts(scene, offsets)
     moments = _with_lead_in(scene, offsets, meetings)
     short, who = shortfall(scene, moments.offsets_s)
@@ -233,9 +228,7 @@ def _with_lead_in(scene: Setup, offsets_s: dict[str, float], meetings: list[Meet
     for _ in range(_AGAIN):
         moments = Moments(scene, dict(offsets_s))
         moments.sets_off_s = {
-            name: moments.leaves_s(name)
-            for name in (*scene.walks, *scene.pulls)
-            if conditioned(scene, name)
+            name: moments.leaves_s(name) for name in scene.walks if conditioned(scene, name)
         }
         fit(scene, moments, meetings)
         early = lead_in_missing_s(scene, moments)

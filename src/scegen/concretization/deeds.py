@@ -26,6 +26,7 @@ _HOLDS_S = 1.5
 """Between two acts of one driver, where no time is said: long enough to see the speed held."""
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
+_MOVES_MPS = 0.1
 
 
 def usual_speed_mps(scene: Setup, name: str) -> float:
@@ -34,6 +35,12 @@ def usual_speed_mps(scene: Setup, name: str) -> float:
     if said is not None and said.high > 0:
         return said.middle
     return scene.limit_mps
+
+
+def _usual_mps(scene: Setup, draft: DriveDraft) -> float:
+    """How fast a drive goes on where nobody says."""
+    parked = draft.parked_s_m is not None
+    return draft.cruise_mps if parked else usual_speed_mps(scene, draft.id)
 
 
 def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
@@ -47,7 +54,9 @@ def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
         if draft.stands:
             late[draft.id] = -STOOD_S
             continue
-        marks = list(_marks(scene, draft))
+        if draft.parked_s_m is not None:
+            continue
+        marks = list(marks_of(scene, draft))
         if not marks:
             continue
         if scene.sets_off(draft.id):
@@ -91,20 +100,23 @@ def lead_in_missing_s(scene: Setup, moments: Moments) -> float:
     return max(0.0, LEAD_IN_S - min(begins, default=LEAD_IN_S))
 
 
-def _marks(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
+def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The marks of one's acts, the first of each chain at place 0."""
     before = draft.cruise_mps
     own: set[str] = set()
     took_s = 0.0
     if scene.sets_off(draft.id):
-        line = draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M
-        rate = draft.braking_mps2(5.0)
-        yield SpeedChange(line - before**2 / (2 * rate), 0.0, rate, sort=Sort.ACT)
+        place, rate = draft.parked_s_m, draft.braking_mps2(5.0)
+        if place is None:
+            place = draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M
+        else:  # nobody sees how it came there
+            rate = before**2 / place
+        yield SpeedChange(place - before**2 / (2 * rate), 0.0, rate, sort=Sort.ACT)
         before = 0.0
     for act in scene.speed_acts(draft.id):
         hazard = hazard_of(scene.functional.hazards, act)
         target, rate = change_of_speed(
-            act, before, draft.body, draft.grip_mps2, hazard, usual_speed_mps(scene, draft.id)
+            act, before, draft.body, draft.grip_mps2, hazard, _usual_mps(scene, draft)
         )
         then: float | None = None
         when = act.when
@@ -189,9 +201,10 @@ def set_triggers(scene: Setup, moments: Moments) -> None:
             act = scene.act(mark.act or "")
             time_s = moments.begins_s(act)
             trigger: Trigger = AtTime(time_s=round(max(time_s, 0.0), 3))
-            other = scene.ego if scene.ego is not draft else None
+            other = next((each for each in scene.concerned(draft.id) if each is not draft), None)
             if other is not None and not isinstance(act.when, AfterStart):
-                place = other.course.s_at(time_s - other.offset_s) - other.start_m
-                if place > 0.0:
+                own_s = time_s - other.offset_s
+                place = other.course.s_at(own_s) - other.start_m
+                if place > 0.0 and other.course.speed_then(own_s) > _MOVES_MPS:
                     trigger = Travelled(participant=other.id, distance_m=round(place, 3))
             draft.triggers[act.id] = trigger

@@ -48,12 +48,13 @@ class DriveDraft:
     ``slowing_mps2`` is how hard it brakes before turns, ``approach_mps`` and ``resume_mps`` its
     speeds before and after them if not ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this
     road. ``rests_at_m`` is where it is to come to rest if it brakes, because of a thing in its way;
-    ``halts_at_m`` where it stays. ``reversal`` is a part driven backwards;
-    one that backs out (of arm ``from_arm``, if not from beside the road) joins its drive at station
-    ``joins_m``. Within ``alone_s_m`` of its path only the marks of dangers count. ``backs_to`` is
-    somebody who crosses behind it. ``waits_s`` is how long it stands at its line, at red or
-    until ``lets_by`` has passed (below 0: it goes on before it has come to rest), and ``goes_at``
-    what it goes on by. ``offset_s`` is how late it is against its course.
+    ``halts_at_m`` where it stays, ``parked_s_m`` where it stood beside the road at first.
+    ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
+    beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
+    the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits_s`` is how
+    long it stands at its line, at red or until ``lets_by`` has passed (below 0: it goes on before
+    it has come to rest), and ``goes_at`` what it goes on by. ``offset_s`` is how late it is against
+    its course.
     """
 
     id: str
@@ -78,6 +79,7 @@ class DriveDraft:
     grip_mps2: float = GRAVITY_MPS2
     rests_at_m: float | None = None
     halts_at_m: float | None = None
+    parked_s_m: float | None = None
     reversal: Reversal | None = None
     joins_m: float = 0.0
     from_arm: int | None = None

@@ -101,7 +101,8 @@ def _unknowns(scene: Setup, moments: Moments) -> Iterator[Unknown]:
             lambda m, value, name=name: m.offsets_s.__setitem__(name, value),  # type: ignore[misc]
         )
         for n, mark in enumerate(draft.deeds):
-            if is_open(scene, mark) or (n == 0 and mark.act is None):
+            stood = n == 0 and mark.act is None and draft.parked_s_m is None
+            if is_open(scene, mark) or stood:
                 yield Unknown(
                     _STEP_M,
                     lambda _, draft=draft, n=n: draft.deeds[n].s_m,  # type: ignore[misc]
@@ -132,7 +133,7 @@ def _move(draft: DriveDraft, n: int, place_m: float) -> None:
 
 def _said(scene: Setup) -> Iterator[Residual]:
     """What the text says of distances and moments."""
-    known = {*scene.drives, *scene.walks, *scene.pulls, *scene.stands}
+    known = {*scene.drives, *scene.walks, *scene.stands}
     for spacing in scene.functional.spacings:
         pair = spacing.participant, spacing.reference
         if is_lengthwise(spacing.measure) and spacing.at != CONTACT and known >= {*pair}:
@@ -216,8 +217,7 @@ def _meetings(scene: Setup, meetings: Sequence[Meeting]) -> Iterator[Residual]:
 
 
 def conditioned(scene: Setup, name: str) -> bool:
-    """Whether the text says when somebody who stands at first, to cross or pull out, sets off."""
-    goes = {ActKind.CROSS, ActKind.SET_OFF}
-    crosses = [a for a in scene.acts if a.participant == name and a.kind in goes]
+    """Whether the text says when somebody who crosses sets off."""
+    crosses = [a for a in scene.acts if a.participant == name and a.kind is ActKind.CROSS]
     named = {spacing.at for spacing in scene.functional.spacings}
     return any(act.when is not None or act.id in named for act in crosses)

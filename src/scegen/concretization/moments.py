@@ -9,14 +9,12 @@ import numpy as np
 from scegen.claims.boxes import Boxes, gap_m, same_way, seen
 from scegen.concretization.boxes import box_on
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.limits import LEAD_IN_S
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.spacings import Measure
 
 _LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
@@ -54,9 +52,6 @@ class Moments:
             begins = self.leaves_s(name)
             walk = self.scene.walks[name]
             return begins, begins + walk.runs_s(walk.path.length_m)
-        if name in self.scene.pulls:
-            pull, begins = self.scene.pulls[name], self.leaves_s(name)
-            return begins, begins + pull.speed_mps / pull.rate_mps2
         if name not in self.scene.drives:
             return 0.0, 0.0
         draft, late = self.scene.drives[name], self.offsets_s[name]
@@ -90,12 +85,6 @@ class Moments:
         """When one who stands at first sets off: as is said, or to meet whom it is to meet."""
         if name in self.sets_off_s:
             return self.sets_off_s[name]
-        pull = self.scene.pulls.get(name)
-        if pull is not None:
-            met = self.scene.drives.get(pull.waits_for or "")
-            if met is None:
-                return LEAD_IN_S
-            return self.offsets_s[met.id] + met.course.time_at(pull.place_m) - pull.takes_s
         if self._partners[name] is None:
             return 1.0
         return self._arrives_s(name) - self._walks_s(name)
@@ -148,10 +137,6 @@ class Moments:
             way, speed = gained(walk.speed_mps, walk.rate_mps2, times_s - self.leaves_s(name))
             way = np.minimum(way - walk.back_m, walk.path.length_m)
             return box_on(walk.path, walk.body, way), speed
-        if name in scene.pulls:
-            pull = scene.pulls[name]
-            way, speed = gained(pull.speed_mps, pull.rate_mps2, times_s - self.leaves_s(name))
-            return box_on(pull.laid.path, BODIES[pull.kind], way), speed
         stand = scene.stands[name]
         still = np.zeros(len(times_s))
         return box_on(stand.path, stand.body, still), still

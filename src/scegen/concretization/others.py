@@ -1,18 +1,16 @@
-"""Those who cross, stand or pull out, in the making."""
+"""Those who cross or stand, in the making."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
 from scegen.concretization.limits import starting_mps2
 from scegen.motion.model import Array, Path
-from scegen.motion.polyline import LaidDrive
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import (
     CrossingMotion,
-    DriveMotion,
     SpeedPhase,
     StandingMotion,
     Travelled,
@@ -112,25 +110,3 @@ class StandDraft:
     def body(self) -> Body:
         """Its size."""
         return BODIES[self.kind]
-
-
-@dataclass
-class PullDraft:
-    """One who is parked and pulls out, in the making; lengths are along its path.
-
-    It is in the lane ``in_lane_m`` from where it stands, ``takes_s`` after it sets off, when
-    ``waits_for`` is at ``place_m`` of its own path.
-    """
-
-    id: str
-    kind: ParticipantKind
-    motion: DriveMotion
-    laid: LaidDrive
-    speed_mps: float
-    rate_mps2: float
-    in_lane_m: float
-    hazard: HazardKind | None = None
-    waits_for: str | None = None
-    place_m: float = 0.0
-    takes_s: float = 0.0
-    program: list[SpeedPhase] = field(default_factory=list)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from scegen.concretization.amounts import GAINING, SLOWING, spelled_out
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.others import PullDraft, StandDraft, WalkDraft
+from scegen.concretization.others import StandDraft, WalkDraft
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, ActKind
@@ -43,7 +44,6 @@ class Setup:
     drives: dict[str, DriveDraft] = field(default_factory=dict)
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
-    pulls: dict[str, PullDraft] = field(default_factory=dict)
     expected: list[tuple[Hazard, Thing]] = field(default_factory=list)
     objects: list[StaticObject] = field(default_factory=list)
     caused: dict[Hazard, Hazard] = field(default_factory=dict)
@@ -102,7 +102,16 @@ class Setup:
     def acts(self) -> tuple[Act, ...]:
         """What the text tells that happens, in order."""
         drivers = {drive.participant for drive in self.logical.drives}
-        return spelled_out(self.logical.acts or self.functional.acts, drivers)
+        told = spelled_out(self.logical.acts or self.functional.acts, drivers)
+        return (*self._pulling_out(told), *told)
+
+    def _pulling_out(self, told: Sequence[Act]) -> Iterator[Act]:
+        """Who pulls out sets off, also where the text has no act for that."""
+        first = {a.participant: a.kind for a in reversed(told) if a.kind in SLOWING | GAINING}
+        for person in self.functional.participants:
+            if person.pulls_out and first.get(person.id) is not ActKind.SET_OFF:
+                name = f"pull_of_{person.id}"[:40]
+                yield Act(id=name, participant=person.id, kind=ActKind.SET_OFF)
 
     def act(self, name: str) -> Act:
         """An act by its id."""
