@@ -74,7 +74,7 @@ def read_amounts(
     clock.order()
     found.acts = go_on(found.acts, text)
     kept_apart(found, context)
-    found.acts = _kept(found)
+    found.acts = _kept(found, context.across)
     _gently(found, context)
     return found
 
@@ -136,12 +136,14 @@ def _gently(found: Happenings, context: Context) -> None:
             context.draft.dangers.remove(danger)
 
 
-def _kept(found: Happenings) -> list[Doing]:
+def _kept(found: Happenings, across: str) -> list[Doing]:
     """Acts that are ones by themselves, or that a number or another act makes ones."""
     acts = found.acts
     named = [d.when.act for d in acts if d.when is not None and d.when.act is not None]
     named += [s.at for s in found.spacings if isinstance(s.at, Doing)]
     kept = [d for d in acts if d.always or d.amounts or d.when is not None or d in named]
+    odd = [d for d in acts if d.kind is ActKind.OVERTAKE and d.side not in (None, across)]
+    kept = [d for d in acts if d in kept or d in odd]  # "overtakes it on the right"
     counts: dict[ActKind, int] = {}
     for doing in kept:
         counts[doing.kind] = counts.get(doing.kind, 0) + 1
