@@ -10,7 +10,7 @@ import numpy as np
 from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, offset
-from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     ASIDE_MPS,
@@ -24,7 +24,7 @@ from scegen.claims.moments import (
     rest,
     sideways_begin,
 )
-from scegen.claims.statements.maneuvers import LANE_M
+from scegen.claims.statements.maneuvers import LANE_M, overtaken
 from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
@@ -43,6 +43,7 @@ from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 
+_BESIDE_M = 0.5
 _SWERVES_M = 0.3
 _SPEED_OVER_S = 0.1
 _THEN_S = Interval(low=0.0, high=2.0)
@@ -221,6 +222,9 @@ def _sideways(told: Told, act: Act) -> Iterator[Claim]:
         to = f" to the {act.side}" if act.side else ""
         moves = "changes lane" if act.kind is ActKind.CHANGE_LANE else "swerves"
         yield _claim(told, act, "side", f"{name} {moves}{to}", "m", _aside, far)
+    elif act.side is not None:
+        passes = f"{name} passes on the {act.side}"
+        yield _claim(told, act, "side", passes, "m", _passes_there)
     if act.lateral_m is not None:
         statement = f"{name} goes {amount(act.lateral_m)} m to the side"
         tolerance = 2 * tolerances.LATERAL_M
@@ -251,6 +255,24 @@ def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
     step = moved.argmax(axis=1)
     most = at(moved, step)
     return Judged(most - far, most, view.time_of(step))
+
+
+def _passes_there(told: Told, act: Act, view: View) -> Judged:
+    """On which side of the one passed it is while they are level, its centre beside theirs."""
+    name = act.participant
+    others = [act.into] if act.into else overtaken(told, name)
+    others = others or [p.id for p in told.people if p.id != name]
+    best, when = np.full(view.count, -NEVER), np.zeros(view.count, dtype=np.int64)
+    for other in others:
+        own, frame = boxes(view, name), boxes(view, other)
+        ahead, left = offset(frame, own)
+        level = np.abs(ahead) < frame.half_length + own.half_length
+        beside = np.where(level, left if act.side is Side.LEFT else -left, NEVER)
+        step = beside.argmin(axis=1)
+        least = np.where(level.any(axis=1), at(beside, step), -NEVER)
+        when = np.where(least > best, step, when)
+        best = np.maximum(best, least)
+    return Judged(best - _BESIDE_M, best, view.time_of(when))
 
 
 def _far_aside(told: Told, act: Act, view: View) -> Judged:

@@ -124,7 +124,7 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         test: Test = partial(_changes_lane, drive)
         yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
     elif drive.maneuver is Maneuver.OVERTAKE:
-        passed = _overtaken(told, name)
+        passed = overtaken(told, name)
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
         others = [p.id for p in told.people if p.id != name]
@@ -145,8 +145,13 @@ def _is_an_act(told: Told, drive: Drive) -> bool:
     return any(drive.changes_to in {None, act.side} for act in own)
 
 
-def _overtaken(told: Told, name: str) -> list[str]:
-    """Whom somebody is said to pass, if that is said."""
+def overtaken(told: Told, name: str) -> list[str]:
+    """Whom somebody is said to pass, if that is said.
+
+    Args:
+        told: what is said.
+        name: who passes.
+    """
     whom = [act.into for act in told.acts_of(name) if act.kind is ActKind.OVERTAKE and act.into]
     for hazard in told.functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING and name in hazard.by:

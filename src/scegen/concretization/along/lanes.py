@@ -211,9 +211,15 @@ def _from_acts(
     passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
     for act in acts:
         name = act.participant
+        step = outward(functional, act.side) if act.side is not None else None
+        if act.kind is ActKind.OVERTAKE and name in runners and step is not None:
+            inwards = step < 0 and count == 1  # by the oncoming lane
+            if not inwards:
+                words = f"{name} has a lane on its {act.side} to pass in"
+                wishes.append(Wish((name,), SAID, _room(name, step, count), words))
+            continue
         if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue
-        step = outward(functional, act.side) if act.side is not None else None
         into = runners.get(act.into or "")
         if into is not None and into.forward != runners[name].forward:
             words = f"{name} is next to the lane of {into.id}"

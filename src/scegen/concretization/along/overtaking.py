@@ -10,6 +10,7 @@ from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner, Step, gap_m
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
+from scegen.concretization.asked import outward
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
@@ -155,7 +156,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     """
     hazard, lasts = story.hazard_of(act), LANE_CHANGE_S
     slow, foremost = line[0], line[-1]
-    out_lane, offset = _beside_lane(story, fast, slow)
+    out_lane, offset = _beside_lane(story, act, fast, slow)
     begins = max(FIRST_ACT_S / 2, story.begins_s[act.id] - FIRST_ACT_S)
     if fast.speed_mps - foremost.speed_mps < _FASTER_MPS / 2:
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
@@ -193,7 +194,7 @@ def _is_past(fast: Runner, slow: Runner, clear_m: float, time_s: float) -> bool:
     return ahead and gap_m(fast, slow, time_s) >= clear_m
 
 
-def _beside_lane(story: Story, fast: Runner, slow: Runner) -> tuple[int, float]:
+def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[int, float]:
     """The lane in which one passes, and how far left of its middle.
 
     As far beside the other as the text says; else in the next lane.
@@ -205,6 +206,8 @@ def _beside_lane(story: Story, fast: Runner, slow: Runner) -> tuple[int, float]:
             kerb = -1 if not fast.keeps_left else 1
             wanted = slow.y_m(0.0, LANE_WIDTH_M) - kerb * fast.sign * apart
             return fast.lane, fast.sign * (wanted - fast.y_m(0.0, LANE_WIDTH_M)) + fast.offset_m
+    if act.side is not None:
+        return max(0, fast.lane + outward(story.functional, act.side)), 0.0
     if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
         return 2, 0.0
     return max(0, fast.lane - 1), 0.0
