@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 from scegen.understanding.amounts.letting_by import let_by
@@ -45,7 +47,17 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
             if doing.always and scene.event.form == "ing" and not known:
                 found.append(doing)
     found.sort(key=lambda d: d.i)
+    _back_from_there(found)
     return found
+
+
+def _back_from_there(found: list[Doing]) -> None:
+    """``overtakes on the right and then cuts in``: back to the side it did not pass on."""
+    for doing in found:
+        passed = [d for d in found if d.kind is ActKind.OVERTAKE and d.i < doing.i and d.side]
+        own = [d for d in passed if d.entity is doing.entity]
+        if doing.kind is ActKind.CHANGE_LANE and own and own[-1].side is not None:
+            doing.side = _OTHER[own[-1].side]
 
 
 def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
@@ -55,7 +67,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
     frame = ActFrame(ActKind.CHANGE_LANE, always=True) if changed else acts().get(event.name)
     if frame is None and _starts(event):
         frame = ActFrame(ActKind.SET_OFF, always=False)  # "the van starts 0.7 s after the car"
-    whom = let_by(scene)
+    whom = let_by(scene, text.scenes)
     if whom and event.name != "stop":
         frame = ActFrame(ActKind.GIVE_WAY, always=True)
     if frame is None or event.negated or event.unable:
@@ -82,6 +94,8 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         _aside(doing, scene, text, context)
         _to_standstill(doing, text)
         made.append(doing)
+        further = whom[1:] if doing.kind is ActKind.GIVE_WAY else []
+        made += [replace(doing, into=other) for other in further]
     return made
 
 
@@ -274,7 +288,7 @@ def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
             return same
         return not doing.always
     if before.i == doing.i:
-        return True
+        return doing.kind is not ActKind.GIVE_WAY or before.into is doing.into
     before.told.append(doing.i)
     ordered = text.says("then", before.basis.j or before.i, doing.i)
     if ordered is not None:

@@ -17,11 +17,12 @@ _HOLDING = frozenset({"wait", "stop"})
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
 
-def let_by(clause: Clause) -> list[Entity]:
+def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``.
 
     Args:
         clause: what happens.
+        scenes: all that happens.
     """
     event = clause.event
     if event.name == "yield":
@@ -30,8 +31,24 @@ def let_by(clause: Clause) -> list[Entity]:
         return clause.targets if any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
         return []
-    named = [p.target for p in event.pps if p.value == "for" and isinstance(p.target, Mention)]
+    given = [p for p in event.pps if p.value == "for"]
+    named = [p.target for p in given if isinstance(p.target, Mention)]
+    if given and not named:  # "waits for a gap in the oncoming traffic"
+        named = [p.target for p in event.pps if isinstance(p.target, Mention)]
+    if not named and event.name == "wait":
+        return _passing_meanwhile(clause, scenes)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
+
+
+def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
+    """``waits until a car has passed``, ``waits to turn; two cars pass``."""
+    event = clause.event
+    later = [s for s in scenes if s.event.i > event.i and s.event.parent is not event]
+    following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
+    if following is None or following.event.name != "pass" or following.event.negated:
+        return []
+    others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
+    return [] if any(t in clause.actors for t in following.targets) else others
 
 
 def go_on(acts: list[Doing], text: Sentences) -> list[Doing]:

@@ -127,6 +127,9 @@ class Judge(Teller):
     def _between(self, scene: Clause) -> list[Entity]:
         """Who touches whom: by the verb, by whose part is named, by who is named around."""
         who = [*scene.actors, *scene.targets]
+        alike = len({e.kind for e in scene.targets}) == 1 and len(scene.targets) > 1
+        if alike and any(e.ego for e in scene.actors):
+            return []  # "drives into the tail of a queue": whichever of them is the last
         if len(who) > 2 and scene.actors and scene.targets:
             return [scene.actors[0], scene.targets[0]]
         if len(who) == 2:

@@ -125,6 +125,7 @@ class Interpreter:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
                 if id(chunk) not in acting:
+                    standing.jam(chunk, self._context)
                     afoot.comes_from_the_side(chunk, self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
-from scegen.understanding.chunks import Event
+from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
@@ -102,6 +102,12 @@ def _stand_in_the_lane(entities: list[Entity], clause: Clause) -> None:
         entity.stands = entity.stands or clause.words
         if entity.ego and entity.speed is None:
             entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), clause.words
+
+
+def jam(mention: Mention, context: Context) -> None:
+    """``the end of a jam``: it stands, unless the text lets it move."""
+    if mention.head is not None and mention.head.data.get("stands"):
+        state(Term("state", "stationary", mention.i, mention.j), mention.entities, context)
 
 
 def state(term: Term, entities: list[Entity], context: Context) -> None:
