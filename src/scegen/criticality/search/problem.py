@@ -236,7 +236,7 @@ def unwanted(view: View, target: Target, pair: tuple[str, str]) -> Floats:
     wanted = view.pair(*pair)
     missing = np.zeros(view.count)
     for p in range(len(view.scene.pairs)):
-        touches = ~np.isnan(view.summary.contact_s[:, p])
+        touches = ~np.isnan(view.summary.contact_s[:, p]) & ~follows_from(view, target, pair, p)
         if wanted is not None and p == wanted[0]:
             if target.contact is not False:
                 continue
@@ -249,6 +249,27 @@ def unwanted(view: View, target: Target, pair: tuple[str, str]) -> Floats:
         depth = np.where(behind > 0.0, np.minimum(behind, 3.0), speed)
         missing += np.where(touches, 1.0 + depth, near)
     return missing
+
+
+def follows_from(view: View, target: Target, pair: tuple[str, ...], other: int) -> Bools:
+    """Whether a pair touches only after the contact that is asked for, and because of it (c,).
+
+    Where bodies go after they have hit each other is not modelled: who runs into the tail of a
+    queue is not to be stopped by the one before.
+
+    Args:
+        view: the candidates.
+        target: what is asked for.
+        pair: who shall touch.
+        other: the number of another pair.
+    """
+    wanted = view.pair(*pair) if pair else None
+    if wanted is None or target.contact is not True:
+        return np.zeros(view.count, dtype=np.bool_)
+    shared = bool({*view.scene.pairs[other]} & {*view.scene.pairs[wanted[0]]})
+    contact_s = view.summary.contact_s
+    later: Bools = contact_s[:, other] > contact_s[:, wanted[0]]
+    return later & shared
 
 
 def finishing(view: View, pair: tuple[str, str] | tuple[()] = ()) -> tuple[Floats, Floats]:

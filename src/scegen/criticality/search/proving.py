@@ -14,7 +14,12 @@ from scegen.claims.near_miss import Band
 from scegen.claims.proving import prove
 from scegen.claims.view import View, view_of
 from scegen.claims.ways import paths_of, ways_of
-from scegen.criticality.search.problem import PROVED, choice_missing, target_missing
+from scegen.criticality.search.problem import (
+    PROVED,
+    choice_missing,
+    follows_from,
+    target_missing,
+)
 from scegen.criticality.target import Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
@@ -46,6 +51,7 @@ class Evidence:
         found = []
         for p, (a, b) in enumerate(self.view.scene.pairs):
             allowed = wanted is not None and p == wanted[0] and target.contact is not False
+            allowed = allowed or bool(follows_from(self.view, target, pair, p)[0])
             if not allowed and not np.isnan(self.view.summary.contact_s[0, p]):
                 found.append((people[int(a)], people[int(b)]))
         return tuple(found)
