@@ -9,7 +9,8 @@ from lxml import etree
 from saying import made, person, said
 
 from scegen.claims.ways import ways_of
-from scegen.export.openscenario_signals import LAMPS
+from scegen.export.openscenario_signals import LAMPS, LAMPS_AFOOT
+from scegen.export.signs import signals_of
 from scegen.pipeline.export import LAMPS_FILE, SCENARIO_FILE, export_scenario
 from scegen.road import build_network
 from scegen.road.cross_section import arm_road_id
@@ -108,6 +109,44 @@ def test_every_light_changes_in_esmini_when_the_plan_says(files):
         for time_s, state in list(plan.changes(group, concrete.duration_s))[1:2]:
             arm = min(group.arms)
             assert ends_s(folder, [shows(arm, state)]) == pytest.approx(time_s, abs=3 * STEP_S)
+
+
+@pytest.mark.parametrize(
+    ("ego", "walker", "state"),
+    [
+        ({"maneuvers": ["straight"], "light": "green"}, "red", SignalState.GREEN),
+        ({"maneuvers": ["left"], "light": "green"}, "green", SignalState.GREEN),
+        ({"maneuvers": ["straight"], "light": "amber"}, None, SignalState.AMBER),
+    ],
+)
+def test_the_light_is_as_said_as_one_goes(tmp_path, ego, walker, state):
+    people = [person("ego", **ego), person("car", approaches=["left"])]
+    if walker is not None:
+        crosses = {"crosses": "exit"} if walker == "green" else {"crosses": "entry"}
+        people[1] = person("walker", "pedestrian", maneuvers=["cross"], light=walker, **crosses)
+    hazard = {"kind": "crossing_pedestrian", "by": ["walker"], "to": ["ego"]}
+    told = {"hazards": [hazard] if walker else []}
+    raised = made(said("four_way", *people, junction={"control": "signals"}, **told))
+    assert not raised.proof.missed
+    concrete = raised.concrete
+    for name, content in export_scenario(concrete).items():
+        (tmp_path / name).write_bytes(content)
+    way = ways_of(concrete, build_network(concrete.road, name="x"))["ego"]
+    driver = concrete.participant("ego")
+    passes = has_gone("ego", way.line_m - driver.body.front_m)
+    over = ends_s(tmp_path, [passes])
+    shown = shows(driver.motion.entry, state)
+    assert ends_s(tmp_path, [passes, shown]) == pytest.approx(over, abs=2 * STEP_S)
+    if walker is None:
+        return
+    on_foot = concrete.participant("walker")
+    steps_off = has_gone("walker", on_foot.motion.setback_m - on_foot.body.front_m)
+    off = ends_s(tmp_path, [steps_off])
+    for signal in signals_of(arm_road_id(on_foot.motion.arm), afoot=True):
+        lamps = LAMPS_AFOOT[SignalState(walker)]
+        lit = f'<TrafficSignalCondition name="{signal}" state="{lamps}"/>'
+        lit = f"<ByValueCondition>{lit}</ByValueCondition>"
+        assert ends_s(tmp_path, [steps_off, lit]) == pytest.approx(off, abs=2 * STEP_S)
 
 
 def test_the_file_for_everybody_has_the_standards_controllers_and_no_actions(files):

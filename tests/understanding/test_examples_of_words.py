@@ -17,6 +17,7 @@ from scegen.scenario.vocabulary import (
     ANIMALS,
     Approach,
     ArmsMode,
+    AtLight,
     BodySide,
     Control,
     CrossedArm,
@@ -53,6 +54,7 @@ _STATED = {
     Maneuver: "A car {} in front of the ego.",
     AuxiliaryLane: "A car {} in front of the ego.",
     CrossedArm: "At a crossroads the ego turns left and a pedestrian {}.",
+    AtLight: "The ego {} at the traffic lights of a crossroads.",
     OutcomeKind: "A car from the left {} the ego.",
     ActKind: "The ego drives and a car ahead {}.",
     Measure: "The ego follows a car {}.",
@@ -77,6 +79,13 @@ _OWN = {
     "2 s after the ego.",
     "steps off the kerb when the ego is 30 m away": "A man steps off the kerb when the ego is 30 m "
     "away.",
+    "crosses on green for pedestrians": "At traffic lights a woman crosses on green for "
+    "pedestrians.",
+    "a pedestrian crosses at red": "At traffic lights a pedestrian crosses at red.",
+    "when the light turns green it sets off": "The ego waits at a crossroads; when the light turns "
+    "green it sets off.",
+    "the light turns red and it stops": "The ego comes to a crossroads; the light turns red and it "
+    "stops.",
     "hit head-on": "The ego is hit head-on by an oncoming car.",
     "hit from behind": "The ego is hit from behind by a van.",
     "struck in the driver's side": "At a crossroads the ego is struck in the driver's side by a "
@@ -153,6 +162,7 @@ def _found(words: type[StrEnum], scenario: FunctionalScenario) -> set[StrEnum | 
         ParticipantKind: {p.kind for p in who},
         Approach: {a for p in who for a in p.approaches},
         Maneuver: {m for p in who for m in p.maneuvers},
+        AtLight: {p.light for p in who},
         CrossedArm: {p.crosses for p in who},
         HazardKind: {h.kind for h in scenario.hazards},
         ThingKind: {o.kind for o in scenario.objects},

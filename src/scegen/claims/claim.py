@@ -83,7 +83,7 @@ class Claim:
 
 def rule_claim(
     name: str, statement: str, test: Test, *, unit: str = "s", tolerance: float = 0.0,
-    scale: float = 1.0,
+    scale: float = 1.0, field: str = "junction.control",
 ) -> Claim:  # fmt: skip
     """A statement that a rule of the road is kept, or broken by who is said to break it.
 
@@ -94,12 +94,13 @@ def rule_claim(
         unit: of margin, measured value and tolerance.
         tolerance: see Claim.
         scale: see Claim.
+        field: where it is said.
     """
     return Claim(
         id=f"rule.{name}",
         kind=ClaimKind.RULE,
         statement=statement,
-        field="junction.control",
+        field=field,
         unit=unit,
         test=test,
         tolerance=tolerance,

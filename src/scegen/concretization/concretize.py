@@ -22,7 +22,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.table import ordered_rules
-from scegen.concretization.lights import set_lights
+from scegen.concretization.lights import WAITS_AT_RED_S, set_lights
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
@@ -56,6 +56,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import AtLight
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
@@ -193,6 +194,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
         drive=drive,
         cruise_mps=cruise,
         grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
+        waits_s=WAITS_AT_RED_S if participant.light is AtLight.WAITS else None,
         stops_at_line=participant.id in must_stop(scene.functional, scene.logical)
         or any(
             act.kind is ActKind.WAIT and act.participant == participant.id and act.into in others
@@ -217,7 +219,7 @@ def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
         reason = reasons.get(name, "in line on its arm")
         scene.note(f"{name}.start_m", station, reason)
     set_triggers(scene, moments)
-    set_lights(scene)
+    set_lights(scene, moments.leaves_s)
     set_gaps(scene)
     start_farther_out(scene)
     return moments

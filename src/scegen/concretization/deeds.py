@@ -10,7 +10,11 @@ from scegen.concretization.asked import hazard_of
 from scegen.concretization.courses import Sort, SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import happens_s_m, in_line_before
-from scegen.concretization.limits import FAST_LATERAL_MPS2, LEAD_IN_S
+from scegen.concretization.limits import (
+    COMFORTABLE_BRAKING_MPS2,
+    FAST_LATERAL_MPS2,
+    LEAD_IN_S,
+)
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
@@ -18,7 +22,7 @@ from scegen.concretization.setup import Setup
 from scegen.measures.grounds import grounds
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import AtLight, HazardKind
 
 STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""
@@ -56,7 +60,7 @@ def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
             continue
         if draft.parked_s_m is not None:
             continue
-        marks = list(marks_of(scene, draft))
+        marks = list(marks_of(scene, draft)) or list(_at_red(scene, draft))
         if not marks:
             continue
         if scene.sets_off(draft.id):
@@ -140,6 +144,17 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         own.add(act.id)
 
 
+def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:
+    return scene.functional.participant(draft.id).light is AtLight.STOPS
+
+
+def _at_red(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
+    """The stop of one of whom only the light is told."""
+    if _stops_at_light(scene, draft):
+        rate = draft.braking_mps2(COMFORTABLE_BRAKING_MPS2)
+        yield SpeedChange(0.0, 0.0, rate, sort=Sort.ACT)
+
+
 def _delay_s(when: AfterAct) -> float:
     return 0.0 if goes_on_when_free(when) else when.delay_s.middle
 
@@ -157,8 +172,11 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     way = _way_m(draft.cruise_mps, draft.deeds)
     first = draft.deeds[0]
     place = first.s_m
-    lets_by = _before_walker_m(scene, draft, first)
-    if lets_by is not None:
+    lets_by = _before_walker_m(scene, draft, first) if first.act else None
+    if _stops_at_light(scene, draft) and (first.act is None or is_open(scene, first)):
+        line = draft.stop_line_s_m - draft.body.front_m - _BEFORE_LINE_M
+        place = line - _way_m(draft.cruise_mps, [first])
+    elif lets_by is not None:
         place = lets_by - _way_m(draft.cruise_mps, [first])
     elif is_open(scene, first):
         kind = first.hazard or HazardKind.HARD_BRAKING

@@ -1,33 +1,52 @@
 """Traffic lights: a plan under which those in danger meet as they are to, and others wait.
 
 The plan is laid around whoever is placed first, the ego and those whom it meets in danger; whoever
-comes later stands at the line while it has red, and goes with its green.
+comes later stands at the line while it has red, and goes with its green. Where the text says how
+somebody meets a light, it is laid once more around everybody, when all times are known.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from math import isfinite
+from typing import NamedTuple
 
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.setup import Setup
-from scegen.motion.rules.intergreen import LEAST_GREEN_S, all_red_s, amber_s
+from scegen.motion.rules.intergreen import (
+    LEAST_GREEN_AFOOT_S,
+    LEAST_GREEN_S,
+    all_red_s,
+    amber_s,
+    walked_s,
+)
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.concrete import AtTime
-from scegen.scenario.control import LIGHTS
+from scegen.scenario.control import LIGHTS, oncoming_arms
 from scegen.scenario.signals import SignalGroup, SignalPlan
-from scegen.scenario.vocabulary import Control, JunctionKind
+from scegen.scenario.vocabulary import ANIMALS, AtLight, Control, JunctionKind
 
-_AFTER_GREEN_S, _BEFORE_AMBER_S = 3.0, 2.5
-"""Who is to be met has had green for so long, and has it so long yet, where that can be."""
-_AFTER_AMBER_S, _BEFORE_GREEN_S = 1.5, 1.5
-"""Who runs a light has had red for so long, and has it so long yet."""
+_ROOM_S: Mapping[AtLight, tuple[float, float]] = {
+    AtLight.GREEN: (3.0, 2.5),
+    AtLight.AMBER: (0.8, 0.8),
+    AtLight.RED: (1.5, 1.5),
+    AtLight.WAITS: (0.8, 0.8),
+    AtLight.STOPS: (0.3, 0.8),
+}
+"""For how long the light has shown it, and shows it yet, where that can be."""
+_GOES_WITHIN_S = 2.5
+"""Who waits for green goes on so soon after it."""
+_BRAKES_WITHIN_S = 1.5
+"""Who stops brakes so soon after amber: 1 s, FHWA, Signal Timing Manual (2008), 5.4.1."""
 _STEP_S = 0.25
 _STARTS_S = 1.0
 """Lost time of the first in a queue, 1 to 2 s: FHWA, Signal Timing Manual (2008), 3.3."""
 _LATE_S = 0.3
+WAITS_AT_RED_S = 4.0
+"""Who is said to wait for green stands so long, if nothing asks for more."""
 _LEAST_WAIT_S = 0.5
 _FEW = 1e-3
 
@@ -38,16 +57,17 @@ class Lights:
 
     plan: SignalPlan
     obeying: frozenset[str]
+    waiting: frozenset[str] = frozenset()
 
     def wait(self, draft: DriveDraft, offset_s: float) -> None:
-        """Let a drive with this offset stand at its line until green, if it comes at red."""
+        """Let a drive so late stand at its line until green: at red, or if that is said."""
         if draft.waits_s is not None:
             draft.waits_s, draft.course_ = None, None
         group = self.plan.group_of(draft.drive.entry)
         if draft.id not in self.obeying or group is None:
             return
         since = (crosses_s(draft, offset_s) - group.green_from_s) % self.plan.cycle_s
-        if since < group.green_s - _LATE_S:
+        if since < group.green_s - _LATE_S and draft.id not in self.waiting:
             return
         goes = crosses_s(draft, offset_s) + self.plan.cycle_s - since + _STARTS_S
         draft.waits_s, draft.course_ = _LEAST_WAIT_S, None
@@ -61,6 +81,15 @@ def crosses_s(draft: DriveDraft, offset_s: float) -> float:
     return offset_s + draft.course.time_at(draft.stop_line_s_m - draft.body.front_m)
 
 
+class _Shown(NamedTuple):
+    """What the light of an arm is to show at a time, for who drives or for who crosses it."""
+
+    arm: int
+    afoot: bool
+    time_s: float
+    wanted: AtLight
+
+
 def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
     """The lights under which those who are placed pass as they are to; None where there are none.
 
@@ -69,23 +98,54 @@ def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
     functional, logical = scene.functional, scene.logical
     if scene.road.control not in LIGHTS or scene.road.kind is JunctionKind.STRAIGHT:
         return None
-    drives = at_lights(functional, logical)
+    plan, obeying = _plan(scene, green_phases(functional, logical)), must_obey(functional, logical)
+    waiting = frozenset(p.id for p in functional.participants if p.light is AtLight.WAITS)
+    if plan.working:
+        plan = _suiting(plan, list(_driven(scene, offsets_s)))
+    return Lights(plan, obeying, waiting)
+
+
+def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
+    """Of those who drive and are placed, as is said, or as the rules want it."""
+    functional, logical = scene.functional, scene.logical
     runners, obeying = light_runners(functional, logical), must_obey(functional, logical)
-    plan = _plan(scene, green_phases(functional, logical))
-    if not plan.working:
-        return Lights(plan, obeying)
-    placed = [scene.drives[n] for n in offsets_s if n in scene.drives and n in drives]
+    for name in at_lights(functional, logical):
+        said = functional.participant(name).light
+        if name not in offsets_s or name not in scene.drives:
+            continue
+        draft, late = scene.drives[name], offsets_s[name]
+        phases, time_s = draft.course.phases, crosses_s(draft, late)
+        wanted = AtLight.RED if name in runners else said
+        if wanted is None and name in obeying:
+            wanted = AtLight.GREEN
+        elif wanted is AtLight.WAITS:
+            time_s = late + next(phase.begins_s for phase in phases if phase.resumes)
+        elif wanted is AtLight.STOPS:
+            rests = (late + phase.begins_s for phase in phases if phase.target_mps == 0.0)
+            time_s = next(rests, np.inf)
+        if wanted is not None and isfinite(time_s):
+            yield _Shown(draft.drive.entry, afoot=False, time_s=time_s, wanted=wanted)
+
+
+def _walked(scene: Setup, leaves_s: Callable[[str], float]) -> Iterator[_Shown]:
+    """Of those who cross an arm, as is said: as their front comes over the kerb."""
+    for walk in scene.walks.values():
+        wanted = scene.functional.participant(walk.id).light
+        if wanted is not None:
+            way_m = walk.motion.setback_m + walk.back_m - walk.body.front_m
+            time_s = leaves_s(walk.id) + walk.runs_s(max(way_m, 0.0))
+            yield _Shown(walk.crossing.arm, afoot=True, time_s=time_s, wanted=wanted)
+
+
+def _suiting(plan: SignalPlan, shown: Iterable[_Shown]) -> SignalPlan:
+    """The plan so much later that it shows what it is to, as well as it can."""
     best, best_worth = plan, -np.inf
     for late in np.arange(0.0, plan.cycle_s, _STEP_S):
         tried = shifted(plan, float(late))
-        worth = sum(
-            _worth(tried, draft, crosses_s(draft, offsets_s[draft.id]), runs=draft.id in runners)
-            for draft in placed
-            if draft.id in runners | obeying
-        )
+        worth = sum(_worth(tried, each) for each in shown)
         if worth > best_worth + _FEW:
             best, best_worth = tried, worth
-    return Lights(best, obeying)
+    return best
 
 
 def shifted(plan: SignalPlan, later_s: float) -> SignalPlan:
@@ -104,34 +164,75 @@ def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:
     amber = amber_s(max(arm.speed_limit_mps for arm in scene.road.arms))
     between = amber + all_red_s(scene.network, phases, amber)
     numbers = sorted(set(phases))
-    groups = tuple(
+    crossed = _crossed_arms(scene)
+    afoot_s = max((walked_s(scene.network, a) for a in crossed), default=0.0) + LEAST_GREEN_AFOOT_S
+    green = max(LEAST_GREEN_S, afoot_s - between) if crossed else LEAST_GREEN_S
+    groups = [
         SignalGroup(
             id=number + 1,
             arms=frozenset(arm for arm, phase in enumerate(phases) if phase == number),
-            green_from_s=place * (LEAST_GREEN_S + between),
-            green_s=LEAST_GREEN_S,
+            green_from_s=place * (green + between),
+            green_s=green,
         )
         for place, number in enumerate(numbers)
-    )
+    ]
+    oncoming = oncoming_arms(scene.functional.junction)
+    for arm in crossed:
+        kept = {phases[arm], *(phases[one] for one, other in oncoming if other == arm)}
+        free = [n for n in numbers if n not in kept]
+        if not free:
+            continue
+        first = next((n for n in free if numbers[numbers.index(n) - 1] in kept), free[0])
+        begins = numbers.index(first)
+        turns = [numbers[(begins + n) % len(numbers)] not in kept for n in range(len(numbers))]
+        lasts = turns.index(False) * (green + between)
+        groups.append(
+            SignalGroup(
+                id=len(groups) + 1,
+                arms=frozenset({arm}),
+                green_from_s=begins * (green + between),
+                green_s=lasts - walked_s(scene.network, arm),
+                afoot=True,
+            )
+        )
     return SignalPlan(
-        cycle_s=len(numbers) * (LEAST_GREEN_S + between),
+        cycle_s=len(numbers) * (green + between),
         amber_s=amber,
-        groups=groups,
+        groups=tuple(groups),
         working=scene.road.control is Control.SIGNALS,
     )
 
 
-def _worth(plan: SignalPlan, draft: DriveDraft, crosses: float, *, runs: bool) -> float:
-    """How well a plan suits one who goes over its line at a time; below 0: not at all (s)."""
-    group = plan.group_of(draft.drive.entry)
+def _crossed_arms(scene: Setup) -> list[int]:
+    """The arms that people cross, where lights stand for them: they go while nobody comes straight.
+
+    Those who turn across have green with them, and give way.
+    """
+    kinds = {p.id: p.kind for p in scene.functional.participants}
+    people = [c for c in scene.logical.crossings if kinds[c.participant] not in ANIMALS]
+    return sorted({crossing.arm for crossing in people})
+
+
+def _window(plan: SignalPlan, group: SignalGroup, wanted: AtLight) -> tuple[float, float]:
+    """From when to when after the beginning of its green a light shows it."""
+    free = plan.free_s(group)
+    if wanted is AtLight.GREEN:
+        return 0.0, group.green_s
+    if wanted is AtLight.WAITS:
+        return 0.0, _GOES_WITHIN_S
+    if wanted is AtLight.STOPS:
+        return group.green_s, group.green_s + _BRAKES_WITHIN_S
+    return (free, plan.cycle_s) if wanted is AtLight.RED else (group.green_s, free)
+
+
+def _worth(plan: SignalPlan, shown: _Shown) -> float:
+    """How well a plan shows what is wanted at a time; below 0: not at all (s)."""
+    group = plan.group_of(shown.arm, afoot=shown.afoot)
     if group is None:
         return 0.0
-    since = (crosses - group.green_from_s) % plan.cycle_s
-    begins, ends = (0.0, group.green_s)
-    after, before = _AFTER_GREEN_S, _BEFORE_AMBER_S
-    if runs:
-        begins, ends = group.green_s + plan.amber_s, plan.cycle_s
-        after, before = _AFTER_AMBER_S, _BEFORE_GREEN_S
+    since = (shown.time_s - group.green_from_s) % plan.cycle_s
+    begins, ends = _window(plan, group, shown.wanted)
+    after, before = _ROOM_S[shown.wanted]
     if begins <= since < ends:
         # What is more than enough counts a little against it: others wait for the rest.
         kept = min(since - begins - after, ends - since - before, 0.0)
@@ -140,11 +241,18 @@ def _worth(plan: SignalPlan, draft: DriveDraft, crosses: float, *, runs: bool) -
     return -missed
 
 
-def set_lights(scene: Setup) -> None:
-    """The plan on the scenario's clock; who waits goes on by it."""
+def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
+    """The plan on the scenario's clock; who waits goes on by it.
+
+    ``leaves_s`` tells when those who cross set off.
+    """
     if scene.signals is None:
         return
     scene.signals = shifted(scene.signals, scene.ego.offset_s)
+    if any(p.light is not None for p in scene.functional.participants):
+        late = {name: draft.offset_s for name, draft in scene.drives.items()}
+        shown = [*_driven(scene, late), *_walked(scene, leaves_s)]
+        scene.signals = _suiting(scene.signals, shown)
     for draft in scene.drives.values():
         if draft.waits_s is None or draft.lets_by is not None:
             continue

@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from scegen.export.library import xodr
 from scegen.export.road_marks import road_mark
-from scegen.export.signs import add_controllers, entry_sign, name_catalogue
+from scegen.export.signs import add_controllers, entry_sign, lights_afoot, name_catalogue
 from scegen.road.fillet import wrapped
 from scegen.road.model import (
     ContactPoint,
@@ -56,8 +56,13 @@ def write_opendrive(
     document = xodr.OpenDrive(network.name, revMajor="1", revMinor="7")
     arms = range(len(network.arm_roads)) if controlled_arms is None else controlled_arms
     signed = {network.arm_roads[arm] for arm in arms}
+    groups = signals.groups if signals is not None else ()
+    crossed = {network.arm_roads[arm] for group in groups if group.afoot for arm in group.arms}
     for road in network.roads:
-        document.add_road(_road(road, control if road.id in signed else Control.UNCONTROLLED))
+        written = _road(road, control if road.id in signed else Control.UNCONTROLLED)
+        if road.id in crossed:
+            written.signals.extend(lights_afoot(road))
+        document.add_road(written)
     for area in network.junctions:
         junction = xodr.Junction(area.name, area.id)
         for connection in _connections(area):

@@ -12,6 +12,7 @@ from itertools import pairwise
 from scegen.export.library import xosc
 from scegen.export.openscenario_numbers import Numbers
 from scegen.export.openscenario_triggers import at_once, at_the_latest, at_time
+from scegen.export.signs import signals_of
 from scegen.road.cross_section import arm_road_id
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.signals import SignalGroup, SignalPlan, SignalState
@@ -23,6 +24,12 @@ LAMPS: dict[SignalState, str] = {
     SignalState.OFF: "off;off;off",
 }
 """The three lamps of OpenDRIVE's signal 1000001, from top to bottom."""
+LAMPS_AFOOT: dict[SignalState, str] = {
+    SignalState.RED: "on;off",
+    SignalState.GREEN: "off;on",
+    SignalState.OFF: "off;off",
+}
+"""The two of 1000002, for people on foot."""
 
 
 def controllers(plan: SignalPlan) -> list[xosc.TrafficSignalController]:
@@ -35,8 +42,8 @@ def controllers(plan: SignalPlan) -> list[xosc.TrafficSignalController]:
             if state is None or ends - begins < 1e-6:
                 continue
             phase = xosc.Phase(f"{state.value}_{number}", round(ends - begins, 3))
-            for arm in sorted(group.arms):
-                phase.add_signal_state(str(arm_road_id(arm)), LAMPS[state])
+            for signal, lamps in _lamps(group, state):
+                phase.add_signal_state(signal, lamps)
             controller.add_phase(phase)
         made.append(controller)
     return made
@@ -45,9 +52,9 @@ def controllers(plan: SignalPlan) -> list[xosc.TrafficSignalController]:
 def first_lamps(plan: SignalPlan) -> list[xosc.TrafficSignalStateAction]:
     """What every light shows at the start."""
     return [
-        _lamps(arm, next(plan.changes(group, 0.0))[1])
+        xosc.TrafficSignalStateAction(signal, lamps)
         for group in plan.groups
-        for arm in sorted(group.arms)
+        for signal, lamps in _lamps(group, next(plan.changes(group, 0.0))[1])
     ]
 
 
@@ -75,12 +82,15 @@ def _maneuver(
     for number, (time_s, state) in enumerate(changes[1:]):
         name = f"lights_{group.id}_{state.value}_{number}"
         event = xosc.Event(name, xosc.Priority.parallel)
-        for arm in sorted(group.arms):
-            event.add_action(f"{name}_{arm}", _lamps(arm, state))
+        for signal, lamps in _lamps(group, state):
+            event.add_action(f"{name}_{signal}", xosc.TrafficSignalStateAction(signal, lamps))
         event.add_trigger(at_time(f"{name}_when", time_s, minor))
         maneuver.add_event(event)
     return maneuver
 
 
-def _lamps(arm: int, state: SignalState) -> xosc.TrafficSignalStateAction:
-    return xosc.TrafficSignalStateAction(str(arm_road_id(arm)), LAMPS[state])
+def _lamps(group: SignalGroup, state: SignalState) -> list[tuple[str, str]]:
+    """The signals of a group, and what their lamps do in a state."""
+    lamps = (LAMPS_AFOOT if group.afoot else LAMPS)[state]
+    roads = [arm_road_id(arm) for arm in sorted(group.arms)]
+    return [(name, lamps) for road in roads for name in signals_of(road, afoot=group.afoot)]

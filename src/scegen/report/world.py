@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
 from scegen.report.lane_shapes import RoadShapes, road_shapes
-from scegen.report.lights import state_at
+from scegen.report.lights import Light, entry_of, lights_of, state_at
 from scegen.report.theme import Theme
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
@@ -32,6 +32,8 @@ Array = NDArray[np.float64]
 _MARK_M, _DASHES = 0.15, "3 4.5"
 _STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, *LIGHTS})
 _SIGN_M, _SIGN_PX = 0.9, 5.0
+_AFOOT = 0.75
+"""The size of lights of people on foot, of that of others."""
 _PLANTS = frozenset({ObjectCategory.TREE, ObjectCategory.VEGETATION})
 _HATCH_M, _FAR_M = 0.6, 1e5
 _BEYOND_M, _SIZE_M = 2.0, 12.0
@@ -130,6 +132,7 @@ class Surroundings:
         self._entries = [
             (*entry_of(network, arm), arm) for arm in sorted(concrete.road.controlled_arms)
         ]
+        self._lights = lights_of(concrete, network)
         self._things = concrete.objects
 
     def across(self, west_m: float, east_m: float) -> tuple[float, float]:
@@ -187,25 +190,33 @@ class Surroundings:
 
     def lights(self, view: View, time_s: float) -> str:
         """The lights beside the stop lines as they are at a time."""
-        if self._control not in LIGHTS:
-            return ""
         return "".join(
-            self._light(pose, half_m, view, state_at(self._concrete, arm, time_s))
-            for pose, half_m, arm in self._entries
-            if view.shows(pose.x_m, pose.y_m)
+            self._light(light, view, state_at(self._concrete, light, time_s))
+            for light in self._lights
+            if view.shows(light.pose.x_m, light.pose.y_m)
         )
 
-    def _light(self, pose: Pose, half_m: float, view: View, state: SignalState | None) -> str:
-        theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
-        x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
+    def _light(self, light: Light, view: View, state: SignalState | None) -> str:
+        """Three lamps on top of each other; two of people on foot, and smaller."""
+        theme = self._theme
+        size = view.at_least(_SIGN_M, _SIGN_PX) * (_AFOOT if light.afoot else 1.0)
+        x, y = _beside(light.pose, light.left_m + size * (1.6 if light.left_m > 0 else -1.6))
         lamps = {
             SignalState.RED: theme.signal_red,
             SignalState.AMBER: theme.signal_amber,
             SignalState.GREEN: theme.signal_green,
         }
-        drawn = box(-size * 0.6, -size * 1.5, size * 1.2, size * 3, theme.outline, rx=0.3)
+        if light.afoot:
+            del lamps[SignalState.AMBER]
+        high, dark = len(lamps) / 2, theme.signal_off
+        drawn = box(-size * 0.6, -size * high, size * 1.2, size * 2 * high, theme.outline, rx=0.3)
         drawn += "".join(
-            circle(0, size * (1 - n), size * 0.36, colour if lit is state else theme.signal_off)
+            circle(
+                0,
+                size * (high - 0.5 - n),
+                size * 0.36,
+                colour if lit is state else dark,
+            )
             for n, (lit, colour) in enumerate(lamps.items())
         )
         return group(drawn, transform=f"translate({number(x)} {number(y)})")
@@ -260,13 +271,6 @@ def placed(content: str, x_m: float, y_m: float, heading_rad: float) -> str:
     """What is drawn in the frame of a body (x ahead, y left), where the body is."""
     turn = degrees(atan2(sin(heading_rad), cos(heading_rad)))
     return group(content, transform=f"translate({x_m:.3f} {y_m:.3f}) rotate({turn:.2f})")
-
-
-def entry_of(network: RoadNetwork, arm: int) -> tuple[Pose, float]:
-    """The stop line of an arm, looking in, and how far its entering lanes reach to the left."""
-    road = network.arm_road(arm)
-    sign = -1 if network.driving_side == "right" else 1
-    return road.line.pose(road.length_m - road.stop_line_m), road.edge_t_m(sign)
 
 
 def _beside(pose: Pose, left_m: float) -> tuple[float, float]:

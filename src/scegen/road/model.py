@@ -181,6 +181,12 @@ class Road:
         ids = [x.id for x in self.lanes if x.id * sign > 0 and x.type is LaneType.DRIVING]
         return sorted(ids, key=abs)
 
+    @property
+    def crosswalk_end_m(self) -> float:
+        """Where the crosswalk nearest to its end ends; without any, its end."""
+        ends = (crosswalk.s_m + crosswalk.width_m / 2 for crosswalk in self.crosswalks)
+        return min(max(ends, default=self.length_m), self.length_m)
+
     def edge_t_m(self, sign: int, s_m: float | None = None) -> float:
         """Offset of the outer edge of the last driving lane on one side (+1 left, -1 right).
 

@@ -34,6 +34,7 @@ from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import (
     ON_FOOT,
     Approach,
+    AtLight,
     Control,
     CrossedArm,
     DrivingSide,
@@ -164,7 +165,9 @@ class Participant(FrozenModel):
     which it stands, drives or walks at first; None where that is not said. A pedestrian whose
     maneuver is ``straight`` walks along the road. ``crosses`` tells which arm one crosses, by the
     way of whom it meets, None if either; the ``approaches`` of who crosses are the sides as that
-    one sees them on its course where they meet.
+    one sees them on its course where they meet. ``light`` is what the light that stands for it
+    shows as it goes, and how it meets that, None if not said; people on foot only go at ``green``
+    or ``red``.
     """
 
     id: Identifier
@@ -178,6 +181,7 @@ class Participant(FrozenModel):
     circulating: bool = False
     strip: Strip | None = None
     crosses: CrossedArm | None = None
+    light: AtLight | None = None
     speed_mps: Interval | None = None
 
     @property
@@ -325,6 +329,7 @@ class FunctionalScenario(FrozenModel):
                     "junction.strips"
                 )
                 raise ValueError(msg)
+            self._has_a_light(participant)
         for thing in self.objects:
             if thing.id in ids:
                 msg = f"an object has the name of another, {thing.id!r}"
@@ -332,6 +337,17 @@ class FunctionalScenario(FrozenModel):
             ids[thing.id] += 1
         self._names_known(ids)
         return self
+
+    def _has_a_light(self, participant: Participant) -> None:
+        """Whoever meets a light in some way has one that can show it."""
+        if participant.light is None:
+            return
+        if self.junction.control is not Control.SIGNALS:
+            msg = f"{participant.id} has a light, but junction.control is not signals"
+            raise ValueError(msg)
+        if participant in self.crossers and participant.light not in {AtLight.GREEN, AtLight.RED}:
+            msg = f"{participant.id} crosses: its light is green or red, not {participant.light}"
+            raise ValueError(msg)
 
     def _names_known(self, known: Collection[str]) -> None:
         """Whoever is named takes part (or is an object), and every act that is named happens."""

@@ -16,6 +16,7 @@ from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
     Approach,
     ArmsMode,
+    AtLight,
     BodySide,
     Control,
     CrossedArm,
@@ -46,6 +47,7 @@ VOCABULARY: dict[type[StrEnum], str] = {
     Approach: "participants[].approaches",
     Maneuver: "participants[].maneuvers",
     CrossedArm: "participants[].crosses",
+    AtLight: "participants[].light",
     HazardKind: "hazards[].kind",
     ThingKind: "objects[].kind",
     Measure: "spacings[].measure",

@@ -23,19 +23,23 @@ class SignalState(StrEnum):
 
 
 class SignalGroup(FrozenModel):
-    """Arms whose lights show the same; green begins ``green_from_s`` into every cycle."""
+    """Arms whose lights show the same; green begins ``green_from_s`` into every cycle.
+
+    ``afoot``: those of people who cross these arms, which know no amber.
+    """
 
     id: int = Field(ge=1)
     arms: ArmSet
     green_from_s: float = Field(ge=0)
     green_s: float = Field(gt=0)
+    afoot: bool = False
 
 
 class SignalPlan(FrozenModel):
     """Lights with a fixed cycle, which has gone on before time 0 and goes on for ever.
 
-    Every group has its green, then ``amber_s`` of amber, then red. Lights that are not
-    ``working`` are dark all the time.
+    Every group has its green, then ``amber_s`` of amber (nobody on foot has), then red. Lights
+    that are not ``working`` are dark all the time.
     """
 
     cycle_s: float = Field(gt=0, le=300)
@@ -43,9 +47,13 @@ class SignalPlan(FrozenModel):
     groups: tuple[SignalGroup, ...] = Field(min_length=1)
     working: bool = True
 
-    def group_of(self, arm: int) -> SignalGroup | None:
-        """The group of an arm; None where no light stands."""
-        return next((group for group in self.groups if arm in group.arms), None)
+    def group_of(self, arm: int, *, afoot: bool = False) -> SignalGroup | None:
+        """The group of those who enter by an arm, or cross it; None where no light stands."""
+        return next((g for g in self.groups if arm in g.arms and g.afoot is afoot), None)
+
+    def free_s(self, group: SignalGroup) -> float:
+        """How long after the beginning of green red begins."""
+        return group.green_s + (0.0 if group.afoot else self.amber_s)
 
     def state(self, group: SignalGroup, time_s: float) -> SignalState:
         """What the lights of a group show at a time."""
@@ -54,18 +62,16 @@ class SignalPlan(FrozenModel):
         since = (time_s - group.green_from_s) % self.cycle_s
         if since < group.green_s:
             return SignalState.GREEN
-        return SignalState.AMBER if since < group.green_s + self.amber_s else SignalState.RED
+        return SignalState.AMBER if since < self.free_s(group) else SignalState.RED
 
     def changes(self, group: SignalGroup, until_s: float) -> Iterator[tuple[float, SignalState]]:
         """(time, state) at time 0 and at every change after it, up to a time."""
         yield 0.0, self.state(group, _TICK_S / 2)
         if not self.working:
             return
-        edges = (
-            (0.0, SignalState.GREEN),
-            (group.green_s, SignalState.AMBER),
-            (group.green_s + self.amber_s, SignalState.RED),
-        )
+        edges = [(0.0, SignalState.GREEN), (self.free_s(group), SignalState.RED)]
+        if not group.afoot:
+            edges.insert(1, (group.green_s, SignalState.AMBER))
         first = group.green_from_s - self.cycle_s
         for cycle in range(int(until_s / self.cycle_s) + 3):
             for edge, state in edges:

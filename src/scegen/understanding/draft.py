@@ -13,6 +13,7 @@ from scegen.scenario.vocabulary import (
     ANIMALS,
     ON_FOOT,
     Approach,
+    AtLight,
     CrossedArm,
     HazardKind,
     Maneuver,
@@ -55,6 +56,8 @@ class Entity:
     crosses: tuple[CrossedArm, Basis] | None = None
     course: tuple[bool, Basis] | None = None
     """Whether it walks as the ego drove before it turned (else against that)."""
+    light: tuple[AtLight, Basis] | None = None
+    """How it meets its light."""
     start_lane: tuple[str, Basis] | None = None
     """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     held: Basis | None = None

@@ -40,7 +40,7 @@ def test_every_family_is_reached():
     asked = {f for _, row in rows() for f in row.get("then", ())}
     asked |= {f"{kind}.any" for kind in KINDS}
     asked |= {f"dangers.{name}" for name in ("onto_the_road", "after_a_thing", "answered")}
-    asked |= {"dangers.drives_on", "dangers.move_off"}
+    asked |= {"dangers.drives_on", "dangers.move_off", "movements.past_a_light"}
     known = set(verbs(load().root))
     assert not {
         f for f in families() if f not in asked and f.partition(".")[2] not in known | {"tailgate"}

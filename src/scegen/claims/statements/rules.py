@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import NEVER, Claim, Judged, rule_claim, yes_or_no
+from scegen.claims.claim import NEVER, Claim, Judged, always, rule_claim, yes_or_no
 from scegen.claims.moments import first
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told
@@ -28,8 +28,10 @@ from scegen.motion.rules.stopping import (
     STOPPED_S,
     must_stop,
 )
+from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.logical import Drive
 from scegen.scenario.signals import SignalState
+from scegen.scenario.vocabulary import AtLight
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -40,7 +42,9 @@ def claims(told: Told) -> Iterator[Claim]:
         yield rule_claim(f"stop.{name}", statement, test, tolerance=TIME_S, scale=0.5)
     drives = at_lights(told.functional, told.logical)
     runners = light_runners(told.functional, told.logical)
-    for name in sorted(runners | must_obey(told.functional, told.logical)):
+    yield from _as_said(told)
+    said = {p.id for p in told.people if p.light is not None} - runners
+    for name in sorted((runners | must_obey(told.functional, told.logical)) - said):
         runs = name in runners
         when = f"at red, {RED_FOR_S} s or more after amber" if runs else "while it is not red"
         test = partial(_runs, drives[name]) if runs else partial(_obeys, told, drives[name])
@@ -48,6 +52,96 @@ def claims(told: Told) -> Iterator[Claim]:
     for name, drive in sorted(at_dark_lights(told.functional, told.logical).items()):
         statement = f"{name} goes over the line while its light is off"
         yield rule_claim(f"light.{name}", statement, partial(_passes_dark, drive), unit="1")
+
+
+def _as_said(told: Told) -> Iterator[Claim]:
+    """How one meets its light, where that is told; who drives at red runs it."""
+    drives = at_lights(told.functional, told.logical)
+    arms = {c.participant: c.arm for c in told.logical.crossings}
+    for person in told.people:
+        name, light = person.id, person.light
+        if light is None or (name in drives and light is AtLight.RED):
+            continue
+        field = f"participants.{name}.light"
+        statement, test = f"{name} {light.meaning.text}", None
+        if name in drives and light is AtLight.STOPS:
+            test = partial(_comes_to_rest, drives[name])
+        elif name in drives and light is AtLight.WAITS:
+            test = partial(_waits, drives[name])
+        elif name in drives:
+            statement = f"{name} goes over the line while its light is {light}"
+            test = partial(_shown, name, drives[name].entry, light, afoot=False)
+        elif name in arms:
+            statement = f"{name} steps off the kerb while its light is {light}"
+            test = partial(_shown, name, arms[name], light, afoot=True)
+        else:
+            test = partial(always, holds=False)
+        yield rule_claim(f"light.{name}", statement, test, scale=2.0, field=field)
+
+
+def _shown(name: str, arm: int, wanted: AtLight, view: View, *, afoot: bool) -> Judged:
+    """How far inside the time in which its light shows it one goes; measured: since green."""
+    plan = view.concrete.signals
+    group = None if plan is None else plan.group_of(arm, afoot=afoot)
+    rested = OVER_LINE_M if wanted is AtLight.WAITS else 0.0
+    step = _off_kerb(name, view) if afoot else _over_line(name, view, rested)
+    if plan is None or group is None or not plan.working:
+        return Judged(np.full(view.count, -NEVER), np.full(view.count, np.nan), view.time_of(step))
+    free, cycle = plan.free_s(group), plan.cycle_s
+    begins, ends = {
+        AtLight.GREEN: (0.0, group.green_s),
+        AtLight.WAITS: (0.0, group.green_s),
+        AtLight.AMBER: (group.green_s, free),
+        AtLight.RED: (free + RED_FOR_S, cycle),
+    }[wanted]
+    since = (view.time_of(step) - group.green_from_s) % cycle
+    inside = np.minimum(since - begins, ends - since)
+    missed = -np.minimum((begins - since) % cycle, (since - ends) % cycle)
+    margin = np.where(inside >= 0.0, inside, missed)
+    margin = np.where(step <= view.last_step, margin, -NEVER)
+    return Judged(margin, since, view.time_of(step))
+
+
+def _off_kerb(name: str, view: View) -> Ints:
+    """The step at which the front of one who crosses comes over the kerb (c,)."""
+    motion = view.concrete.participant(name).motion
+    setback_m = motion.setback_m if isinstance(motion, CrossingMotion) else 0.0
+    return first(view.place_m(name) > setback_m - view.body(name).front_m)
+
+
+def _rest_at_line(drive: Drive, view: View) -> tuple[Bools, Floats]:
+    """Whether it has come to rest before its line, and for how long its light is not green then.
+
+    Below 0: how long its light has been green (c,).
+    """
+    name, plan = drive.participant, view.concrete.signals
+    group = None if plan is None else plan.group_of(drive.entry)
+    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
+    rests = (front < OVER_LINE_M) & (front > -AT_LINE_M) & (view.speed_mps(name) < STOPPED_MPS)
+    at_all = np.asarray(rests.any(axis=1))
+    if plan is None or group is None or not plan.working:
+        return at_all, np.full(view.count, -NEVER)
+    since = (view.time_of(first(rests)) - group.green_from_s) % plan.cycle_s
+    stopped = np.where(since < group.green_s, -since - TIME_S, since - group.green_s)
+    return at_all, stopped
+
+
+def _waits(drive: Drive, view: View) -> Judged:
+    """It rests while it is not green, and goes over the line at green."""
+    rests, stopped = _rest_at_line(drive, view)
+    goes = _shown(drive.participant, drive.entry, AtLight.WAITS, view, afoot=False)
+    margin = np.where(rests, np.minimum(stopped, goes.margin), -NEVER)
+    return Judged(margin, goes.measured, goes.time_s)
+
+
+def _comes_to_rest(drive: Drive, view: View) -> Judged:
+    """It rests at its line after its light has gone from green, since the start; and stays."""
+    rests, stopped = _rest_at_line(drive, view)
+    gone = _over_line(drive.participant, view, OVER_LINE_M) <= view.last_step
+    name = drive.participant
+    at_rest = view.time_of(first(view.speed_mps(name) < STOPPED_MPS))
+    margin = np.where(rests & ~gone, np.minimum(stopped, at_rest - stopped), -NEVER)
+    return Judged(margin, stopped, at_rest)
 
 
 def _stops(name: str, view: View) -> Judged:
@@ -102,9 +196,10 @@ def _passes_dark(drive: Drive, view: View) -> Judged:
     return yes_or_no(np.asarray(dark), np.asarray(dark, dtype=np.float64), times)
 
 
-def _over_line(name: str, view: View) -> Ints:
-    """The step at which its front goes over the line (c,)."""
-    return first(view.place_m(name) + view.body(name).front_m > view.ways[name].line_m)
+def _over_line(name: str, view: View, beyond_m: float = 0.0) -> Ints:
+    """The step at which its front goes over the line, so far at least (c,)."""
+    front = view.place_m(name) + view.body(name).front_m
+    return first(front > view.ways[name].line_m + beyond_m)
 
 
 def _red_at_line(drive: Drive, view: View) -> tuple[Floats, Floats, Ints]:

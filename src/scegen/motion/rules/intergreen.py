@@ -24,6 +24,10 @@ from scegen.units import speed_mps
 
 LEAST_GREEN_S = 10.0
 """Above the 5 s of [RiLSA]: so long that several pass."""
+LEAST_GREEN_AFOOT_S = 5.0
+"""The least of [RiLSA], 2.7.2 (*); [ITE], 6.4, asks for 4 to 7 s."""
+_WALKS_MPS = 1.2
+"""People on foot clear a road so fast: [RiLSA], 2.5 (*); 3.5 ft/s = 1.07 m/s in [ITE]."""
 _AMBER_S = ((50.0, 3.0), (60.0, 4.0))
 _AMBER_FASTEST_S = 5.0
 _CROSSING_S, _TURNING_S = 3.0, 2.0
@@ -52,6 +56,12 @@ class _Through:
     x_m: NDArray[np.float64]
     y_m: NDArray[np.float64]
     turns: bool
+
+
+def walked_s(network: RoadNetwork, arm: int) -> float:
+    """How long people on foot take to clear an arm."""
+    road = network.arm_road(arm)
+    return ceil(2 * abs(road.edge_t_m(1) - road.edge_t_m(-1)) / _WALKS_MPS) / 2
 
 
 def all_red_s(network: RoadNetwork, phases: Sequence[int], amber: float) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from scegen.motion.rules.breaches import breaks, told_hazards
 from scegen.motion.rules.stopping import enters_at_sign
@@ -11,7 +12,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import RoadRule
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import Control
+from scegen.scenario.vocabulary import AtLight, Control
 
 RED_FOR_S = 0.5
 """Who goes over the line so long after amber has ended runs the light, and did not just hurry."""
@@ -36,8 +37,10 @@ def _past(
 
 
 def light_runners(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[str]:
-    """Those who are said to run a red light."""
-    return breaks(functional, logical, RoadRule.SIGNAL) & at_lights(functional, logical).keys()
+    """Those who are said to run a red light, or to drive on at red."""
+    told = breaks(functional, logical, RoadRule.SIGNAL)
+    told |= {p.id for p in functional.participants if p.light is AtLight.RED}
+    return told & at_lights(functional, logical).keys()
 
 
 def green_phases(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[int, ...]:
@@ -47,7 +50,8 @@ def green_phases(functional: FunctionalScenario, logical: LogicalScenario) -> tu
     """
     phases = signal_phases(functional.junction)
     drives, runners = at_lights(functional, logical), light_runners(functional, logical)
-    for by, to in _endangered(functional, logical):
+    green = [p.id for p in functional.participants if p.light is AtLight.GREEN]
+    for by, to in (*_endangered(functional, logical), *product(runners, green)):
         if by in runners and to in drives and to not in runners:
             one, other = drives[by].entry, drives[to].entry
             if one != other and phases[one] == phases[other]:

@@ -9,13 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.report.lane_shapes import road_shapes
-from scegen.report.lights import shown
+from scegen.report.lights import entry_of, lights_of, shown
 from scegen.report.player.series import points
-from scegen.report.world import entry_of
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.control import LIGHTS
 from scegen.scenario.vocabulary import Control
 
 Data = dict[str, Any]
@@ -62,12 +60,12 @@ def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
             {
                 "states": [
                     [time_s, state.value]
-                    for time_s, state in shown(concrete, entry[0], concrete.latest_end_s)
+                    for time_s, state in shown(concrete, light, concrete.latest_end_s)
                 ],
-                **_beside(*entry),
+                "afoot": light.afoot,
+                **_beside(light.arm, light.pose, light.left_m),
             }
-            for entry in entries
-            if control in LIGHTS
+            for light in lights_of(concrete, network)
         ],
     }
 

@@ -149,14 +149,17 @@ function drawLight(context, light, time, paint) {
   context.save();
   context.translate(light.x_m, light.y_m);
   context.rotate(light.heading_rad);
+  const lamps = light.afoot ? ["red", "green"] : ["red", "amber", "green"];
+  const long = 1.2 * lamps.length;
+  if (light.afoot) context.scale(0.7, 0.7);
   context.fillStyle = "#20262d";
   context.beginPath();
-  context.roundRect(-0.7, -0.8, 4, 1.6, 0.5);
+  context.roundRect(-0.7, -0.8, long + 0.4, 1.6, 0.5);
   context.fill();
-  ["red", "amber", "green"].forEach((name, i) => {
+  lamps.forEach((name, i) => {
     context.beginPath();
-    context.arc(2.5 - i * 1.2, 0, 0.5, 0, 2 * Math.PI);
-    context.fillStyle = paint(name === state || (state === "red_amber" && i < 2) ? `--signal-${name}` : "--signal-off");
+    context.arc(long - 1.1 - i * 1.2, 0, 0.5, 0, 2 * Math.PI);
+    context.fillStyle = paint(name === state ? `--signal-${name}` : "--signal-off");
     context.fill();
   });
   context.restore();

@@ -12,7 +12,15 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
-from scegen.scenario.vocabulary import Approach, CrossedArm, JunctionKind, Maneuver, Role
+from scegen.scenario.vocabulary import (
+    Approach,
+    AtLight,
+    Control,
+    CrossedArm,
+    JunctionKind,
+    Maneuver,
+    Role,
+)
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.in_lane import (
@@ -42,6 +50,8 @@ from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
 from scegen.understanding.words.tokens import Token
+
+_NO_LIGHT = "no light stands there for it that could show that; left open"
 
 
 class Builder:
@@ -152,6 +162,7 @@ class Builder:
         lanes, circulating = lanes_of(entity, junction), circulates(entity, junction)
         strip, strip_basis = entity.strip or (None, None)
         crosses, crosses_basis = self._crosses(entity, maneuvers, junction)
+        light, light_basis = self._light(entity, maneuvers, junction)
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
             ("approaches", entity.approaches, entity.approach_basis),
@@ -161,6 +172,7 @@ class Builder:
             ("circulating", circulating, entity.circulates),
             ("strip", strip, strip_basis),
             ("crosses", crosses, crosses_basis),
+            ("light", light, light_basis),
             ("speed_mps", entity.speed, entity.speed_basis),
         ):
             if value:
@@ -179,6 +191,7 @@ class Builder:
             circulating=circulating,
             strip=strip,
             crosses=crosses,
+            light=light,
             speed_mps=entity.speed,
         )
 
@@ -188,6 +201,22 @@ class Builder:
         """Which arm it crosses; on a road without a junction there is but one."""
         there = Maneuver.CROSS in maneuvers and junction.kind is not JunctionKind.STRAIGHT
         return entity.crosses if there and entity.crosses is not None else (None, None)
+
+    def _light(
+        self, entity: Entity, maneuvers: Collection[Maneuver], junction: Junction
+    ) -> tuple[AtLight | None, Basis | None]:
+        """How it meets its light; reported where none stands for it, or can show that."""
+        if entity.light is None:
+            return None, None
+        light, basis = entity.light
+        afoot = not entity.is_vehicle or set(maneuvers) == {Maneuver.CROSS}
+        shown = light in {AtLight.GREEN, AtLight.RED} or not afoot
+        stands = entity.parked or Maneuver.STAY in maneuvers
+        if junction.control is Control.SIGNALS and shown and not stands:
+            return light, basis
+        if basis.i is not None and basis.j is not None:
+            self._draft.note(basis.i, basis.j, _NO_LIGHT)
+        return None, None
 
     def _seen_at(self, entity: Entity) -> set[Approach]:
         """Where it comes from, with the side of the lane beside."""

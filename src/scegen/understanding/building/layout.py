@@ -104,8 +104,11 @@ class Layout:
         )
 
     def _dark_lights(self, control: Control) -> None:
-        """What of lights that do not work the road does not show."""
-        dark = self._reading.dark
+        """What of lights that flash or do not work the road does not show."""
+        dark, basis = self._reading.dark, self._reading.control_basis
+        flash = word_list("flashing") if control is Control.ALL_WAY_STOP else frozenset()
+        if basis is not None and flash & {t.low for t in self._draft.tokens[basis.i : basis.j]}:
+            self._note(basis, "flashing red tells everybody to stop: stop signs stand for it")
         if dark is None or dark.i is None:
             return
         draft, begins, ends = self._draft, dark.i, dark.j or dark.i

@@ -61,5 +61,6 @@ def _signature(entity: Entity) -> tuple[object, ...]:
     return (
         entity.kind, basis.i, basis.j, entity.parked, entity.heading, entity.speed, entity.lane,
         entity.stands, entity.beside, entity.circulates, entity.crosses, entity.start_lane,
+        entity.light,
         *(frozenset(s) for s in sets),
     )  # fmt: skip

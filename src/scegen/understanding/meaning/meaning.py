@@ -29,7 +29,7 @@ from scegen.understanding.meaning import (
     standing,
     titled,
 )
-from scegen.understanding.meaning.light_states import note_states
+from scegen.understanding.meaning.light_states import read_states
 from scegen.understanding.meaning.movements import follow_movement
 from scegen.understanding.meaning.out_of_turn import out_of_turn
 from scegen.understanding.meaning.placing import Placer
@@ -137,7 +137,7 @@ class Interpreter:
             self._event(event)
         titled.by_the_only_one(self._clauses, self._context)
         red_lights.on_red(chunks, events, self._context)
-        note_states(self._clauses, self._context)
+        read_states(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)
         towards_each_other(chunks, events, self._context)
         screen_sides.share(chunks, self._clauses, self._context)

@@ -11,8 +11,8 @@ from scegen.understanding.semantics.context import Context
 
 _SAYING = frozenset({"turn", "light", "encounter", "inert", "unknown", "stay", "move"})
 """Verbs that say of a light which colour it shows."""
-_HALTING = frozenset({"stop", "slow", "brake", "wait"})
-_GOING = frozenset({"enter", "cross", "move", "turn", "accelerate", "speed", "pull_out", "approach",
+HALTING = frozenset({"stop", "slow", "brake", "wait"})
+GOING = frozenset({"enter", "cross", "move", "turn", "accelerate", "speed", "pull_out", "approach",
                     "sharp_turn", "cut_in"})  # fmt: skip
 
 
@@ -29,7 +29,7 @@ def on_red(chunks: list[Chunk], events: list[Event], context: Context) -> None:
             or _of_the_cross_street(k, chunks, events, context)
         )
         drivers = _drivers(event) if event is not None else []
-        if event is not None and drivers and (not event.negated or event.name in _HALTING):
+        if event is not None and drivers and (not event.negated or event.name in HALTING):
             basis = Basis(min(event.i, chunk.i), max(event.j, chunk.j))
             context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, drivers)
 
@@ -39,7 +39,7 @@ def _drivers(event: Event) -> list[Entity]:
 
 
 def _goes(event: Event) -> bool:
-    return event.name in _GOING and not event.nominal and bool(_drivers(event))
+    return event.name in GOING and not event.nominal and bool(_drivers(event))
 
 
 def _whose_light(
@@ -60,7 +60,7 @@ def _whose_light(
     who = set(map(id, owner.entities))
     after = (e for e in events if e.i > chunks[k].i and e is not facing)
     own = [e for e in after if who & set(map(id, _drivers(e)))]
-    return next((e for e in own if _goes(e) or (e.negated and e.name in _HALTING)), None)
+    return next((e for e in own if _goes(e) or (e.negated and e.name in HALTING)), None)
 
 
 def _of_the_cross_street(
@@ -71,8 +71,9 @@ def _of_the_cross_street(
     known = isinstance(marker, Word) and marker.value in {"for", "to", "against", "in"}
     if known and isinstance(place, Mention) and place.entities:
         who = set(map(id, place.entities))
-        told = [e for e in events if e.i > place.i and not e.negated and _goes(e)]
-        return next((e for e in told if who & set(map(id, _drivers(e)))), None)
+        told = [e for e in events if e.i > place.i and who & set(map(id, _drivers(e)))]
+        halts = any(e.name in HALTING and not e.negated for e in told)
+        return next((e for e in told if not halts and not e.negated and _goes(e)), None)
     if not known or not isinstance(place, Place | Mention) or not _crossing(place):
         return None
     sides = (Approach.LEFT, Approach.RIGHT)

@@ -106,10 +106,8 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
 def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
     """``non-working traffic lights``, ``traffic lights that are out of order``: all these words."""
     i, j = term.i, term.j
-    before, named = [t.low for t in tokens[max(0, i - 3) : i]], [t.low for t in tokens[i:j]]
-    colours, flashing = word_list("flashing_colours"), word_list("flashing")
-    flashes = before[-1:] and before[-1] in flashing and colours & set(named)
-    if before[-1:] and (before[-1] in word_list("broken") or flashes):
+    before = [t.low for t in tokens[max(0, i - 3) : i]]
+    if before[-1:] and before[-1] in word_list("broken"):
         return Basis(i - 1, j)
     for count in (2, 3):
         if " ".join(before[-count:]) in {*_OFF, "non working"}:
@@ -120,8 +118,6 @@ def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
     if after[:1] == ["off"]:
         return Basis(i, j + 1)
     for m, word in enumerate(after):
-        if word in flashing and colours & set(after[m + 1 : m + 2]):
-            return Basis(i, j + m + 2)
         something_else = bool(m) and after[m - 1] in {"a", "an", "the"}
         if m < _BROKEN_NEAR and word in word_list("broken") and not something_else:
             return Basis(i, j + m + 1)
@@ -130,6 +126,18 @@ def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
             if " ".join(after[m : m + length]) == phrase:
                 return Basis(i, j + m + length)
     return None
+
+
+def _flashing(term: Term, tokens: list[Token], colours: frozenset[str]) -> Basis | None:
+    """``a flashing amber light``, ``a light that is flashing amber``."""
+    i, j, words = term.i, term.j, word_list("flashing")
+    if i and tokens[i - 1].low in words and colours & {t.low for t in tokens[i:j]}:
+        return Basis(i - 1, j)
+    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
+    ends = next((m for m, word in enumerate(after) if word in _CLAUSES), len(after))
+    flashes = (m for m, word in enumerate(after[: ends - 1]) if word in words)
+    m = next((m for m in flashes if after[m + 1] in colours), None)
+    return Basis(i, j + m + 2) if m is not None else None
 
 
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
@@ -162,8 +170,13 @@ def _place_control(
         return
     if control == Control.SIGNALS and _of_a_vehicle(terms, k, tokens):
         return
-    off = _out_of_order(term, tokens) if control == Control.SIGNALS else None
-    if off is not None:
+    lights = control == Control.SIGNALS
+    stop = _flashing(term, tokens, frozenset({"red"})) if lights else None
+    off = _flashing(term, tokens, word_list("flashing_colours")) if lights else None
+    off = off or (_out_of_order(term, tokens) if lights else None)
+    if stop is not None:
+        said.setdefault(Control.ALL_WAY_STOP, stop)
+    elif off is not None:
         said.setdefault(Control.SIGNALS_OFF, off)
     elif absent.negated(terms, k):
         said.setdefault(Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))

@@ -48,6 +48,7 @@ _FILTERS: dict[str, NounTest] = {
     "somebody": lambda n, _: bool(n.entities),
     "pronoun": lambda n, _: n.pronoun is not None,
     "red": lambda n, c: _lit("red", n, c),
+    "amber": lambda n, c: _lit("amber", n, c) or _lit("yellow", n, c),
     "green": lambda n, c: _lit("green", n, c),
 }
 

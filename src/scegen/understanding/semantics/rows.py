@@ -5,7 +5,8 @@ follows. With ``also`` the next rows are asked as well. The keys:
 
 * ``if``: conditions, all of which must hold;
 * ``hazard`` of ``by`` (those who act; ``maybe WHO``: it may be nobody) and ``to``;
-* ``maneuver`` of ``of``; ``place``: where ``of`` comes from, seen by ``from`` (the ego);
+* ``maneuver``, ``light`` (how it meets that) of ``of``; ``place``: where ``of`` comes from, seen
+  by ``from`` (the ego);
 * ``lanes``, ``crossing``: why the road has lanes, a junction;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
 * ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
@@ -21,7 +22,7 @@ from importlib.resources import files
 from typing import Any, TypeAlias
 
 from scegen.scenario.parsing import parse
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, Maneuver
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context
@@ -34,7 +35,7 @@ from scegen.understanding.semantics.who import who
 Effect: TypeAlias = Callable[[Clause, Context], None]
 Words: TypeAlias = Callable[[Clause, Context], Basis]
 _FILES = ("constructions", "dangers", "movements", "omissions", "positions")
-_KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "of", "place", "from", "lanes",
+_KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
                    "also",
                    "as", "targets", "actors", "rewrite", "rules_out"})  # fmt: skip
@@ -106,6 +107,17 @@ def _maneuver(said: str, of: str, words: Words) -> Effect:
         for entity in list(whom(clause, context)) if values else []:
             later = context.in_order(entity.maneuver_basis, clause.event)
             context.draft.maneuver(entity, values, basis, clause.alternative, later=later)
+
+    return effect
+
+
+def _light(said: str, of: str, words: Words) -> Effect:
+    whom, light = who(of), AtLight(said)
+
+    def effect(clause: Clause, context: Context) -> None:
+        basis = words(clause, context)
+        for entity in list(whom(clause, context)):
+            entity.light = entity.light or (light, basis)
 
     return effect
 
@@ -219,6 +231,8 @@ def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable
         yield _mark(name, of, words)
     if "maneuver" in row:
         yield _maneuver(row["maneuver"], of, words)
+    if "light" in row:
+        yield _light(row["light"], of, words)
     if "hazard" in row:
         yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
     if "place" in row:
