@@ -13,7 +13,7 @@ import numpy as np
 
 from scegen.concretization.clearance import LONGEST_S, clear_offset
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lights import lights_of
+from scegen.concretization.lights import lights_of, stands_at_red
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
 from scegen.concretization.meetings import (
     BYSTANDER,
@@ -225,7 +225,8 @@ def schedule(
     ego = scene.ego
     latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
     for name, draft in scene.drives.items():
-        if draft.stands or scene.sets_off(name):
+        stands = draft.stands or stands_at_red(scene.functional.participant(name))
+        if stands or scene.sets_off(name):
             continue
         if draft.backs_out:
             # It stands near where it starts until its time has come.

@@ -22,7 +22,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.table import ordered_rules
-from scegen.concretization.lights import WAITS_AT_RED_S, set_lights
+from scegen.concretization.lights import set_lights, stands_at_red, waits_for_green_s
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
@@ -56,7 +56,6 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import AtLight
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
@@ -186,7 +185,8 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
     others = {each.participant for each in scene.logical.drives}
     cruise = cruise_speed_mps(scene, participant)
-    if scene.sets_off(participant.id):
+    waits_s = waits_for_green_s(participant)
+    if scene.sets_off(participant.id) or stands_at_red(participant):
         cruise = usual_speed_mps(scene, participant.id)
     return DriveDraft(
         id=participant.id,
@@ -194,7 +194,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
         drive=drive,
         cruise_mps=cruise,
         grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
-        waits_s=WAITS_AT_RED_S if participant.light is AtLight.WAITS else None,
+        waits_s=waits_s,
         stops_at_line=participant.id in must_stop(scene.functional, scene.logical)
         or any(
             act.kind is ActKind.WAIT and act.participant == participant.id and act.into in others

@@ -26,6 +26,7 @@ from scegen.motion.rules.intergreen import (
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.concrete import AtTime
 from scegen.scenario.control import LIGHTS, oncoming_arms
+from scegen.scenario.functional import Participant
 from scegen.scenario.signals import SignalGroup, SignalPlan
 from scegen.scenario.vocabulary import ANIMALS, AtLight, Control, JunctionKind
 
@@ -45,8 +46,8 @@ _STEP_S = 0.25
 _STARTS_S = 1.0
 """Lost time of the first in a queue, 1 to 2 s: FHWA, Signal Timing Manual (2008), 3.3."""
 _LATE_S = 0.3
-WAITS_AT_RED_S = 4.0
-"""Who is said to wait for green stands so long, if nothing asks for more."""
+_WAITS_S, _STOOD_S = 4.0, 100.0
+"""Who is said to wait for green stands so long; and who stands there when it begins."""
 _LEAST_WAIT_S = 0.5
 _FEW = 1e-3
 
@@ -74,6 +75,19 @@ class Lights:
         again = next(phase for phase in draft.course.phases if phase.resumes)
         longer = goes - (offset_s + again.begins_s)
         draft.waits_s, draft.course_ = _LEAST_WAIT_S + max(0.0, longer), None
+
+
+def stands_at_red(participant: Participant) -> bool:
+    """Whether one who waits for green is said to stand there from the start."""
+    speed = participant.speed_mps
+    return participant.light is AtLight.WAITS and speed is not None and speed.high == 0.0
+
+
+def waits_for_green_s(participant: Participant) -> float | None:
+    """How long one stands at its line who is said to wait there."""
+    if participant.light is not AtLight.WAITS:
+        return None
+    return _STOOD_S if stands_at_red(participant) else _WAITS_S
 
 
 def crosses_s(draft: DriveDraft, offset_s: float) -> float:

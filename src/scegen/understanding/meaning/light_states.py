@@ -58,7 +58,7 @@ def _changes(clause: Clause, context: Context) -> bool:
     """``the light turns red``, ``as soon as it gets green``."""
     event = clause.event
     told = event.lemma in word_list("light_changes") and not event.nominal and not event.negated
-    of_a_light = not clause.actors or event.lemma == "get"
+    of_a_light = not clause.actors or event.name == "inert" or event.lemma == "get"
     return told and of_a_light and _shown(clause, context) is not None
 
 
@@ -112,7 +112,7 @@ def _meets(
         return AtLight.WAITS if waits else None
     if name in HALTING | {"hard_brake"}:
         return AtLight.STOPS
-    if name not in _SETS_OFF or link is None:
+    if name not in _SETS_OFF or (link is None and colour is AtLight.RED):
         return None
     return AtLight.RED if link == "after" else AtLight.AMBER
 
