@@ -17,7 +17,6 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
     Approach,
-    AtLight,
     Control,
     HazardKind,
     JunctionKind,
@@ -47,7 +46,6 @@ _DEFINED: dict[str, Iterable[StrEnum]] = {
     "participant_kinds": ParticipantKind,
     "approaches": Approach,
     "maneuvers": [word for word in Maneuver if word not in _EXITS[1:]],
-    "lights": AtLight,
     "hazard_kinds": HazardKind,
     "acts": ActKind,
     "measures": Measure,
