@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 
 _FEWEST = 2
@@ -60,8 +62,18 @@ def _ordinal(mention: Mention) -> int | None:
 
 def _behind_each_other(mods: list[Term], entities: list[Entity], draft: Draft) -> None:
     said = next((m for m in mods if m.cat == "manner" and m.value in _ORDERS), None)
+    said = said or _gathered(mods, draft)
     drivers = [e for e in entities if e.moving_vehicle]
     if said is None or len(drivers) < _FEWEST:
         return
     for leader, follower in combinations(drivers, 2):
         draft.place(leader, follower, {_ORDERS[said.value]}, Basis(said.i, said.j))
+
+
+def _gathered(mods: list[Term], draft: Draft) -> Term | None:
+    """``a chain of three cars``: in a row."""
+    for mod in mods:
+        words = {t.low for t in draft.tokens[mod.i : mod.j]} if mod.cat == "quant" else set()
+        if words & word_list("rows"):
+            return replace(mod, value="row")
+    return None
