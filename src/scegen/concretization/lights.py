@@ -38,10 +38,11 @@ _ROOM_S: Mapping[AtLight, tuple[float, float]] = {
     AtLight.STOPS: (0.3, 0.8),
 }
 """For how long the light has shown it, and shows it yet, where that can be."""
-_GOES_WITHIN_S = 2.5
-"""Who waits for green goes on so soon after it."""
-_BRAKES_WITHIN_S = 1.5
-"""Who stops brakes so soon after amber: 1 s, FHWA, Signal Timing Manual (2008), 5.4.1."""
+_WITHIN_S: Mapping[AtLight, float] = {AtLight.WAITS: 2.5, AtLight.STOPS: 1.5}
+"""Who waits goes on so soon after green, who stops brakes so soon after amber.
+
+1 s to react to amber: FHWA, Signal Timing Manual (2008), 5.4.1.
+"""
 _STEP_S = 0.25
 _STARTS_S = 1.0
 """Lost time of the first in a queue, 1 to 2 s: FHWA, Signal Timing Manual (2008), 3.3."""
@@ -227,25 +228,14 @@ def _crossed_arms(scene: Setup) -> list[int]:
     return sorted({crossing.arm for crossing in people})
 
 
-def _window(plan: SignalPlan, group: SignalGroup, wanted: AtLight) -> tuple[float, float]:
-    """From when to when after the beginning of its green a light shows it."""
-    free = plan.free_s(group)
-    if wanted is AtLight.GREEN:
-        return 0.0, group.green_s
-    if wanted is AtLight.WAITS:
-        return 0.0, _GOES_WITHIN_S
-    if wanted is AtLight.STOPS:
-        return group.green_s, group.green_s + _BRAKES_WITHIN_S
-    return (free, plan.cycle_s) if wanted is AtLight.RED else (group.green_s, free)
-
-
 def _worth(plan: SignalPlan, shown: _Shown) -> float:
     """How well a plan shows what is wanted at a time; below 0: not at all (s)."""
     group = plan.group_of(shown.arm, afoot=shown.afoot)
     if group is None:
         return 0.0
     since = (shown.time_s - group.green_from_s) % plan.cycle_s
-    begins, ends = _window(plan, group, shown.wanted)
+    begins, ends = plan.window_s(group, shown.wanted)
+    ends = min(ends, begins + _WITHIN_S.get(shown.wanted, ends))
     after, before = _ROOM_S[shown.wanted]
     if begins <= since < ends:
         # What is more than enough counts a little against it: others wait for the rest.

@@ -8,6 +8,7 @@ from enum import StrEnum
 from pydantic import Field
 
 from scegen.scenario.model import ArmSet, FrozenModel
+from scegen.scenario.vocabulary import AtLight
 
 _TICK_S = 1e-3
 """Changes are told to the millisecond: one so near to time 0 is at time 0."""
@@ -54,6 +55,18 @@ class SignalPlan(FrozenModel):
     def free_s(self, group: SignalGroup) -> float:
         """How long after the beginning of green red begins."""
         return group.green_s + (0.0 if group.afoot else self.amber_s)
+
+    def window_s(self, group: SignalGroup, light: AtLight | None) -> tuple[float, float]:
+        """From when to when after the beginning of its green one who meets it so goes.
+
+        Whose light is not told goes at any time but red.
+        """
+        free_s = self.free_s(group)
+        if light is None:
+            return 0.0, free_s
+        if light in {AtLight.GREEN, AtLight.WAITS}:
+            return 0.0, group.green_s
+        return (free_s, self.cycle_s) if light is AtLight.RED else (group.green_s, free_s)
 
     def state(self, group: SignalGroup, time_s: float) -> SignalState:
         """What the lights of a group show at a time."""

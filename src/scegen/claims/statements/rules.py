@@ -45,9 +45,10 @@ def claims(told: Told) -> Iterator[Claim]:
     yield from _as_said(told)
     said = {p.id for p in told.people if p.light is not None} - runners
     for name in sorted((runners | must_obey(told.functional, told.logical)) - said):
-        runs = name in runners
-        when = f"at red, {RED_FOR_S} s or more after amber" if runs else "while it is not red"
-        test = partial(_runs, drives[name]) if runs else partial(_obeys, told, drives[name])
+        when, test = "while it is not red", partial(_obeys, told, drives[name])
+        if name in runners:
+            when = f"at red, {RED_FOR_S} s or more after amber"
+            test = partial(_shown, name, drives[name].entry, AtLight.RED)
         yield rule_claim(f"light.{name}", f"{name} goes over the line {when}", test, scale=2.0)
     for name, drive in sorted(at_dark_lights(told.functional, told.logical).items()):
         statement = f"{name} goes over the line while its light is off"
@@ -70,7 +71,7 @@ def _as_said(told: Told) -> Iterator[Claim]:
             test = partial(_waits, drives[name])
         elif name in drives:
             statement = f"{name} goes over the line while its light is {light}"
-            test = partial(_shown, name, drives[name].entry, light, afoot=False)
+            test = partial(_shown, name, drives[name].entry, light)
         elif name in arms:
             statement = f"{name} steps off the kerb while its light is {light}"
             test = partial(_shown, name, arms[name], light, afoot=True)
@@ -79,27 +80,30 @@ def _as_said(told: Told) -> Iterator[Claim]:
         yield rule_claim(f"light.{name}", statement, test, scale=2.0, field=field)
 
 
-def _shown(name: str, arm: int, wanted: AtLight, view: View, *, afoot: bool) -> Judged:
-    """How far inside the time in which its light shows it one goes; measured: since green."""
+def _shown(
+    name: str, arm: int, wanted: AtLight | None, view: View, *, afoot: bool = False
+) -> Judged:
+    """How far inside the time in which its light shows it one goes; measured: since that began.
+
+    With nothing wanted it is all but red.
+    """
     plan = view.concrete.signals
     group = None if plan is None else plan.group_of(arm, afoot=afoot)
     rested = OVER_LINE_M if wanted is AtLight.WAITS else 0.0
     step = _off_kerb(name, view) if afoot else _over_line(name, view, rested)
+    time_s = view.time_of(step)
     if plan is None or group is None or not plan.working:
-        return Judged(np.full(view.count, -NEVER), np.full(view.count, np.nan), view.time_of(step))
-    free, cycle = plan.free_s(group), plan.cycle_s
-    begins, ends = {
-        AtLight.GREEN: (0.0, group.green_s),
-        AtLight.WAITS: (0.0, group.green_s),
-        AtLight.AMBER: (group.green_s, free),
-        AtLight.RED: (free + RED_FOR_S, cycle),
-    }[wanted]
-    since = (view.time_of(step) - group.green_from_s) % cycle
-    inside = np.minimum(since - begins, ends - since)
-    missed = -np.minimum((begins - since) % cycle, (since - ends) % cycle)
-    margin = np.where(inside >= 0.0, inside, missed)
-    margin = np.where(step <= view.last_step, margin, -NEVER)
-    return Judged(margin, since, view.time_of(step))
+        return Judged(np.full(view.count, -NEVER), np.full(view.count, np.nan), time_s)
+    begins, ends = plan.window_s(group, wanted)
+    early = {None: TIME_S, AtLight.RED: -RED_FOR_S}.get(wanted, 0.0)
+    since = (time_s - group.green_from_s - begins + early) % plan.cycle_s
+    lasts = ends - begins + early
+    margin = np.where(
+        since <= lasts,
+        np.minimum(since, lasts - since),
+        -np.minimum(plan.cycle_s - since, since - lasts),
+    )
+    return Judged(np.where(step <= view.last_step, margin, -NEVER), since - early, time_s)
 
 
 def _off_kerb(name: str, view: View) -> Ints:
@@ -129,7 +133,7 @@ def _rest_at_line(drive: Drive, view: View) -> tuple[Bools, Floats]:
 def _waits(drive: Drive, view: View) -> Judged:
     """It rests while it is not green, and goes over the line at green."""
     rests, stopped = _rest_at_line(drive, view)
-    goes = _shown(drive.participant, drive.entry, AtLight.WAITS, view, afoot=False)
+    goes = _shown(drive.participant, drive.entry, AtLight.WAITS, view)
     margin = np.where(rests, np.minimum(stopped, goes.margin), -NEVER)
     return Judged(margin, goes.measured, goes.time_s)
 
@@ -161,24 +165,13 @@ def _goes_over(over: Bools, view: View) -> Bools:
 
 
 def _obeys(told: Told, drive: Drive, view: View) -> Judged:
-    """How far from red it goes over the line; measured: for how long it has been red, or not yet.
-
-    One that does not get there has not run it, nor has one that has hit somebody before.
-    """
-    red_s, left_s, step = _red_at_line(drive, view)
-    margin = np.where(red_s < 0.0, -red_s, -np.minimum(red_s, left_s))
-    gets_there = (step <= view.last_step) & (
-        view.time_of(step) < hit_s(told, view, drive.participant)
+    """It does not go at red; who does not get there does not, nor who has hit somebody before."""
+    name = drive.participant
+    judged = _shown(name, drive.entry, None, view)
+    gets_there = (_over_line(name, view) <= view.last_step) & (
+        judged.time_s < hit_s(told, view, name)
     )
-    return Judged(np.where(gets_there, margin, 0.0), red_s, view.time_of(step))
-
-
-def _runs(drive: Drive, view: View) -> Judged:
-    """How much longer it has been red than it must; before green as far from it."""
-    red_s, left_s, step = _red_at_line(drive, view)
-    margin = np.where(red_s < 0.0, red_s, np.minimum(red_s - RED_FOR_S, left_s))
-    margin = np.where(step <= view.last_step, margin, -NEVER)
-    return Judged(margin, red_s, view.time_of(step))
+    return judged._replace(margin=np.where(gets_there, judged.margin, 0.0))
 
 
 def _passes_dark(drive: Drive, view: View) -> Judged:
@@ -200,23 +193,3 @@ def _over_line(name: str, view: View, beyond_m: float = 0.0) -> Ints:
     """The step at which its front goes over the line, so far at least (c,)."""
     front = view.place_m(name) + view.body(name).front_m
     return first(front > view.ways[name].line_m + beyond_m)
-
-
-def _red_at_line(drive: Drive, view: View) -> tuple[Floats, Floats, Ints]:
-    """For how long it has been red as the front goes over the line, how much longer, and the step.
-
-    Below 0 it is not red: that far from it.
-    """
-    plan, name = view.concrete.signals, drive.participant
-    group = None if plan is None else plan.group_of(drive.entry)
-    step = _over_line(name, view)
-    if plan is None or group is None or not plan.working:
-        nothing = np.full(view.count, np.nan)
-        return nothing, nothing, step
-    since = (view.time_of(step) - group.green_from_s) % plan.cycle_s
-    free = group.green_s + plan.amber_s
-    return (
-        np.where(since < free, -np.minimum(since + TIME_S, free - since), since - free),
-        (plan.cycle_s - since),
-        step,
-    )
