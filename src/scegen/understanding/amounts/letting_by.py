@@ -41,9 +41,11 @@ def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
 
 
 def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
-    """``waits until a car has passed``, ``waits to turn; two cars pass``."""
+    """``waits until a car has passed``, ``waits, and goes as soon as a car has passed``."""
     event = clause.event
     later = [s for s in scenes if s.event.i > event.i and s.event.parent is not event]
+    if later and later[0].actors == clause.actors and later[0].event.name in _GOING:
+        later = [s for s in later[1:] if s.event.sentence == event.sentence]
     following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
     if following is None or following.event.name != "pass" or following.event.negated:
         return []
