@@ -90,6 +90,12 @@ class Clock(Teller):
         told = bool(self._text.within(number.j, end))
         return self._since(number) == "after" and told
 
+    def _endless(self, doing: Doing) -> bool:
+        """``1 s after the lead car brakes``: nothing says when it has done so."""
+        over = [c for c in self._text.scenes if c.event.i == doing.i and c.event.perfect]
+        amounts = {"target_speed_mps", "duration_s", "distance_m"} & set(doing.amounts)
+        return doing.kind in {ActKind.BRAKE, ActKind.ACCELERATE} and not (over or amounts)
+
     def _since(self, number: Measured) -> str:
         """The word after a time: "after" only where it opens a clause."""
         after = self._text.low(number.j, number.j + 4)
@@ -136,6 +142,7 @@ class Clock(Teller):
             if clause:
                 begins = self._text.low(number.j, clause[0].i)
                 begun = any(f" {w} " in begins for w in ("begins", "starts", "begun", "started"))
+                begun = begun or self._endless(clause[0])
                 return clause[0], "begin" if begun else "end"
             other = self._of_the_other(number, doing)
             return other, "begin" if other is not None else "end"

@@ -214,6 +214,9 @@ class Roster:
             Whom it means; None if it says nothing of an order.
         """
         which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
+        leads = mention.head is not None and self.draft.tokens[mention.head.i].low == "leader"
+        if leads and self.groups and all(e.is_vehicle for e in self.groups[-1].members):
+            which = which or "first"  # "three cars in a platoon; the leader brakes"
         if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
             return None
         if mention.mods[0].value != "def":

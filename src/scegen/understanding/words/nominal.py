@@ -15,7 +15,7 @@ _OWNED = frozenset({"lane", "path", "side"})
 _HAD = frozenset({"dir", "place", "inert"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
-                      "former", "latter"})  # fmt: skip
+                      "former", "latter", "last"})  # fmt: skip
 
 
 def is_nominal(

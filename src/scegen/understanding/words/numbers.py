@@ -21,7 +21,8 @@ _ATOMS = frozenset(
 _DIGITS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
 _FRACTION_DIGITS = 3
 _HALF = 0.5
-_PARTS = {"half": 2, "third": 3, "thirds": 3, "quarter": 4, "quarters": 4, "fifth": 5, "fifths": 5}
+PARTS = {"half": 2, "third": 3, "thirds": 3, "quarter": 4, "quarters": 4, "fifth": 5, "fifths": 5}
+"""Names of parts, and how many make a whole."""
 _WIDTH_REACH = 6
 
 
@@ -98,7 +99,7 @@ def share_at(tokens: list[Token], i: int) -> Number | None:
     """
     lows = [t.low for t in tokens[i : i + 2]]
     count = {"one": 1, "a": 1, "two": 2, "three": 3}.get(lows[0], 0)
-    part = _PARTS.get(lows[1]) if len(lows) > 1 and count else None
+    part = PARTS.get(lows[1]) if len(lows) > 1 and count else None
     length = 2 if part is not None else 1
     if lows[0] == "half":
         count, part = 1, 2

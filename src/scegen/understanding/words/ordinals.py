@@ -13,5 +13,6 @@ POSITIONS = {
     "eighth": 7,
     "former": 0,
     "latter": -1,
+    "last": -1,
 }
 """Place within those spoken of last; "the former" and "the latter" are of two."""

@@ -7,13 +7,15 @@ from itertools import product
 
 from scegen.scenario.model import Interval
 from scegen.understanding.lexicon import load
-from scegen.understanding.words.numbers import Number, number_at, share_at
+from scegen.understanding.words.numbers import PARTS, Number, number_at, share_at
 from scegen.understanding.words.tokens import Token
 from scegen.units import UNITS
 
 _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "least", "beyond"})
 _BELOW = frozenset({"under", "below", "most"})
+_ARTICLES = frozenset({"a", "an"})
+_COUNTED = {"a": 1, "one": 1, "two": 2, "three": 3}
 _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
 _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
                     "approx", "circa", "ca"})  # fmt: skip
@@ -78,14 +80,16 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     if share is not None:
         return _build(tokens, i, i + share.length, [share.value], "percentage")
     opened = tokens[i].low == "between" and i + 1 < len(tokens)
-    first = _half_a(tokens, i) or number_at(tokens, i + opened)
+    first = _fraction(tokens, i) or number_at(tokens, i + opened)
     if first is None:
         return None
     j = i + opened + first.length
     unit = _unit_at(tokens, j)
     if unit is not None:
         dimension, name, length = unit
-        values, end = [_si(first.value, dimension, name)], j + length
+        more = [t.low for t in tokens[j + length : j + length + 3]] == ["and", "a", "half"]
+        values = [_si(first.value + (0.5 if more else 0.0), dimension, name)]
+        end = j + length + (3 if more else 0)  # "a metre and a half"
         spread = _tolerance(tokens, end, dimension, name, first.value)
         if spread is not None:
             return _around(tokens, i, values[0], spread, dimension)
@@ -108,13 +112,19 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     return _of_the_next(tokens, i, j, first.value)
 
 
-def _half_a(tokens: list[Token], i: int) -> Number | None:
-    """``half a second``, ``half metre``."""
-    if tokens[i].low != "half" or i + 1 >= len(tokens):
-        return None
-    if tokens[i + 1].low in {"a", "an"}:
-        return Number(0.5, 2)
-    return Number(0.5, 1) if _unit_at(tokens, i + 1) is not None else None
+def _fraction(tokens: list[Token], i: int) -> Number | None:
+    """``half a second``, ``half metre``, ``a quarter of a g``, ``a metre``."""
+    lows = [t.low for t in tokens[i : i + 4]]
+    if lows[0] == "half" and len(lows) > 1:
+        if lows[1] in _ARTICLES:
+            return Number(0.5, 2)
+        return Number(0.5, 1) if _unit_at(tokens, i + 1) is not None else None
+    if len(lows) == 4 and lows[0] in _COUNTED and lows[1] in PARTS and lows[2] == "of":
+        value = _COUNTED[lows[0]] / PARTS[lows[1]]
+        return Number(value, 4) if lows[3] in _ARTICLES else None
+    unit = _unit_at(tokens, i + 1) if lows[0] == "a" and len(lows) > 1 else None
+    named = unit is not None and unit[0] == "length" and len(lows[1]) > 2
+    return Number(1.0, 1) if named else None  # "a second" may be another one
 
 
 def _tolerance_mark(tokens: list[Token], j: int) -> int | None:
