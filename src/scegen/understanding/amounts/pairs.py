@@ -14,7 +14,8 @@ from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
 _IN_A_ROW = (" between each ", " between them ", " apart ", " from each ", " from one ",
-             " between one ", " behind the next ", " to the next ", " from the next ",
+             " between one ", " each at ", " to the vehicle in front ", " to the car in front ",
+             " to the one in front ", " behind the next ", " to the next ", " from the next ",
              " clear of the next ", " behind each other ", " behind one another ")  # fmt: skip
 
 

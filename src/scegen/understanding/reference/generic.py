@@ -24,9 +24,17 @@ def mark_generic(chunks: list[Chunk], events: list[Event]) -> None:
     """
     entered = {id(e.object) for e in events if e.name in {"enter", "merge", "inert"}}
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
+    each = {
+        id(p.target)
+        for e in events
+        for p in e.pps
+        if any(m.pronoun == "all" and m.head is None for m in e.subject)
+    }
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or chunk.head is None:
             continue
+        if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
+            chunk.negated = True  # "each 20 m from the car in front": the next of them
         if id(chunk) in entered and "mass" in chunk.head.data and not chunk.mods:
             chunk.negated = True  # "entering traffic from a driveway, a van …"
         if chunk.prep is None:
