@@ -135,3 +135,36 @@ def test_one_who_blocks_the_lane_is_gone_round_through_the_oncoming_lane():
     concrete = concretize(functional, enumerate_scenarios(functional).scenarios[0])
     assert [c.lane_after for c in concrete.ego.motion.lane_changes] == [0, 1]
     assert not touching(concrete)
+
+
+@pytest.mark.parametrize(
+    ("text", "who", "sense"),
+    [
+        ("A motorcycle overtakes the ego on the right.", "motorcycle_1", -1),
+        ("The ego overtakes a lorry on the right on a motorway.", "ego", -1),
+        ("A car overtakes the ego on a motorway.", "car_1", 1),
+    ],
+)
+def test_who_passes_does_so_on_the_side_that_is_said(text, who, sense):
+    functional = read(text)
+    concrete = concretize(functional, overtaking_of(functional, who))
+    paths = build_paths(concrete, build_network(concrete.road))
+    traces = simulate(concrete, paths, dt_s=0.02)
+    fast = traces[who]
+    slow = next(trace for name, trace in traces.items() if name != who)
+    dx, dy = fast.x_m - slow.x_m, fast.y_m - slow.y_m
+    ahead = dx * np.cos(slow.heading_rad) + dy * np.sin(slow.heading_rad)
+    left = dy * np.cos(slow.heading_rad) - dx * np.sin(slow.heading_rad)
+    level = np.abs(ahead) < 2.0
+    assert level.any()
+    assert (sense * left[level] > 1.5).all()
+
+
+def overtaking_of(functional, who):
+    """The first listed scenario in which ``who`` overtakes."""
+    scenarios = enumerate_scenarios(functional).scenarios
+    return next(
+        s
+        for s in scenarios
+        if any(d.participant == who and d.maneuver is OVERTAKE for d in s.drives)
+    )

@@ -48,7 +48,7 @@ def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[En
     known = all(id(b) in leaders[id(a)] for a, b in pairs)
     if not known and not any(leaders[id(e)] & set(leaders) for e in members):
         known = _in_one_file(members, context)  # in whichever order: they are alike
-    return pairs if known and len(pairs) > 1 else []
+    return pairs if known else []
 
 
 def _in_one_file(members: list[Entity], context: Context) -> bool:

@@ -222,7 +222,7 @@ class Roster:
         if mention.mods[0].value != "def":
             return None
         for group in reversed(self.groups):
-            alike = [e for e in group.members if self.compatible(e, reading)]
+            alike = [e for e in group.members if leads or self.compatible(e, reading)]
             if len(alike) > abs(POSITIONS[which]):
                 return self._claimed(alike[POSITIONS[which]])
         alike = [e for e in self.draft.entities if self.compatible(e, reading)]
