@@ -13,7 +13,7 @@ from scegen.road.lane_choice import lane_ways
 from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 
 _SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
 _WITHOUT_TURNS = frozenset({JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT})
@@ -132,14 +132,3 @@ def turns_across(
         out = ways[0].lane_out if together else min(lane, road.arms[drive.exit].lanes_out)
         found.append(Turn(entry=drive.entry, lane_in=lane, exit=drive.exit, lane_out=out))
     return tuple(dict.fromkeys(found))
-
-
-def crosses_beside(functional: FunctionalScenario) -> frozenset[str]:
-    """Those who ride ahead near the kerb and then come across the way of one behind them."""
-    return frozenset(
-        name
-        for hazard in functional.hazards
-        if hazard.kind is HazardKind.CROSSING_CYCLIST
-        for name in hazard.by
-        if functional.participant(name) in functional.vehicles
-    )

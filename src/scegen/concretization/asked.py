@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 
 from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import HazardKind, Side
+from scegen.scenario.speed_limits import limit_for_kind_mps
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 
 _HAZARDS_OF = {
     ActKind.BRAKE: (HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.LOSS_OF_CONTROL),
@@ -48,6 +51,17 @@ def allowed(logical: LogicalScenario, name: str, speed_mps: float) -> float:
         if parameter.name == f"{name}.speed_mps":
             return min(max(speed_mps, parameter.low), parameter.high)
     return speed_mps
+
+
+def endangering_mps(
+    asked: tuple[Hazard, ...], name: str, kind: ParticipantKind, limit_mps: float
+) -> float | None:
+    """The usual speed of one whose danger is its speed; None of others."""
+    for hazard in asked:
+        share = HAZARDS[hazard.kind].speed_share
+        if name in hazard.by and share is not None:
+            return min(share[2] * limit_for_kind_mps(kind, limit_mps), BODIES[kind].top_speed_mps)
+    return None
 
 
 def hazard_of(asked: tuple[Hazard, ...], act: Act) -> HazardKind | None:

@@ -62,16 +62,14 @@ def clear_offset(
     *,
     direction: int = 1,
     within_s: float = LONGEST_S,
-    companions: Sequence[tuple[DriveDraft, float]] = (),
     manners: Manners | None = None,
     meeting: Iterable[DriveDraft] = (),
 ) -> float:
     """The offset next to ``offset_s`` at which a drive touches none of the others.
 
-    Nor do its ``companions``, each with how much later its own offset is. ``direction`` 1 looks
-    later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the offset stays. With
-    ``manners`` it waits for its green, and nobody takes another's way, of the others or of those
-    whom it is ``meeting`` and may touch.
+    ``direction`` 1 looks later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the
+    offset stays. With ``manners`` it waits for its green, and nobody takes another's way, of the
+    others or of those whom it is ``meeting`` and may touch.
     """
     placed = [(other, offsets_s[other.id]) for other in others]
     everybody = [*placed, *((other, offsets_s[other.id]) for other in meeting)]
@@ -86,9 +84,7 @@ def clear_offset(
                     before.restore()
                     continue
             if not any(
-                touch(one, tried + later, other, at)
-                for one, later in ((draft, 0.0), *companions)
-                for other, at in placed
+                touch(draft, tried, other, at) for other, at in placed
             ) and not _waiting_touch(before.changed(), draft, tried, everybody):
                 return tried
             before.restore()

@@ -28,7 +28,6 @@ from scegen.motion.rules.giving_way import must_give_way
 
 _ARM_MARGIN_M = 1.0
 _BEFORE_JUNCTION_M = 5.0
-_LEAST_GAP_M = 3.0
 _DANGER_WITHIN_S = 1.5
 """Those who meet in danger may be this much off their meeting to spare others."""
 
@@ -45,7 +44,7 @@ def arrange(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     while len(offsets) < len(scene.drives):
         if _arrange_one(scene, ordered, offsets, manners):
             continue
-        if _queue_one(scene, ordered, offsets, manners):
+        if _queue_one(scene, offsets, manners):
             continue
         free = [n for n in scene.drives if n not in offsets]
         name = min(free, key=lambda n: scene.drives[n].drive.rank)
@@ -56,7 +55,6 @@ def arrange(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
             offset,
             _placed(scene, offsets),
             offsets,
-            companions=_companions(scene, ordered, name, offsets),
             manners=manners,
         )
     scene.signals = manners.lights.plan if manners.lights is not None else None
@@ -67,17 +65,6 @@ def _partners(meetings: Sequence[Meeting], name: str) -> set[str]:
     """Those whom one meets in danger."""
     risky = [m for m in meetings if m.priority < ORDINARY and name in {m.first, m.second}]
     return {other for m in risky for other in (m.first, m.second) if other != name}
-
-
-def _companions(
-    scene: Setup, meetings: Sequence[Meeting], name: str, offsets: dict[str, float]
-) -> list[tuple[DriveDraft, float]]:
-    """Those whose place follows from one's own, as an overtaker's does, and how much later (s)."""
-    return [
-        (scene.drives[m.second], m.lag_s - _gap_s(scene, m))
-        for m in meetings
-        if m.priority < 0 and m.first == name and m.second not in offsets
-    ]
 
 
 def _gap_s(scene: Setup, meeting: Meeting) -> float:
@@ -126,32 +113,11 @@ def _arrange_one(
                 meeting=[scene.drives[n] for n in spared if n in offsets],
             )
         offsets[draft.id] = offset
-        if meeting.priority >= 0:
-            _keep_apart(scene, draft, offsets, partner.id)
-            if manners is not None and meeting.priority >= ORDINARY:
-                manners.wait(draft, offsets[draft.id])
         return True
     return False
 
 
-def _keep_apart(scene: Setup, draft: DriveDraft, offsets: dict[str, float], partner: str) -> None:
-    """Move a vehicle back or forth in the queue of its lane where it would touch another."""
-    for other in scene.drives.values():
-        if other.id not in offsets or other.id == partner or not same_lane(other, draft):
-            continue
-        behind = offsets[other.id] + headway_s(other, draft, gap_m=_LEAST_GAP_M, time_s=0.0)
-        before = offsets[other.id] - headway_s(draft, other, gap_m=_LEAST_GAP_M, time_s=0.0)
-        if before < offsets[draft.id] < behind:
-            after = other.drive.rank < draft.drive.rank
-            offsets[draft.id] = behind if after else before
-
-
-def _queue_one(
-    scene: Setup,
-    meetings: Sequence[Meeting],
-    offsets: dict[str, float],
-    manners: Manners | None,
-) -> bool:
+def _queue_one(scene: Setup, offsets: dict[str, float], manners: Manners | None) -> bool:
     """Line one vehicle up behind or before those of its arm and lane that are fixed."""
     for name, draft in sorted(scene.drives.items(), key=lambda item: item[1].drive.rank):
         if name in offsets:
@@ -173,7 +139,6 @@ def _queue_one(
             others,
             offsets,
             direction=direction,
-            companions=_companions(scene, meetings, name, offsets),
             manners=manners,
         )
         return True
@@ -189,19 +154,17 @@ def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
     )
 
 
-def headway_s(
-    lead: DriveDraft, follow: DriveDraft, *, gap_m: float = QUEUE_GAP_M, time_s: float = HEADWAY_S
-) -> float:
+def headway_s(lead: DriveDraft, follow: DriveDraft) -> float:
     """How much later than ``lead`` ``follow`` must be to keep its distance all along (s).
 
-    At every place that both pass, the follower's reference point comes ``time_s`` after the
-    leader's, and its bumper stays ``gap_m`` behind.
+    At every place that both pass, the follower's reference point comes two seconds after the
+    leader's, and its bumper stays behind.
     """
     shared = min(shared_length_m(lead, follow), float(follow.course.s_m[-1]))
     s = np.arange(0.0, max(shared, 1.0), 2.0)
-    bodies = gap_m + lead.body.rear_m + follow.body.front_m
+    bodies = QUEUE_GAP_M + lead.body.rear_m + follow.body.front_m
     mine = follow.course.times_at(s)
-    by_time = lead.course.times_at(s) + time_s
+    by_time = lead.course.times_at(s) + HEADWAY_S
     by_place = lead.course.times_at(s + bodies)
     return float(np.max(np.maximum(by_time, by_place) - mine))
 

@@ -23,6 +23,7 @@ from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.table import ordered_rules
 from scegen.concretization.lights import set_lights, stands_at_red, waits_for_green_s
+from scegen.concretization.limits import FAST_LATERAL_MPS2, LATERAL_MPS2
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
@@ -56,12 +57,15 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.vocabulary import HazardKind
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
 _GROWTH = 0.5
 """No attempt makes arms longer by a larger share, unless so much is missing."""
 _AGAIN = 3
+_FAST = frozenset({HazardKind.SPEEDING, HazardKind.SUDDEN_TURN})
+"""The dangers of those who go fast through bends."""
 
 
 def concretize(
@@ -188,11 +192,13 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     waits_s = waits_for_green_s(participant)
     if scene.sets_off(participant.id) or stands_at_red(participant):
         cruise = usual_speed_mps(scene, participant.id)
+    fast = {h.kind for h in scene.functional.hazards if participant.id in h.by} & _FAST
     return DriveDraft(
         id=participant.id,
         kind=participant.kind,
         drive=drive,
         cruise_mps=cruise,
+        lateral_mps2=FAST_LATERAL_MPS2 if fast else LATERAL_MPS2,
         grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
         waits_s=waits_s,
         stops_at_line=participant.id in must_stop(scene.functional, scene.logical)
@@ -206,7 +212,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
 def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     offsets = schedule(scene, meetings, appointments(scene))
     offsets = do_acts(scene, offsets)
-    moments = _with_lead_in(scene, offsets, meetings)
+    moments = _with_lead_in(scene, offsets)
     short, who = shortfall(scene, moments.offsets_s)
     if short > 0:
         raise NeedsLongerArms(short, who)
@@ -225,14 +231,14 @@ def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     return moments
 
 
-def _with_lead_in(scene: Setup, offsets_s: dict[str, float], meetings: list[Meeting]) -> Moments:
+def _with_lead_in(scene: Setup, offsets_s: dict[str, float]) -> Moments:
     """Starts and acts as is said, everybody undisturbed for a moment before the first act."""
     for _ in range(_AGAIN):
         moments = Moments(scene, dict(offsets_s))
         moments.sets_off_s = {
             name: moments.leaves_s(name) for name in scene.walks if conditioned(scene, name)
         }
-        fit(scene, moments, meetings)
+        fit(scene, moments)
         early = lead_in_missing_s(scene, moments)
         if early <= 0.0:
             break

@@ -18,7 +18,6 @@ from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.polyline import LaidDrive
 from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
-from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_S
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import (
@@ -238,17 +237,7 @@ class DriveDraft:
         turning = self.road_changes() if self.halts_at_m is None else []
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
-        if any(self._stands_at_line(mark) for mark in self.marks):
-            ordinary = [mark for mark in ordinary if mark.hold_s is None]
         return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
-
-    def _stands_at_line(self, mark: SpeedChange) -> bool:
-        """Whether a danger's mark lets it stand at the stop line long enough, as a stop does."""
-        if not self.stops_at_line or mark.target_mps > 0.0 or (mark.hold_s or 0.0) < STOPPED_S:
-            return False
-        before = self.cruise_mps if self.approach_mps is None else self.approach_mps
-        front = mark.s_m + before**2 / (2 * mark.rate_mps2) + self.body.front_m
-        return -AT_LINE_M < front - self.stop_line_s_m < OVER_LINE_M
 
     def first_speed(self) -> float:
         """The speed at the outer end of the entry arm, or where it comes out."""

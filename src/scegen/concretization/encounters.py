@@ -9,7 +9,12 @@ from scegen.concretization.hazards.rule import (
     pairs,
     same_arm,
 )
-from scegen.concretization.limits import APPROACH_S, CLOSE_FOLLOWING_S, PASSING_LAG_S
+from scegen.concretization.limits import (
+    APPROACH_S,
+    CLOSE_FOLLOWING_S,
+    PASSING_LAG_S,
+    TAILGATING_HEADWAY_S,
+)
 from scegen.concretization.meetings import (
     BYSTANDER,
     DANGER,
@@ -21,6 +26,7 @@ from scegen.concretization.meetings import (
 )
 from scegen.concretization.setup import Setup
 from scegen.scenario.functional import Hazard
+from scegen.scenario.vocabulary import HazardKind
 
 _SHORT_OF_REST_M = 0.5
 _EARLIER_S = 3.0
@@ -121,6 +127,11 @@ def _close(
     if sufferer.drive.rank < cause.drive.rank:
         lead, follow = sufferer, cause
     reason = f"{hazard.kind}: close behind"
+    headway_s = CLOSE_FOLLOWING_S
+    if hazard.kind is HazardKind.TAILGATING:
+        headway_s = sum(TAILGATING_HEADWAY_S) / 2
+        if not scene.has_said_speed(follow.id):
+            follow.cruise_mps, follow.course_ = lead.cruise_mps, None
     if lead.cruise_mps > follow.cruise_mps:
         # They draw apart: nearest where the leader starts, about this far before the junction.
         begins = lead.junction_s_m - lead.cruise_mps * (APPROACH_S + _EARLIER_S)
@@ -132,6 +143,6 @@ def _close(
         follow.id,
         place,
         place - bodies,
-        CLOSE_FOLLOWING_S,
+        headway_s,
         reason,
     )

@@ -1,13 +1,13 @@
 """Fit starts, and the places of acts, to what the text says: exactly, and else as is usual.
 
 Everybody's lateness, the places of acts that are open and the moments at which walkers set off are
-the unknowns; what is said of spacings and triggers are equations between them, and so is who
-usually meets whom. What is said outweighs what is usual, which outweighs staying as it was.
+the unknowns; what is said of spacings and triggers are equations between them. What is said
+outweighs staying as it was.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,7 +15,6 @@ import numpy as np
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.deeds import is_open
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments, is_lengthwise
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
@@ -30,7 +29,7 @@ from scegen.scenario.acts import (
 )
 from scegen.scenario.spacings import CONTACT, START
 
-_SAID, _USUAL, _AS_IT_WAS = 1.0, 1e-3, 1e-6
+_AS_IT_WAS = 1e-6
 _PER_M = 0.1
 """A metre counts as much as so many seconds."""
 _STEP_S, _STEP_M = 0.01, 0.1
@@ -42,14 +41,6 @@ Residual = Callable[[Moments], float]
 
 
 @dataclass(frozen=True, slots=True)
-class Equation:
-    """Something that is to be 0, in seconds or what counts as such, and how much it weighs."""
-
-    weight: float
-    residual: Residual
-
-
-@dataclass(frozen=True, slots=True)
 class Unknown:
     """A number to be found: how it is read and set, and the step to try it with."""
 
@@ -58,20 +49,18 @@ class Unknown:
     give: Callable[[Moments, float], None]
 
 
-def fit(scene: Setup, moments: Moments, meetings: Sequence[Meeting]) -> None:
+def fit(scene: Setup, moments: Moments) -> None:
     """Change what is open in ``moments`` until what is said holds, as little as that needs."""
     said = list(_said(scene))
     if not said:
         return
     unknowns = list(_unknowns(scene, moments))
     first = np.array([unknown.read(moments) for unknown in unknowns])
-    usual = [Equation(_USUAL, r) for r in _meetings(scene, meetings)]
-    equations = [*(Equation(_SAID, r) for r in said), *usual]
 
     def missed(x: Array) -> Array:
         for unknown, value in zip(unknowns, x, strict=True):
             unknown.give(moments, float(value))
-        own = [equation.weight * equation.residual(moments) for equation in equations]
+        own = [residual(moments) for residual in said]
         scale = np.array([_AS_IT_WAS * _STEP_S / unknown.step for unknown in unknowns])
         return np.concatenate([own, scale * (x - first)])
 
@@ -198,22 +187,6 @@ def _after(act: Act, other: Act, when: AfterAct) -> Residual:
         return moments.begins_s(act) - since - delay
 
     return residual
-
-
-def _meetings(scene: Setup, meetings: Sequence[Meeting]) -> Iterator[Residual]:
-    """Who usually meets whom, but for those of one arm whose distance is said."""
-    told = set()
-    whens = [(a.when.participant, a.when.reference) for a in scene.acts
-             if isinstance(a.when, WhenMeasure)]  # fmt: skip
-    for pair in [*((s.participant, s.reference) for s in scene.functional.spacings), *whens]:
-        told.add(frozenset(pair))
-    for meeting in meetings:
-        first, second = scene.drives[meeting.first], scene.drives[meeting.second]
-        if {first.id, second.id} in told and first.drive.entry == second.drive.entry:
-            continue
-        yield lambda m, meeting=meeting: m.late_s(meeting)  # type: ignore[misc]
-    for name in scene.walks:
-        yield lambda m, name=name: m.walks_late_s(name)  # type: ignore[misc]
 
 
 def conditioned(scene: Setup, name: str) -> bool:

@@ -15,7 +15,7 @@ number is this program's own choice.
 from __future__ import annotations
 
 from scegen.scenario.bodies import BODIES
-from scegen.scenario.vocabulary import ANIMALS, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import ANIMALS, ParticipantKind
 
 COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
 COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
@@ -41,8 +41,6 @@ REACTION_S = 0.75  # [UN157]: from a danger that can be seen to the brakes
 CREEP_MPS = 0.5
 """Who is to stand at a place creeps the last bit."""
 
-USUAL_SHARES = {HazardKind.SPEEDING: (1.2, 1.5), HazardKind.SLOW_DRIVING: (0.35, 0.5)}
-"""Of the limit, by who is said to drive too fast or too slowly."""
 JITTER = 0.04  # relative spread of ordinary speeds
 
 WALKING_MPS = 1.4  # above the 1.2 of [MUTCD]

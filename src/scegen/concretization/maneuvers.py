@@ -26,15 +26,16 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
     """Lane changes and overtakes of those who have none yet, and the meetings they need."""
     meetings: list[Meeting] = []
     for draft in scene.drives.values():
-        if draft.lane_changes or draft.drive.maneuver not in _SIDEWAYS:
-            continue
         passed = _passed(scene, draft)
+        aside = passed is not None or draft.drive.maneuver in _SIDEWAYS
+        if draft.lane_changes or not aside:
+            continue
         if passed is not None:
             meetings += pass_drive(
                 scene,
                 draft,
                 passed,
-                comes_back=draft.drive.maneuver is Maneuver.OVERTAKE,
+                comes_back=_goes(scene, draft) is Maneuver.OVERTAKE,
             )
         elif not (
             _goes_round_somebody_standing(scene, draft)
@@ -48,12 +49,18 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 
+def _goes(scene: Setup, draft: DriveDraft) -> Maneuver:
+    """What it does beside its turn: who overtakes as a danger does so, too."""
+    kinds = {h.kind for h in scene.functional.hazards if draft.id in h.by}
+    return Maneuver.OVERTAKE if HazardKind.OVERTAKING in kinds else draft.drive.maneuver
+
+
 def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
     """The vehicle ahead on the same arm that a lane change or overtake goes round.
 
     The one that the text calls slow, else the nearest.
     """
-    if draft.drive.maneuver not in _SIDEWAYS:
+    if _goes(scene, draft) not in _SIDEWAYS:
         return None
     ahead = [
         other

@@ -9,7 +9,6 @@ import numpy as np
 from scegen.claims.boxes import Boxes, gap_m, same_way, seen
 from scegen.concretization.boxes import box_on
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import Meeting
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous
@@ -109,19 +108,6 @@ class Moments:
         if found is None:
             raise KeyError(name)
         return found[0], *rendezvous(self.scene, found[0], self.scene.walks[name], found[1])
-
-    def walks_late_s(self, name: str) -> float:
-        """How much later than whom it meets one who crosses is where they meet."""
-        if name not in self.sets_off_s or self._partners.get(name) is None:
-            return 0.0
-        return self.sets_off_s[name] + self._walks_s(name) - self._arrives_s(name)
-
-    def late_s(self, meeting: Meeting) -> float:
-        """How much too late the second of a meeting is."""
-        first, second = self.scene.drives[meeting.first], self.scene.drives[meeting.second]
-        came = self.offsets_s[first.id] + first.course.time_at(meeting.first_s_m)
-        comes = self.offsets_s[second.id] + second.course.time_at(meeting.second_s_m)
-        return comes - came - meeting.lag_s
 
     def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
         """The boxes of somebody over time, and its speeds."""

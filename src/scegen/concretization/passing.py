@@ -75,7 +75,6 @@ def pass_drive(
     passed: DriveDraft,
     *,
     comes_back: bool,
-    hazard: HazardKind | None = None,
 ) -> list[Meeting]:
     """``passer`` overtakes ``passed`` on their common entry arm.
 
@@ -107,7 +106,7 @@ def pass_drive(
     changes = [(out, change, aside)]
     if back:
         changes.append((latest - change, change, passer.entry_lane))
-    change_lanes(scene, passer, changes, hazard)
+    change_lanes(scene, passer, changes)
     difference = passer.body.centre_ahead_m - passed.body.centre_ahead_m
     return [
         Meeting(STRUCTURAL, passed.id, passer.id, middle + difference, middle, 0.0, "side by side")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from scegen.concretization.abreast import crosses_beside
 from scegen.concretization.turning_ways import lanes_to_turn_back, with_turns
 from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
@@ -84,13 +83,8 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
     together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
-    across = crosses_beside(functional)
     swerves = roundabout and bool(kinds & _SWERVING_HAZARDS)
-    crossed = any(
-        drive.participant in across and _among(drive, drives) and drive.turn is Maneuver.STRAIGHT
-        for drive in drives
-    )
-    wide = sideways or swerves or (together and not roundabout) or (crossed and plain)
+    wide = sideways or swerves or (together and not roundabout)
     return 2 if beside or (wide and not oncoming) else 1
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.concretization.asked import endangering_mps
 from scegen.concretization.limits import CYCLING_MPS, JITTER
 from scegen.concretization.setup import Setup
 from scegen.scenario.bodies import BODIES
@@ -15,6 +16,8 @@ def cruise_speed_mps(scene: Setup, participant: Participant) -> float:
     """The parameter's default (or the limit, or a cyclist's pace) with a little jitter."""
     name = f"{participant.id}.speed_mps"
     usual = CYCLING_MPS if participant.kind is ParticipantKind.BICYCLE else scene.limit_mps
+    hazards = scene.functional.hazards
+    usual = endangering_mps(hazards, participant.id, participant.kind, scene.limit_mps) or usual
     low, high, reason = 0.0, 100.0, "usual speed"
     for parameter in scene.logical.parameters:
         if parameter.name == name:

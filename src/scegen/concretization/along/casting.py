@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from scegen.concretization.along.auxiliary import RAMP_MPS, merging
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner, Step
-from scegen.concretization.asked import allowed, dangers
+from scegen.concretization.asked import allowed, dangers, endangering_mps
 from scegen.concretization.limits import (
     PACE_MPS,
     REVERSING_MPS,
@@ -16,7 +16,6 @@ from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import (
     Assignment,
     Crossing,
@@ -28,7 +27,6 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.speed_limits import limit_for_kind_mps
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind
 
 _USUAL_MPS = {
@@ -132,7 +130,10 @@ def _speeds(
             if runner.id in on_ramp:
                 usual = min(usual, RAMP_MPS)
             speed = min(cruising if runner.forward else limit_mps, usual)
-            speed = _endangering(functional, logical, runner, speed, limit_mps)
+            dangerous = endangering_mps(
+                dangers(functional, logical), runner.id, runner.kind, limit_mps
+            )
+            speed = speed if dangerous is None else dangerous
             runner.speed_mps = allowed(logical, runner.id, speed)
     for hazard in dangers(functional, logical):
         if hazard.kind is HazardKind.OVERTAKING:
@@ -183,22 +184,6 @@ def _reverse(runner: Runner, said: Interval | None) -> None:
     runner.speed_mps = min(FORTH_MPS, speed)
     begins = 1.02 * FORTH_M / runner.speed_mps
     runner.steps = [Step(begins, speed, REVERSING_MPS2)]
-
-
-def _endangering(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    runner: Runner,
-    speed_mps: float,
-    limit_mps: float,
-) -> float:
-    """The speed of one whose danger is its speed."""
-    own = limit_for_kind_mps(runner.kind, limit_mps)
-    for hazard in dangers(functional, logical):
-        share = HAZARDS[hazard.kind].speed_share
-        if runner.id in hazard.by and share is not None:
-            return min(share[2] * own, BODIES[runner.kind].top_speed_mps)
-    return speed_mps
 
 
 def _make_faster(

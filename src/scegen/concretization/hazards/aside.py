@@ -11,7 +11,7 @@ from scegen.concretization.abreast import is_outward
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm, victims
+from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.concretization.lane_choice import (
     change_lanes,
     entry_lanes,
@@ -21,13 +21,12 @@ from scegen.concretization.lane_choice import (
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,
-    FAST_LATERAL_MPS2,
     HARD_BRAKING_MPS2,
     LANE_CHANGE_S,
     LATE_BRAKING_MPS2,
 )
-from scegen.concretization.meetings import STRUCTURAL, Meeting, drives_meet
-from scegen.concretization.passing import be_faster, change_length_m, pass_drive, slowing_s_m
+from scegen.concretization.meetings import STRUCTURAL, Meeting
+from scegen.concretization.passing import change_length_m, slowing_s_m
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocked_lane_ahead
@@ -35,7 +34,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Side
 
 _BEFORE_SLOWING_M = 3.0
 _LEAST_RUN_UP_M, _RUN_UP_M = 10.0, 15.0
@@ -146,8 +145,6 @@ def out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meetin
             aside, width, usual = draft.entry_lane, _IN_LANE_M, _IN_LANE_S
     elif not width and beside is not None:
         aside = beside.entry_lane
-    elif not width and _meet_at_centre_line(scene, hazard, draft):
-        aside = 0
     elif not width:
         ring = scene.road.kind is JunctionKind.ROUNDABOUT
         aside = neighbour_lane(scene, draft, oncoming=not ring)
@@ -163,7 +160,6 @@ def out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meetin
 def _over_the_line(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
     """Over the centre line; whom it then meets it meets head-on."""
     if not blocked_lane_ahead(scene, draft):
-        _meet_at_centre_line(scene, hazard, draft)
         draft.entry_lane = min(entry_lanes(scene, draft))
         quick = any(h.kind in _ABRUPT and draft.id in h.by for h in scene.functional.hazards)
         seconds = ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S
@@ -204,43 +200,8 @@ def _sufferer_beside(scene: Setup, hazard: Hazard, draft: DriveDraft) -> DriveDr
     return None
 
 
-def _meet_at_centre_line(scene: Setup, hazard: Hazard, draft: DriveDraft) -> bool:
-    """Put one who strays and those who come towards it next to the centre line, if any come."""
-    oncoming = [
-        other
-        for other in victims(scene, hazard, draft)
-        if other.drive.entry == draft.drive.exit and other.drive.exit == draft.drive.entry
-    ]
-    for each in (draft, *oncoming) if oncoming else ():
-        if not each.lane_changes:
-            each.take_lane(scene.network, min(entry_lanes(scene, each)))
-    return bool(oncoming) and draft.entry_lane == 1
-
-
-def _across(scene: Setup, hazard: Hazard) -> list[Meeting]:
-    """A rider ahead who does not turn off comes over from the kerb, in front of one behind it."""
-    meetings: list[Meeting] = []
-    for rider, other in pairs(scene, hazard):
-        if not same_arm(rider, other) or rider.lane_changes or other.lane_changes:
-            continue
-        if drives_meet(rider, other) is not None or rider.drive.turn is not Maneuver.STRAIGHT:
-            continue
-        if lanes_in(scene, rider) > 1:
-            meetings += come_into_lane(scene, rider, other, hazard.kind)
-        else:
-            meetings += out_and_back(scene, rider, hazard)
-    return meetings
-
-
 def _swerves(scene: Setup, hazard: Hazard) -> list[Meeting]:
     return [m for draft in culprits(scene, hazard) for m in out_and_back(scene, draft, hazard)]
-
-
-def _turn_fast(scene: Setup, hazard: Hazard) -> None:
-    """No slowing down until the last moment, and a fast bend."""
-    for draft in culprits(scene, hazard):
-        draft.lateral_mps2 = FAST_LATERAL_MPS2
-        draft.slowing_mps2 = 6.0
 
 
 def _turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
@@ -262,34 +223,6 @@ def _brake_out_of_control(scene: Setup, hazard: Hazard) -> None:
             draft.add_speed_change(SpeedChange(place, 2.0, rate, hazard.kind, hold_s=1.0))
 
 
-def _overtakes(scene: Setup, hazard: Hazard) -> list[Meeting]:
-    meetings: list[Meeting] = []
-    for passer, passed in _passing(scene, hazard):
-        if not passer.lane_changes:
-            meetings += pass_drive(scene, passer, passed, comes_back=True, hazard=hazard.kind)
-    return meetings
-
-
-def _passing(scene: Setup, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
-    """Who overtakes whom: the first of those named, else anybody on its arm."""
-    named = [(c, v) for c, v in pairs(scene, hazard) if same_arm(c, v)]
-    anybody = [
-        (c, d)
-        for c, _ in pairs(scene, hazard)
-        for d in scene.drives.values()
-        if d is not c and same_arm(c, d)
-    ]
-    return (named or anybody)[:1]
-
-
-def _speed_up(scene: Setup, hazard: Hazard) -> None:
-    for passer, passed in _passing(scene, hazard):
-        be_faster(scene, passer, passed)
-
-
-CROSSES = Rule(shape=_across, meets=False)
-"""Somebody rides across another's way: as one who crosses, or coming over from ahead."""
 STRAYS = Rule(shape=_swerves)
 LOSES_CONTROL = Rule(shape=_swerves, act=_brake_out_of_control)
-TURNS_SUDDENLY = Rule(prepare=_turn_fast, shape=_turn_the_wheel)
-OVERTAKES = Rule(prepare=_speed_up, shape=_overtakes)
+TURNS_SUDDENLY = Rule(shape=_turn_the_wheel)

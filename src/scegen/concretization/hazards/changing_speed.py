@@ -14,12 +14,10 @@ from scegen.concretization.hazards.rule import (
     Rule,
     culprits,
     happens_s_m,
-    same_arm,
     stops_for_walkers,
     victims,
 )
 from scegen.concretization.setup import Setup
-from scegen.concretization.turning import bend_of
 from scegen.scenario.acts import Act
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS
@@ -30,10 +28,8 @@ _HOLD_S = 1.5
 _AFTER_WALKER_S = 0.5
 _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
-_SLOWER = 0.65
-"""The part of its usual speed from which one speeds up suddenly."""
 _BEFORE_M = 5.0
-_TOO_LATE_M, _OUT_OF_BEND_M, _FIRST_M = 15.0, 2.0, 5.0
+_FIRST_M = 5.0
 
 
 def _act_of(scene: Setup, hazard: Hazard, draft: DriveDraft) -> Act | None:
@@ -43,18 +39,6 @@ def _act_of(scene: Setup, hazard: Hazard, draft: DriveDraft) -> Act | None:
     if draft.reversal is not None or any(a.kind in alike for a in scene.speed_acts(draft.id)):
         return None
     return Act(id=f"{hazard.kind}_of_{draft.id}"[:40], participant=draft.id, kind=kind)
-
-
-def _prepare(scene: Setup, hazard: Hazard) -> None:
-    """Who speeds up comes slower than is usual, but for one who follows its sufferer."""
-    for draft in culprits(scene, hazard):
-        act = _act_of(scene, hazard, draft)
-        follows = any(same_arm(draft, victim) for victim in victims(scene, hazard, draft))
-        if act is None or act.kind not in GAINING or follows or scene.has_said_speed(draft.id):
-            continue
-        before, draft.cruise_mps = draft.cruise_mps, draft.cruise_mps * _SLOWER
-        reason = "sudden acceleration: reduced speed first"
-        scene.note(f"{draft.id}.speed_mps", draft.cruise_mps, reason, before)
 
 
 def _change_speed(scene: Setup, hazard: Hazard) -> None:
@@ -69,9 +53,7 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
         )
         if act.kind in GAINING:
             draft.resume_mps = target
-            draft.add_speed_change(
-                SpeedChange(_clear_of_bend(draft, event, target), target, rate, hazard.kind)
-            )
+            draft.add_speed_change(SpeedChange(max(_FIRST_M, event), target, rate, hazard.kind))
             continue
         late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
         struck = [v.id for v in victims(scene, hazard, draft)]
@@ -87,12 +69,4 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
         )
 
 
-def _clear_of_bend(draft: DriveDraft, place_m: float, target_mps: float) -> float:
-    """Nobody speeds up into a bend that it cannot hold: it does so out of the bend."""
-    bend = bend_of(draft.laid, target_mps, draft.lateral_mps2)
-    if bend is not None and place_m > bend.start_s_m - _TOO_LATE_M:
-        place_m = bend.end_s_m - _OUT_OF_BEND_M
-    return max(_FIRST_M, place_m)
-
-
-CHANGES_SPEED = Rule(prepare=_prepare, act=_change_speed)
+CHANGES_SPEED = Rule(act=_change_speed)
