@@ -50,6 +50,8 @@ class Judge(Teller):
         nearly = self._phrase("nearly", start, event.i)
         parent = event.parent
         held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"}
+        if parent is not None and _in_vain(parent):
+            return Ending(OutcomeKind.COLLISION, basis, self._between(scene))
         if event.name == "overlook":
             kind = OutcomeKind.NEAR_MISS
         elif nearly is not None:
@@ -116,7 +118,8 @@ class Judge(Teller):
             if span is None:
                 continue
             start = max(self._text.bounds(span[0])[0], span[0] - _BEFORE)
-            if name == "collision" and self._supposed(start, span[0]):
+            vain = any(_in_vain(c.event) for c in self._text.within(start, span[0]))
+            if name == "collision" and self._supposed(start, span[0]) and not vain:
                 continue
             if name == "avoided" and ends_a_quantity(self._text.tokens, span[0]):
                 continue
@@ -303,3 +306,10 @@ class Judge(Teller):
             amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
             apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT)
             self._happenings.spacings.append(apart)
+
+
+def _in_vain(event: Event) -> bool:
+    """``cannot avoid hitting him``, ``fails to prevent it``: it happens all the same."""
+    denied = event.negated or event.unable
+    failed = event.parent is not None and event.parent.name == "fail"
+    return event.name in {"avoid", "prevent"} and (denied or failed)
