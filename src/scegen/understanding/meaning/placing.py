@@ -101,7 +101,8 @@ class Placer:
         """``the oncoming car``, ``a northbound truck``."""
         approaches = adjective_approaches(mention.dirs)
         term = mention.mod("dir") or mention.head
-        for entity in mention.entities:
+        coming = term is not None and self._draft.tokens[term.i].low == "next"
+        for entity in mention.entities if not coming else []:  # "the next car ahead"
             if approaches and term is not None:
                 self._draft.place(entity, None, set(approaches), Basis(term.i, term.j))
         for mod in mention.mods:
