@@ -13,13 +13,16 @@ from pydantic import Field, model_validator
 from scegen.scenario.model import FrozenModel
 from scegen.scenario.vocabulary import Side
 
+MOST_BACK_M = 100.0
+"""Nobody backs up for longer."""
+
 
 class BacksUp(FrozenModel):
     """Stops at ``from_m`` along the drive, goes ``length_m`` back on its own way, drives on."""
 
     type: Literal["backs_up"] = "backs_up"
     from_m: float = Field(gt=0)
-    length_m: float = Field(gt=0, le=100)
+    length_m: float = Field(gt=0, le=MOST_BACK_M)
 
 
 class BacksOut(FrozenModel):

@@ -11,6 +11,7 @@ from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import FORTH_M, Runner, Step
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.bodies import BODIES
@@ -28,7 +29,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Standing
-from scegen.scenario.reversing import BacksUp
+from scegen.scenario.reversing import MOST_BACK_M, BacksUp
 
 _LEAST_MOVE_M = 2.0
 _BETWEEN_M = 0.1
@@ -49,6 +50,12 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
     reversal = None
     if runner.backs:
         back = runner.profile.way_m(frame.lasts_s) - FORTH_M
+        if back + _SPARE_M > MOST_BACK_M:
+            raise MotionInfeasibleError(
+                f"it would back up for {back:.0f} m, more than {MOST_BACK_M:g} m",
+                where=participant.id,
+                hint="Say when it stops, or at which speed it reverses.",
+            )
         reversal = BacksUp(from_m=round(start + FORTH_M, 3), length_m=round(back + _SPARE_M, 3))
     motion = DriveMotion(
         entry=entry,

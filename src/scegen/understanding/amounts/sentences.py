@@ -141,7 +141,12 @@ class Sentences:
             if chunk.j <= start:
                 return []
             if isinstance(chunk, Mention):
-                owns = self.low(chunk.j, i).split() in (["'s"], ["'"])  # "the ego's 60 km/h"
+                between = self.low(chunk.j, i).split()
+                owns = between in (
+                    ["'s"],
+                    ["'"],
+                    ["("],
+                )  # "the ego's 60 km/h", "a van (45 km/h)"
                 return list(chunk.entities) if owns or not chunk.possessor else []
             if not isinstance(chunk, Word):
                 return []

@@ -76,7 +76,8 @@ class ClauseReader:
         elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            if not (self._denied_way(word) or self._heading_of_a_noun(word, k)):
+            attached = self._denied_way(word) or self._heading_of_a_noun(word, k)
+            if not (attached or self._in_brackets_after(word, k)):
                 self._adverb(word, k)
         elif word.value == "either" and state.prep is not None:
             return  # "from either the left or the right"
@@ -197,6 +198,16 @@ class ClauseReader:
             before[0].mods.append(word.term)
         return after
 
+    def _in_brackets_after(self, word: Word, k: int) -> bool:
+        """``the path of a van (45 km/h)``: the van's."""
+        who, mark = self._chunks[k - 2 : k] if k > 1 else (None, None)
+        bracket = isinstance(mark, Word) and mark.value == "("
+        if word.cat != "quantity" or not bracket or not isinstance(who, Mention):
+            return False
+        release(self._state)
+        who.mods.append(word.term)
+        return True
+
     def _clause_start(self) -> bool:
         """The candidate is new: words after it belong to it and not to the verb before."""
         state = self._state
@@ -211,6 +222,8 @@ class ClauseReader:
         following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
         finite = not event.nominal and event.form != "ing"
         before, opener = (self._chunks[m] if m >= 0 else None for m in (k - 1, k - 2))
+        if isinstance(before, Word) and before.cat == "conj":
+            return False  # "comes up from behind and overtakes the ego"
         adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
         opens = opener is None or (isinstance(opener, Word) and opener.cat in _OPENERS)
         fronted = bool(self._state.fronted) or (adverb and opens)

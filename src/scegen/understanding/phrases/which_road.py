@@ -93,7 +93,9 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
         return None  # "with 5 exits the ego takes the second exit": the verb has its own object
     lemma, stranded = _lemma(event, tokens), _text(after, tokens)
     preposed = isinstance(after, Word) and after.cat == "prep" and not opener
-    preposed = preposed and not isinstance(_at(chunks, m + 1), Mention | Place | Event)
+    beyond = _at(chunks, m + 1)
+    behind = isinstance(beyond, Word) and beyond.cat == "locus"  # "a car comes up from behind"
+    preposed = preposed and not (behind or isinstance(beyond, Mention | Place | Event))
     for said, end in ((f"{lemma} {stranded}", m + 1), (f"{lemma} {opener}".strip(), m)):
         for arm in CrossedArm:
             if said in load_ways()[arm.value] and (preposed or end == m):
