@@ -25,7 +25,6 @@ from scegen.understanding.phrases.headings import lead, silence
 from scegen.understanding.phrases.identity import in_brackets
 from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.repeated import repeat
-from scegen.understanding.phrases.side_of import sides_of
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
@@ -86,7 +85,7 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = lanes_meant(Chunker(terms, tokens).run())
     chunks = name_roads(name_hiders(chunks), tokens)
-    chunks = spell_out(both_sides(sides_of(in_brackets(chunks)), tokens))
+    chunks = spell_out(both_sides(in_brackets(chunks), tokens))
     chunks = repeat(silence(lead(chunks)), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)

@@ -23,7 +23,6 @@ def as_fast(text: Sentences, context: Context) -> None:
         context: the scenario in the making; speeds are filled in.
     """
     _joined(text)
-    _likewise(text)
     _alike(text, context)
     _followed(text, context)
     _in_one_lane(text, context)
@@ -42,21 +41,6 @@ def _joined(text: Sentences) -> None:
                 basis = last.speed_basis or Basis(own[0].i, own[0].j)
                 entity.speed = last.speed
                 entity.speed_basis = Basis(basis.i, basis.j, "said of both")
-
-
-def _likewise(text: Sentences) -> None:
-    """``the ego does 50 km/h, the van behind it too``: as fast as who was told of before."""
-    for k, token in enumerate(text.tokens):
-        after = text.tokens[k + 1 : k + 2]
-        part = text.elided(k) if token.low == "too" else None
-        if part is None or (after and after[0].kind != "punct"):
-            continue
-        start, _ = text.bounds(k)
-        before = [e for m in text.mentions if start <= m.i < part[0] for e in m.entities]
-        for entity in part[1] if before else []:
-            if entity.speed is None and entity.is_vehicle:
-                entity.speed = before[-1].speed
-                entity.speed_basis = Basis(part[0], k + 1, "as fast as the other")
 
 
 def _alike(text: Sentences, context: Context) -> None:

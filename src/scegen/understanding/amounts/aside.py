@@ -28,9 +28,6 @@ class Aside(Teller):
         if not said or not who or not own:
             return False
         amount = self.signed(number)
-        if number.around.preceded("within"):
-            most = number.quantity.exact.high
-            amount = Amount(Interval(low=-most, high=most), amount.basis)
         self._happenings.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], amount))
         return True
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Maneuver, Side
+from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
@@ -69,8 +69,6 @@ class Filler(Teller):
         if not who or who[0].parked or event.nominal:
             return None
         entity = who[0]
-        if entity.maneuvers == {Maneuver.STAY}:
-            entity.maneuvers, entity.stands = set(), None
         start, _ = self._text.bounds(number.i)
         own = [a for a in self._happenings.acts if a.entity is entity and start <= a.i <= event.i]
         if own and own[-1].kind is ActKind.STOP and not own[-1].amounts:
@@ -95,9 +93,6 @@ class Filler(Teller):
             amount = changed
         if role == "lateral_move":
             doing = self._further(doing) if name in doing.amounts else doing
-            if doing.kind is ActKind.CHANGE_LANE and amount.value.high <= _WITHIN_M:
-                doing.kind = ActKind.SWERVE
-                doing.entity.maneuvers -= {Maneuver.LANE_CHANGE}
             self._side(doing, number)
         for same in self._alike(doing):
             if name in same.amounts and same.amounts[name].value != amount.value:
@@ -175,23 +170,10 @@ class Filler(Teller):
         frame = frames().get(noun.name) if noun is not None and noun.nominal else None
         return [a for a in acts if frame is not None and a.kind is frame.kind]
 
-    def _own_stop(self, event: Event | None) -> Doing | None:
-        """``our own stop takes 3 s``: whose it is says the word before it."""
-        noun = event.parent if event is not None else None
-        frame = frames().get(noun.name) if noun is not None and noun.nominal else None
-        said = [m for m in noun.mods if m.cat == "possessive"] if noun is not None else []
-        ego = [e for e in self._context.draft.entities if e.ego]
-        if frame is None or noun is None or not said or not ego:
-            return None
-        if said[0].value != "first_person":
-            return None
-        basis = Basis(noun.i, noun.j)
-        return self.add(Doing(frame.kind, ego[0], basis, noun.i, told=[noun.i], nominal=True))
-
     def _made(self, number: Measured, role: str, event: Event | None) -> Doing | None:
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
         if role == "duration":
-            return self._own_stop(event)
+            return None
         kind = ActKind.SWERVE if role == "lateral_move" else None
         frame = frames().get(event.name) if event is not None and event.name != "move" else None
         gains = frame is not None and frame.kind in _GAINING
@@ -199,16 +181,11 @@ class Filler(Teller):
             words = f"{number.around.before}{' '.join(number.around.after.split()[:1])}"
             gains = gains or any(w in words for w in ("accelerat", " start", " sets "))
             kind = ActKind.ACCELERATE if gains else ActKind.BRAKE
-        elif role == "speed_after" and gains:
-            kind = ActKind.ACCELERATE
         who = self._text.subject_before(number.i)
         if kind is None or not who:
             return None
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
         doing.told += [event.i] if event is not None and event.i < number.i else []
-        _, end = self._text.bounds(number.i)
-        if kind is ActKind.BRAKE and self._text.says("standstill", number.i, end) is not None:
-            doing.amounts["target_speed_mps"] = Amount(STILL, doing.basis)
         return self.add(doing)
 
     def _changed(self, doing: Doing, number: Measured) -> Amount | None:

@@ -95,8 +95,6 @@ def _hide(danger: Danger, text: Sentences, found: list[Item]) -> None:
         if item not in found:
             found.append(item)
         danger.items.append(item)
-        if item.side is None:
-            item.side = _side_of(item.hides, danger)
 
 
 def _also_hide(text: Sentences, context: Context, found: list[Item]) -> None:
@@ -173,9 +171,6 @@ def item_of(thing: Thing, text: Sentences) -> Item:
 def _hidden(thing: Thing, text: Sentences, i: int, j: int) -> list[Entity]:
     """Whom a thing hides: whom the verb names, or who is behind it."""
     start, end = text.bounds(i)
-    for mention in text.mentions:
-        if any(_behind(p, thing) for p in mention.pps):
-            return list(mention.entities)
     here = [s for s in text.within(start, end) if s.event.name in _VERBS]
     for scene in here:
         if any(_behind(p, thing) for p in scene.event.pps):
@@ -195,11 +190,3 @@ def _seen_in(scene: Clause) -> list[Entity]:
 
 def _behind(prep: Prep, thing: Thing) -> bool:
     return prep.target is thing and (prep.value in _HIDING or prep.outer == "from")
-
-
-def _side_of(hidden: list[Entity], danger: Danger) -> Side | None:
-    """What hides one who comes from the right stands on the right."""
-    for entity in (*hidden, *danger.to):
-        if len(entity.approaches) == 1:
-            return _SEEN.get(next(iter(entity.approaches)))
-    return None

@@ -50,8 +50,6 @@ class Judge(Teller):
         nearly = self._phrase("nearly", start, event.i)
         parent = event.parent
         held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"}
-        if parent is not None and _in_vain(parent):
-            return Ending(OutcomeKind.COLLISION, basis, self._between(scene))
         if event.name == "overlook":
             kind = OutcomeKind.NEAR_MISS
         elif nearly is not None:
@@ -162,8 +160,6 @@ class Judge(Teller):
         ego = ego_of(self._context)
         for place in self._text.places(start, end, {"side", "front", "flank"}):
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
-            if place.kind == "front":
-                part = BodySide.FRONT
             whose = self._owner(place, i)
             flank = part is not None and part not in _OPPOSED
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
@@ -187,8 +183,6 @@ class Judge(Teller):
                 and part is BodySide.REAR
             ):
                 ending.struck, ending.struck_basis = BodySide.FRONT, basis
-                if ego is not None and self._is_hit(ego, i):
-                    ending.struck = None
         self._by_the_bonnet(ending, start, end)
 
     def _by_the_bonnet(self, ending: Ending, start: int, end: int) -> None:
@@ -220,18 +214,12 @@ class Judge(Teller):
             return place.owner.entities[0]  # type: ignore[no-any-return]
         if any((m.cat, m.value) == ("possessive", "first_person") for m in place.mods):
             return ego_of(self._context)
-        k = next(k for k, c in enumerate(self._text.chunks) if c is place)
-        of = self._text.chunks[k + 1 : k + 3]
-        if len(of) == 2 and getattr(of[0], "value", "") == "of" and isinstance(of[1], Mention):
-            return of[1].entities[0] if of[1].entities else None
         own = any(m.cat == "possessive" and m.value == "its" for m in place.mods)
         done = [s for s in self._text.scenes if s.event.object is place]
         scene = next((s for s in (*done, *self._text.scenes) if s in done or s.event.i == i), None)
         if scene is None:
             return None
         direct = scene.event.object is place
-        if direct and scene.targets:
-            return scene.targets[0]
         flank = bool({"left", "right"} & set(place.dirs))
         at = place.prep is not None and place.prep.value == "in"
         if at and not own and scene.event.name == "collide" and scene.targets:

@@ -95,10 +95,6 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     bracketed = _bracketed(number, text)
     if bracketed is not None and subject and bracketed not in subject:
         return subject[0], bracketed
-    if noun is None and located:
-        behind = _named_in_front(number, text)
-        if behind is not None and subject and behind not in subject:
-            return behind, subject[0]
     by_verb = number.frame.role in {"overlap", "headway", "ttc"} or not (named or located)
     if by_verb and scene is not None and scene.actors and scene.targets:
         return scene.actors[0], scene.targets[0]
@@ -138,32 +134,3 @@ def _bracketed(number: Measured, text: Sentences) -> Entity | None:
     before = [m for m in text.mentions if m.j == opening and m.entities]
     first: Entity | None = before[0].entities[0] if before else None
     return first
-
-
-def _named_in_front(number: Measured, text: Sentences) -> Entity | None:
-    """``changes lanes in front of a car, 20 m behind``: the car is behind."""
-    if not number.around.after.startswith(" behind "):
-        return None
-    start, _ = text.bounds(number.i)
-    before = [m for m in text.mentions if start <= m.i < number.i and m.entities]
-    last = before[-1] if before else None
-    ahead = last is not None and last.prep is not None and last.prep.value == "ahead"
-    first: Entity | None = last.entities[0] if last is not None and ahead else None
-    return first
-
-
-def passed(number: Measured, one: Entity, other: Entity, text: Sentences) -> tuple[Entity, Entity]:
-    """``a bus overtakes the cyclist, passing with 1 m``: to the cyclist.
-
-    Args:
-        number: the width between them.
-        one: who passes.
-        other: from whom it seems to be.
-        text: the text with its clauses.
-    """
-    start, end = text.bounds(number.i)
-    for scene in text.within(start, end):
-        past = scene.event.name in {"overtake", "pass", "bypass"} and scene.targets
-        if past and scene.actors[:1] == [one] and other not in scene.targets:
-            return one, scene.targets[0]
-    return one, other

@@ -6,7 +6,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.aside import Aside
-from scegen.understanding.amounts.pairs import pair_of, passed, row_of
+from scegen.understanding.amounts.pairs import pair_of, row_of
 from scegen.understanding.amounts.releasing import JUNCTION, Releaser
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.teller import Teller
@@ -77,23 +77,6 @@ class Spacer(Teller):
             self._happenings.spacings.append(self._between(number, measure, *pair, at))
         return True
 
-    def in_line(self, number: Measured) -> bool:
-        """``then a coach 1 s after the ego``: nothing is done, so it is a place in a line."""
-        start, end = self._text.bounds(number.i)
-        who = self._text.part(number.i)[1]
-        named = [m for m in self._text.mentions if number.j <= m.i < end and m.entities]
-        told = self._text.within(start, end)
-        if told or not who or not named or number.around.after.split()[:1] != ["after"]:
-            return False
-        one, other = who[0], named[0].entities[0]
-        if one is other or not (one.is_vehicle and other.is_vehicle):
-            return False
-        amount = amount_of(number)
-        if not any(one in (p.entity, p.reference) for p in self._context.draft.placements):
-            self._context.draft.place(one, other, {Approach.BEHIND}, amount.basis)
-        self._happenings.spacings.append(Apart(Measure.HEADWAY_S, one, other, amount))
-        return True
-
     def _sideways(self, measure: Measure, number: Measured, one: Entity, other: Entity) -> Measure:
         """``passes the parked van at 1 m``, ``drives beside it, 1 m away``: from side to side."""
         near = number.quantity.exact.high <= _ARMS_LENGTH
@@ -111,11 +94,7 @@ class Spacer(Teller):
         """The spacing of two, the one whose it is first."""
         entity, reference, side = one, other, None
         amount = self._with_place(amount_of(number), number)
-        if len(number.quantity.parts) > 1 and number.around.preceded("from"):
-            amount = Amount(number.quantity.parts[0], amount.basis)  # "closes from 40 m to 15 m"
-        if measure is Measure.LATERAL_GAP_M:
-            entity, reference = passed(number, one, other, self._text)
-        elif measure is Measure.LATERAL_OFFSET_M:
+        if measure is Measure.LATERAL_OFFSET_M:
             amount = self._aside.signed(number)
         elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
             entity, reference = in_file(one, other, self._context)
@@ -207,8 +186,6 @@ class Spacer(Teller):
         if measure is Measure.OVERLAP_PERCENT:
             return CONTACT
         start, end = self._text.bounds(number.i)
-        if self._text.says("contact", start, end):
-            return CONTACT
         acts = [a for a in self._happenings.acts if a.entity in (entity, reference)]
         if measure is Measure.LATERAL_GAP_M:
             acts = [] if entity.parked or reference.parked else acts

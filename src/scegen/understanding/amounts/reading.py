@@ -43,7 +43,7 @@ def read_amounts(
     found = Happenings(acts=acts_in(text, context))
     judge = Judge(text, context, found)
     judge.read()
-    measured = _in_lists([_measured(q, numbers, text) for q in numbers.quantities], text)
+    measured = [_measured(q, numbers, text) for q in numbers.quantities]
     measured = [_of_who_is_there(n, text, context) for n in measured]
     for number in (n for n in measured if n.frame.role == "speed"):
         if not held(number, text, context, found):
@@ -62,7 +62,7 @@ def read_amounts(
         elif role == "driven":
             done = releaser.driven(number)
         elif role == "delay":
-            done = spacer.in_line(number) or clock.delay(number)
+            done = clock.delay(number)
         elif role == "impact":
             done = judge.impact(number)
         elif role == "relative_speed":
@@ -84,21 +84,6 @@ def _measured(quantity: Quantity, numbers: Numbers, text: Sentences) -> Measured
     if event is None:
         return numbers.measured(quantity)
     return numbers.measured(quantity, event.name, None if event.perfect else event.i)
-
-
-def _in_lists(measured: list[Measured], text: Sentences) -> list[Measured]:
-    """``truck 0.4 m and ego 0.2 m off the lane centre``: what is said once holds for both."""
-    found = list(measured)
-    for k in reversed(range(len(found) - 1)):
-        one, following = found[k], found[k + 1]
-        same = one.quantity.dimension == following.quantity.dimension
-        if one.frame.role != "other" or not same or following.frame.role in {"other", "driven"}:
-            continue
-        between = text.low(one.j, following.i).split()
-        named = [m for m in text.mentions if one.j <= m.i < following.i and m.entities]
-        if between[:1] in (["and"], [","]) and named and named[-1].j == following.i:
-            found[k] = replace(one, frame=following.frame, around=following.around)
-    return found
 
 
 def _of_who_is_there(number: Measured, text: Sentences, context: Context) -> Measured:

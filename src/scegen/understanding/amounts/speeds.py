@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.draft import Basis, Entity
@@ -45,7 +45,6 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
-    _move_along(whose, number, text)
     if whose and all(e.speed not in (None, quantity.value) for e in whose):
         whose = _without_speed(number, text) or whose
     for entity in whose:
@@ -64,16 +63,6 @@ def _afoot(number: Measured, context: Context) -> list[Entity]:
     if not any(number.around.preceded(w) for w in words()["afoot"]):
         return []
     return [e for e in context.draft.entities if not e.is_vehicle and e.speed is None][:1]
-
-
-def _move_along(whose: list[Entity], number: Measured, text: Sentences) -> None:
-    """``sits 7 m behind the ego at 85 km/h``: it does not stand there."""
-    event = text.verb_at(number.i, number.j)
-    for entity in whose:
-        sits = event is not None and entity.stands is not None and entity.stands.i == event.i
-        if sits and number.quantity.value.low > 0:
-            entity.stands, entity.speed = None, None
-            entity.maneuvers -= {Maneuver.STAY}
 
 
 def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | None:
@@ -102,10 +91,7 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     """Who drives or walks so fast."""
     tokens = text.tokens
     start, _ = text.bounds(number.i)
-    ours = [t.low for t in tokens[max(start, number.i - 2) : number.i] if t.low != "own"]
     ego = ego_of(context)
-    if ours[-1:] in (["our"], ["my"]) and ego is not None:
-        return [ego]  # "faster than our own 60 km/h"
     own = text.holder(number.i, number.j)
     if own:
         return own

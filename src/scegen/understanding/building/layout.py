@@ -289,9 +289,6 @@ class Layout:
             implied = Basis(around.highway.i, around.highway.j, reason)
         lanes = [e.start_lane for e in self._draft.entities if e.start_lane is not None]
         named = [name for name, _ in lanes]
-        told = next((basis for name, basis in lanes if name.isdigit() or name == "middle"), None)
-        if implied is None and told is not None:
-            implied = Basis(told.i, told.j, "the lane that is named needs the others")
         if implied is None or not (ring or named or around.highway is not None):
             return (), None, None  # as many as it takes
         count = _MOST_LANES if "middle" in named or self._middle_lane() else _FEWEST_TO_NAME

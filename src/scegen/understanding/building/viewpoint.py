@@ -61,9 +61,6 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     exposed = walkers or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
     sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
-    screens = {e.index for d in draft.dangers if d.kind is HazardKind.OCCLUSION for e in d.by}
-    if walkers and all(e.index in screens & still for e in candidates):
-        return _added(draft, "somebody comes out from behind what stands; a car is added")
     if all(_seen(draft, e, sides) or (led and e.index in still) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)

@@ -12,7 +12,6 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
 from scegen.understanding.clauses import relatives, subjects
 from scegen.understanding.clauses.attachment import preposition, release
-from scegen.understanding.clauses.located import placed_last
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.absolutes import absolute
@@ -26,7 +25,6 @@ from scegen.understanding.phrases.lookahead import (
     main_verb_follows,
     only_a_noun_follows,
     phrase_follows,
-    spoken_of,
     view_of,
 )
 from scegen.understanding.words.terms import Term
@@ -154,10 +152,6 @@ class ClauseReader:
         if copular and state.candidate is not None and not state.candidate_done:
             state.candidate.mods.append(word.term)  # "the one behind me is too close"
             return
-        placed = placed_last(state) if word.value == "close" and not before_event else None
-        if placed is not None:
-            placed.mods.append(word.term)
-            return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         if "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word.term)
@@ -279,9 +273,7 @@ class ClauseReader:
         if relatives.close(event, state):
             self.events.append(event)
             return
-        if spoken_of(event, k, self._chunks):
-            event.name, event.nominal = "inert", True
-        elif self._inverted(event, k):
+        if self._inverted(event, k):
             event.finite = True
             state.pending.append(event)
         elif not self._by_a_stranger(event, k):

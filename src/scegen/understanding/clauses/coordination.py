@@ -61,8 +61,6 @@ def coordinate(event: Event, state: State) -> None:
         return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject
-    if parallel.name == "pull_out" and event.name in {"overtake", "bypass", "pass"}:
-        parallel.children.append(event)  # "pulls out and goes past the van": in order to
     if parallel.name in {"inert", "unknown"}:  # "changed his mind at the last moment and turned"
         event.mods += [m for m in parallel.mods if (m.cat, m.value) == ("manner", "sudden")]
     if wanted != "finite":

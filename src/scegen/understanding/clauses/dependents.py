@@ -105,11 +105,7 @@ def _in_a_phrase(event: Event, state: State) -> None:
     """``is in the middle of a left turn``, ``during its left turn``: whose it is."""
     who = state.candidate if not state.candidate_done else None
     last = state.events[-1] if state.events else None
-    own = any(m.cat == "possessive" and m.value == "its" for m in event.mods)
-    agent = state.anchor if isinstance(state.anchor, Mention) and own else None
-    if agent is not None and agent.prep is not None and agent.prep.value == "by":
-        event.subject = chain(agent)  # "is hit by a van during its left turn"
-    elif who is not None and (last is None or last.j <= who.i):
+    if who is not None and (last is None or last.j <= who.i):
         event.subject = chain(who)
     elif last is not None:
         event.subject = last.subject

@@ -41,9 +41,6 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     mention.joined = anchor
     mention.pps += [p for p in anchor.pps if p.fronted]
-    for event in state.events:
-        if event.finite and event.i < anchor.i and event.subject[-1:] == [anchor]:
-            event.subject.append(mention)  # "from the left come a bus and a van"
     if waiting:
         state.candidate = mention
     for event in state.events:

@@ -28,7 +28,7 @@ def late_braking(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         if not isinstance(chunk, Thing) or tokens[chunk.j - 1].low not in word_list("brakes"):
             continue
         late = _late_near(k, chunks)
-        who = _whose_brakes(chunk, k, chunks)
+        who = _subject_before(k, chunks)
         if late is not None and who is not None:
             event = Event("brake", late.i, late.j, "s", finite=True, mods=[late.term])
             event.subject = [who]
@@ -67,12 +67,6 @@ def _late_near(k: int, chunks: list[Chunk]) -> Word | None:
             if isinstance(chunk, Word) and (chunk.cat, chunk.value) == ("manner", "late"):
                 return chunk
     return None
-
-
-def _whose_brakes(brakes: Thing, k: int, chunks: list[Chunk]) -> Mention | None:
-    if brakes.owner is not None:
-        return brakes.owner
-    return _subject_before(k, chunks)
 
 
 def _subject_before(k: int, chunks: list[Chunk]) -> Mention | None:

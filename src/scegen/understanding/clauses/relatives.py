@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.clauses.state import State
 
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
@@ -29,9 +29,6 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         if before and isinstance(before[-1], Word) and before[-1].value == ",":
             before.pop()
     about = before[-1] if before else None
-    if isinstance(about, Place) and state.candidate is not None and _travels(k, chunks):
-        state.relative = (mention, about)
-        return True
     if marked and not isinstance(about, Mention):
         about = _described_before(chunks[: k - 1])
     if not isinstance(about, Mention) or not about.heads or about.possessor:
@@ -43,19 +40,6 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     state.relative = (mention, about)
     return True
-
-
-def _travels(k: int, chunks: list[Chunk]) -> bool:
-    """``the street it is turning into``: which place it is, told by who is about to go there."""
-    be, verb = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    after = [c for c in chunks[k + 3 : k + 5] if not isinstance(c, Word) or c.cat != "prep"]
-    copula = isinstance(be, Word) and (be.cat, be.value) == ("aux", "be")
-    told = chunks[k]
-    who = isinstance(told, Mention) and (
-        told.pronoun is not None or any(h.data.get("ego") for h in told.heads)
-    )
-    going = isinstance(verb, Event) and verb.form == "ing" and verb.name in _GOING
-    return who and copula and going and not (after and not isinstance(after[0], Word | Event))
 
 
 def _described_before(chunks: list[Chunk]) -> Chunk | None:

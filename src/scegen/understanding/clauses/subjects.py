@@ -200,10 +200,6 @@ def _after_comma(event: Event, state: State) -> None:
     if state.resumed and event.finite and not waiting:
         event.subject, state.resumed = state.resumed, []
         return
-    been = "aux:be" in state.between and who in state.trailing and bool(state.main)
-    if waiting and been and event.form == "s":
-        event.subject = state.main  # "steps out when the ego is 30 m away, walks on and stops"
-        return
     if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
@@ -211,17 +207,12 @@ def _after_comma(event: Event, state: State) -> None:
     if beside is not None:
         event.subject = [beside]
         return
-    seen = None if event.finite else _agent_before(event, state) or _seen_coming(event, state)
-    if seen is not None:
-        event.subject = chain(seen)
-    elif state.candidate is not None and (event.finite or not state.main):
+    if state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
     elif state.events:
         event.subject = main_in_sentence(state)
         if not event.finite:
             _inherit_mood(event, state)
-    elif isinstance(state.anchor, Mention):
-        event.subject = chain(state.anchor)
     else:
         state.pending.append(event)
 
@@ -235,30 +226,6 @@ def _told_beside(event: Event, state: State) -> Mention | None:
     return next(
         (m for m in state.mentions if m.i > since and m.prep and m.prep.value == "with"), None
     )
-
-
-def _agent_before(event: Event, state: State) -> Mention | None:
-    """``was struck by a van, heading west``: the van was."""
-    anchor = state.anchor
-    last = state.events[-1] if state.events else None
-    if not isinstance(anchor, Mention) or anchor.prep is None or anchor.prep.value != "by":
-        return None
-    passive = last is not None and last.passive and any(p.target is anchor for p in last.pps)
-    return anchor if passive and event.name in {"move", "turn"} else None
-
-
-def _seen_coming(event: Event, state: State) -> Mention | None:
-    """``finds it in its lane, arriving from the left``: who is seen arrives."""
-    right_before = bool(state.events) and state.events[-1].name == "encounter"
-    if event.form != "ing" or event.name not in {
-        "approach",
-        "appear",
-        *(["move"] if right_before else []),
-    }:
-        return None
-    seen = [e.object for e in state.events if e.name == "encounter" and e.finite]
-    last = seen[-1] if seen else None
-    return last if isinstance(last, Mention) else None
 
 
 def _inherit_mood(event: Event, state: State) -> None:

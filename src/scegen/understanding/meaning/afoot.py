@@ -39,7 +39,6 @@ def comes_from_the_side(mention: Mention, context: Context) -> None:
         context: the scenario in the making.
     """
     walkers = [e for e in mention.entities if not e.is_vehicle]
-    cyclists = [e for e in mention.entities if context.is_cyclist(e) and not e.ego]
     for prep in mention.pps:
         place = prep.target
         sided = isinstance(place, Place) and place.kind in {"side", "direction", "sidewalk"}
@@ -48,5 +47,3 @@ def comes_from_the_side(mention: Mention, context: Context) -> None:
         basis = Basis(mention.i, place.j if place is not None else mention.j)
         if walkers:
             context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
-        if cyclists and place is not None and "sidewalk" in getattr(place, "kind", ""):
-            context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)

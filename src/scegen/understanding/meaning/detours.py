@@ -58,9 +58,6 @@ def _by_verb(ego: Entity, clauses: list[Clause], context: Context) -> Basis | No
         moves = ego in clause.actors or (ego in clause.targets and event.name in _MOVED)
         if not moves or event.negated or (event.passive and event.name not in _MOVED):
             continue
-        taken = event.object if event.name in _TAKEN else None
-        if isinstance(taken, Place) and _other_half(taken):
-            return Basis(event.i, taken.j)
         for prep in event.pps:
             if _leads_past(prep, context):
                 return Basis(event.i, _end(prep))
@@ -93,10 +90,6 @@ def _by_noun(
         led = isinstance(after, Place) and _other_half(after) and id(after) not in taken
         if (its and _around(chunk, after, context)) or (led and chunk.value in _THERE):
             return Basis(chunk.i, after.j)
-    for event in (s.event for s in clauses if not s.actors):
-        free = isinstance(event.object, Place) and _other_half(event.object)
-        if (event.name == "bypass" and event.nominal) or (event.name in _LEFT_OPEN and free):
-            return Basis(event.i, event.j)
     return None
 
 

@@ -26,7 +26,6 @@ def positions(clauses: list[Clause], context: Context) -> None:
         say("positions.any", clause, context)
         _driven_up_to(clause, context)
     oncoming.turned_across(context)
-    oncoming.unseen(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _face_to_face(danger, context)

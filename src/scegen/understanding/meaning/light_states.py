@@ -126,8 +126,6 @@ def _note(entity: Entity, light: AtLight, basis: Basis, context: Context) -> Non
     if light is AtLight.RED and entity.is_vehicle:
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, basis, [entity])
         return
-    if light is not AtLight.RED and not entity.is_vehicle:
-        light = AtLight.GREEN
     runs = any(
         d.kind is HazardKind.RED_LIGHT_RUNNING and entity in d.by for d in context.draft.dangers
     )

@@ -139,7 +139,7 @@ class Interpreter:
         red_lights.on_red(chunks, events, self._context)
         read_states(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)
-        towards_each_other(chunks, events, self._context)
+        towards_each_other(events, self._context)
         screen_sides.share(chunks, self._clauses, self._context)
         screens.come_out(self._context)
         detours.get_past(chunks, self._clauses, self._context)
@@ -241,8 +241,6 @@ class Interpreter:
                 )
             elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
                 self._placer.passes_on(prep, clause.actors)
-            elif event.name in {"pass", "bypass"} and bearing.is_side(prep) and clause.targets:
-                self._placer.passed_on(prep, clause.targets)
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}

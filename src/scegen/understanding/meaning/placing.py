@@ -200,8 +200,6 @@ class Placer:
         seen_by = target.beside or target.owner
         reference = seen_by.entities[0] if seen_by and seen_by.entities else None
         wrong = target.kind == "lane" and approaches == BY_DIR["opposite"]
-        if "same" in target.dirs and reference is None and len(entities) > 1:
-            reference, *entities = sorted(entities, key=lambda e: not e.ego)  # as one another
         for entity in entities:
             if wrong and Maneuver.OVERTAKE in entity.maneuvers:
                 continue  # who overtakes is in the oncoming lane, but does not come from there
@@ -267,19 +265,6 @@ class Placer:
             return
         for entity in [e for e in entities if not e.ego]:
             entity.beside = entity.beside or (named[0].value, named[1])
-
-    def passed_on(self, prep: Prep, entities: list[Entity]) -> None:
-        """``the ego passes three parked cars on its right``: where these stand.
-
-        Args:
-            prep: the phrase.
-            entities: who is passed.
-        """
-        named = _one_side(prep)
-        if named is None:
-            return
-        for entity in [e for e in entities if e.parked]:
-            self._draft.place(entity, None, {named[0]}, named[1])
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = landmark(prep.target)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention
-from scegen.understanding.clauses.dependents import chain
+from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.context import Context
 
@@ -12,7 +11,7 @@ _MUTUAL = frozenset({"each", "one"})
 _TOWARDS = frozenset({"approach", "move", "collide", "speed"})
 
 
-def towards_each_other(chunks: list[Chunk], events: list[Event], context: Context) -> None:
+def towards_each_other(events: list[Event], context: Context) -> None:
     """Places those who face each other, or stand next to each other."""
     for event in events:
         members = [e for m in event.subject for e in m.entities]
@@ -23,13 +22,6 @@ def towards_each_other(chunks: list[Chunk], events: list[Event], context: Contex
         met = event.name in _TOWARDS and not context.junction.crossing and towards
         if met or (towards and _faces(event)):
             _place(members, Approach.OPPOSITE, Basis(event.i, event.j), context)
-    places = [(e.subject, p) for e in events for p in e.pps]
-    places += [(chain(c), p) for c in chunks if isinstance(c, Mention) for p in c.pps]
-    for who, prep in places:
-        locus = prep.word.cat == "locus" and prep.value != "between"
-        if locus and _mutual(prep.target, context):
-            members = [e for m in who for e in m.entities]
-            _place(members, Approach(prep.value), Basis(prep.word.i, prep.word.j), context)
 
 
 def _mutual(noun: object, context: Context) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place, Prep
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -29,12 +29,6 @@ def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) ->
     side = isinstance(place, Place) and place.kind == "side" and bool(place.dirs)
     side = side and set(place.dirs) <= {"left", "right"} if place is not None else False
     motor = [e for e in whom if e.moving_vehicle and not context.is_cyclist(e)]
-    near = {t.low for t in context.tokens[event.i : event.i + _REACH]}
-    riders = [e for e in whom if context.is_cyclist(e) and not e.maneuvers]
-    if prep.value == "from" and side and event.name in _COMING and near & word_list("square"):
-        for entity in riders:  # "a bicycle enters at a right angle from the left"
-            context.draft.hazard(HazardKind.CROSSING_CYCLIST, Basis(event.i, event.j), [entity])
-            context.draft.maneuver(entity, {Maneuver.CROSS}, Basis(event.i, event.j))
     if prep.value == "from" and side and motor and event.name in _COMING:
         reason = "a vehicle comes from the side"
         end = place.j if place is not None else prep.word.j

@@ -33,8 +33,6 @@ def by_the_only_one(clauses: list[Clause], context: Context) -> None:
         if doer is None:
             continue
         told = _swerves(doer, event, clauses, context)
-        if told is None:
-            clause.actors = [doer]
         told = told or clause
         follow_movement(told, context)
         say(f"dangers.{told.event.name}", told, context)

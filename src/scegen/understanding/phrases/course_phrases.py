@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.words.terms import Term
@@ -27,7 +27,7 @@ def courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
             continue
         if tokens[chunk.j - 1].forms[-1][0] not in word_list("courses"):
             continue
-        way = _way(chunk, k, chunks, tokens)
+        way = _way(chunk, k, chunks)
         who = _whose(chunk, k, chunks, events, tokens) if way is not None else []
         if way is None or not who:
             continue
@@ -40,24 +40,16 @@ def courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     return found
 
 
-def _way(noun: NounPhrase, k: int, chunks: list[Chunk], tokens: list[Token]) -> Term | None:
+def _way(noun: NounPhrase, k: int, chunks: list[Chunk]) -> Term | None:
     named = next((m for m in noun.mods if m.cat == "dir" and m.value in _WAYS), None)
     if named is not None:
         return named
     m = k + 1
     while m < len(chunks) and getattr(chunks[m], "cat", "") in _BETWEEN:
         m += 1
-    word, target = (chunks[n] if n < len(chunks) else None for n in (m, m + 1))
-    if not isinstance(word, Word):
-        return None
-    if word.cat == "dir" and word.value in _WAYS:
-        return word.term
-    if word.cat == "prep" and isinstance(target, Place):
-        if word.value == "to" and target.kind == "side":
-            return next((t for t in target.mods if t.value in _WAYS), None)
-        if tokens[word.i].low in word_list("over") and target.kind == "junction":
-            return Term("dir", "straight", word.i, target.j)
-    return None
+    word = chunks[m] if m < len(chunks) else None
+    named_way = isinstance(word, Word) and word.cat == "dir" and word.value in _WAYS
+    return word.term if named_way and isinstance(word, Word) else None
 
 
 def _whose(
@@ -72,8 +64,6 @@ def _whose(
     prep = chunks[k - 2] if isinstance(prep, Mention) and k > 1 else prep
     if not isinstance(prep, Word) or tokens[prep.i].low not in word_list("along"):
         return []
-    if noun.owner is not None:
-        return [noun.owner]
     for chunk in reversed(chunks[:k]):
         if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
             break

@@ -20,8 +20,6 @@ def in_traffic(event: Event, tokens: list[Token]) -> bool:
         event: what somebody does.
         tokens: the tokens of the text.
     """
-    if any(m.cat == "manner" and m.value == "wrong_way" for m in event.mods):
-        return event.name in {"move", "approach"}
     if event.name == "move":
         return any(d.value == "opposite" for d in event.dirs)
     goals: list[object] = [p.target for p in event.pps if p.value in {"into", "in"}]

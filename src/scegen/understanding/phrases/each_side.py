@@ -76,8 +76,6 @@ def _one_and_the_other(chunks: list[Chunk]) -> list[Chunk]:
         if isinstance(chunk, Place) and chunk.kind == "side" and not chunk.dirs:
             values = {m.value for m in chunk.mods}
             first = chunk if values == {"one"} else first
-            if first is not None and first is not chunk and values & {"other"}:
-                found[k] = _beside(chunk, first)
         elif isinstance(chunk, Mention) and chunk.pronoun == "other" and first is not None:
             found[k] = _beside(Place(chunk.i, chunk.j, list(chunk.mods), None, kind="side"), first)
     return found

@@ -52,7 +52,7 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
         elif _is_heading(title, rest) and (chunk.value == ":" or _is_title(title, rest)):
             _silence(title, rest)
         elif not begin:
-            _resume(title, rest, colon=chunk.value == ":")
+            _resume(title, rest)
         begin = k + 1
     return [c for c in chunks if id(c) not in joints]
 
@@ -71,8 +71,6 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
             return True
         if isinstance(before, Event) and before is rest[0] and not before.nominal:
             return True  # "Truck: follows the ego."
-        if isinstance(chunk, Mention):
-            return isinstance(before, Word) and before.cat in {"prep", "locus"}
     return True
 
 
@@ -145,7 +143,7 @@ def _several(mention: Mention) -> bool:
     return plural and mention.mod("num", "quant") is not None and mention.head is not None
 
 
-def _resume(title: list[Chunk], rest: list[Chunk], *, colon: bool) -> None:
+def _resume(title: list[Chunk], rest: list[Chunk]) -> None:
     """``A drifting vehicle. The adversary …``, ``End of a queue: three cars …``: the same ones."""
     mentions = [c for c in title if isinstance(c, Mention)]
     spoken = any(_finite(c) for c in title) or any(
@@ -155,13 +153,9 @@ def _resume(title: list[Chunk], rest: list[Chunk], *, colon: bool) -> None:
     if spoken or len(mentions) != 1 or first is None or first.head is None:
         return
     named = mentions[0]
-    mass = named.head is not None and "mass" in named.head.data
-    counted = any(isinstance(c, Mention) and _several(c) for c in rest)
     generic = named.head is not None and named.head.value == "car" and not named.label
     role = any(h.data.get("label") == "adversary" for h in first.heads)
-    if mass and colon and counted:
-        named.negated = True
-    elif generic and role and not any(h.data.get("ego") for h in named.heads):
+    if generic and role and not any(h.data.get("ego") for h in named.heads):
         first.same_as = named
 
 

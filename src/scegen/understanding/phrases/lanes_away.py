@@ -18,8 +18,6 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if id(chunk) in skipped:
             continue
-        if _for_the_others(chunk, chunks, k):
-            skipped |= {id(c) for c in chunks[k + 1 : k + 3]}
         inside = _inside(chunk, chunks, k)
         if inside is not None:
             skipped |= {id(c) for c in chunks[k + 1 : k + 3]}
@@ -55,19 +53,6 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunk.mods = [*chunk.mods, Term("dir", "adjacent", chunk.i, chunk.j)]
         found += [Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
     return found
-
-
-def _for_the_others(chunk: Chunk, chunks: list[Chunk], k: int) -> bool:
-    """``the lane for oncoming traffic``: the oncoming lane, and nobody in it."""
-    joint, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    led = isinstance(joint, Word) and joint.cat == "prep" and joint.value == "for"
-    if not (isinstance(chunk, Place) and chunk.kind == "lane" and led and isinstance(who, Mention)):
-        return False
-    way = next((m for m in who.mods if m.cat == "dir" and m.value == "opposite"), None)
-    if way is None:
-        return False
-    chunk.mods, chunk.j = [*chunk.mods, way], who.j
-    return True
 
 
 def _inside(chunk: Chunk, chunks: list[Chunk], k: int) -> list[Chunk] | None:

@@ -57,10 +57,6 @@ def _titled(chunks: list[Chunk], events: list[Event]) -> None:
     ego = who is not None and any(h.data.get("ego") for h in who.heads)
     if doing.subject or not (named and ego and doing.dirs) or who is None:
         return
-    for event in events:
-        his = any(h.data.get("ego") for m in event.subject for h in m.heads)
-        if event.name == "turn" and event.i > doing.i and his and not _ways(event):
-            event.mods = [*event.mods, *doing.dirs]  # "An unprotected left: the ego turns …"
     settled = any(e.i > doing.i and (e.name == "turn" or _ways(e)) for e in events)
     across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
     if not settled and not across:

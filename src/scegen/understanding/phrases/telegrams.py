@@ -57,9 +57,6 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
         comma = k + 1 if _is(chunk, ",") else comma
         title = chunks[max(begin, comma) : k]
         if _is(chunk, ":") and title and _adds_nothing(title, chunks, k):
-            first = title[0]
-            if isinstance(first, Event) and first.form == "base" and first.name in _NAMED:
-                first.nominal = True  # "Cut-out: lead vehicle 60 km/h"
             if isinstance(title[0], Word) and title[0].cat == "dir":
                 _describe(title[0].term, chunks, k)
         else:
@@ -169,8 +166,6 @@ def _subject_later(chunks: list[Chunk]) -> bool:
     for k, chunk in enumerate(chunks):
         if _ends(chunk) or (k and isinstance(chunk, Event)):
             return False
-        if isinstance(chunk, Mention) and _is(_at(chunks, k - 1), ","):
-            return isinstance(_at(chunks, k + 1), Event | Word)
     return False
 
 
@@ -195,10 +190,6 @@ def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
     first, following = title[0], _at(chunks, k + 1)
     if isinstance(first, Word) and first.cat == "dir":
         return len(title) == 1 and isinstance(following, Mention)
-    placed = isinstance(first, Word) and first.cat in {"prep", "locus"}
-    if placed:
-        simple = all(isinstance(c, Word | Place) or _ego(c) for c in title)
-        return simple and isinstance(following, Mention)
     way = isinstance(following, Word) and following.cat == "dir" and following.value in _WAYS
     named = isinstance(first, Mention) and not any(isinstance(c, Event) for c in title)
     return way and named

@@ -190,9 +190,6 @@ def _towed(events: list[Event]) -> None:
     for event in (e for e in events if e.name == "tow"):
         if isinstance(event.object, Mention) and not event.passive:
             event.object.negated = True
-        agents = [p.target for p in event.pps if p.value == "by" and isinstance(p.target, Mention)]
-        for mention in event.subject if agents else []:
-            mention.same_as = agents[0]
 
 
 def _left_standing(events: list[Event], tokens: list[Token]) -> None:

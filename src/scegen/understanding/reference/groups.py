@@ -94,11 +94,6 @@ def of_both(
     placed = bool(places) and places <= {"ahead", "behind"} and reading.det == "def"
     if reading.plural:
         return []
-    named = [g.free for g in groups if g.both and not g.specific and ego in g.members]
-    other = named[0] if named and not (reading.generic or reading.parked) else []
-    if len(other) == 1 and reading.det == "def" and reading.kind in _MOTOR:
-        other[0].kind, other[0].claimed = reading.kind, True
-        return other  # "the two vehicles meet, the ego …, the van …"
     if not (reading.ego or placed or "adversary" in reading.labels):
         return []
     for group in groups:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.everybody import everybody
@@ -146,8 +145,6 @@ class Pronouns:
         if self.tokens[mention.i].low == "him":
             return []
         kind = ParticipantKind.CAR
-        if mention.walks and not mention.drives:
-            kind = ParticipantKind.PEDESTRIAN
         return [self.roster.new(kind, Basis(mention.i, mention.j))]
 
     def _ordinal(self, mention: Mention) -> list[Entity]:
@@ -184,9 +181,6 @@ class Pronouns:
         if named and which == "one" and mention.mods and mention.mods[0].value == "def":
             return named[-1:]  # "the one from the left"
         definite = which == "one" and any(m.value == "def" for m in mention.mods)
-        there = [e for e in self.draft.entities if loci_of(mention) & (e.loci | e.dirs)]
-        if definite and len(there) == 1 and there[0] not in exclude:
-            return there  # "the one in front"
         pointed = definite and self.tokens[mention.i].low in {"that", "this"}
         free = which != "further" and not pointed
         claimed = self.roster.claim(count, exclude) if free else []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
-from scegen.understanding.clauses.located import share_places
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
@@ -27,7 +26,6 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         discourse: the participants so far.
     """
     describe(chunks, events, discourse.tokens)
-    share_places(chunks)
     mark_generic(chunks, events)
     objects = {id(e.object) for e in events}
     subjects = {

@@ -48,8 +48,5 @@ def count_arms(shared: list[tuple[Mention, list[Mention]]], junction: JunctionRe
             continue
         basis = Basis(one.i, one.pps[-1].target.j if one.pps[-1].target else one.j)
         junction.arms, junction.arms_basis = len(members), basis
-        if junction.kind is None:
-            junction.kind = _BY_ARMS.get(len(members), JunctionKind.MULTI_WAY)
-            junction.kind_basis = basis
         for arm, entity in enumerate(members):
             entity.entries, entity.entry_basis = {arm}, basis

@@ -115,8 +115,6 @@ def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
     after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
     ends = [m for m, word in enumerate(after) if word in _CLAUSES]
     after = after[: ends[0]] if ends else after
-    if after[:1] == ["off"]:
-        return Basis(i, j + 1)
     for m, word in enumerate(after):
         something_else = bool(m) and after[m - 1] in {"a", "an", "the"}
         if m < _BROKEN_NEAR and word in word_list("broken") and not something_else:

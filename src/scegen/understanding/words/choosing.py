@@ -155,14 +155,6 @@ def _way_at(tokens: list[Token], j: int) -> bool:
     return j < len(tokens) and tokens[j].low in {"left", "right"}
 
 
-def _listed_quality(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """``…, slow leader in the same lane``: what somebody is like, no verb."""
-    listed = previous is not None and previous.value in {",", ":", ";"}
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
-    actor = following is not None and following.has("actor") and following.form == "base"
-    return listed and actor and match.form == "base" and match.has("manner") and match.has("verb")
-
-
 def _article(tokens: list[Token], j: int) -> bool:
     """Whether an article stands there."""
     return j < len(tokens) and tokens[j].low in {"a", "an", "the", "its"}
@@ -265,8 +257,6 @@ def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) 
 def _with_a_verb(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     if match.has("prep") and previous is not None and previous.cat == "verb":
         return match.get("prep"), False  # "rides near the kerb"
-    if _listed_quality(match, tokens, previous):
-        return match.get("manner"), False
     return _verb_or_other(match, tokens, previous)
 
 

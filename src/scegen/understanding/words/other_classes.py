@@ -33,8 +33,6 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         return replace(term, cat="inert", value="adjective")
     if (term.cat, tokens[term.i].low) == ("dir", "next") and _of_a_row(term, tokens):
         return replace(term, cat="inert", value="adjective")
-    if _so_far_after(term, terms, tokens):
-        return Term("locus", "behind", term.i, term.j)
     if term.cat == "verb" and a_drive(tokens, term.i):
         return Term("place", "access", term.i, term.j, term.form)
     if tokens[term.i].low == "facing" and _across_from_somebody(term, terms, tokens):
@@ -47,20 +45,6 @@ def _of_a_row(term: Term, tokens: list[Token]) -> bool:
     before = [t.low for t in tokens[max(0, term.i - 2) : term.i]]
     ends = term.j >= len(tokens) or tokens[term.j].kind == "punct"
     return ends and before == ["to", "the"]
-
-
-def _so_far_after(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
-    """``the ego 20 m after it``: behind; not "20 m after the van has passed"."""
-    measured = bool(terms) and (terms[-1].cat, terms[-1].value) == ("quantity", "length")
-    if tokens[term.i].low != "after" or not measured:
-        return False
-    whom = longest_match(tokens, term.j) if term.j < len(tokens) else None
-    if whom is not None and whom.has("det", "possessive") and whom.j < len(tokens):
-        whom = longest_match(tokens, whom.j)
-    if whom is None or not whom.has("actor", "pronoun"):
-        return False
-    goes_on = longest_match(tokens, whom.j) if whom.j < len(tokens) else None
-    return goes_on is None or not goes_on.has("verb", "aux", "rel")
 
 
 def _a_part(term: Term, terms: list[Term], tokens: list[Token]) -> bool:

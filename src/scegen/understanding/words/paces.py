@@ -79,9 +79,6 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
     if number.value >= _MOTORWAY and not speed and _must_have_been(tokens, i):
         return Term("manner", "fast", i, j, data={"pace": True})
-    posted = _posted(tokens)
-    if posted is not None and not speed and number.value > posted:
-        return Term("manner", "fast", i, j, data={"pace": True})
     if j < len(tokens) and tokens[j].low in _OVER:
         end = j + 1
         while end < len(tokens) and tokens[end].low in {*_ARTICLES, "speed", "limit"}:
@@ -104,17 +101,6 @@ def _must_have_been(tokens: list[Token], i: int) -> bool:
     """``must've been doing eighty``: a speed that is told because it was too high."""
     before = [t.low for t in tokens[max(0, i - _GUESS_REACH) : i]]
     return bool({"must", "easily"} & set(before)) and bool({"doing", "going"} & set(before))
-
-
-def _posted(tokens: list[Token]) -> float | None:
-    """``the limit's 55``: the number that the text gives for the limit."""
-    for k, token in enumerate(tokens):
-        if token.low == "limit":
-            for m in range(k + 1, min(k + 4, len(tokens))):
-                number = number_at(tokens, m)
-                if number is not None and number.value >= _LOWEST_LIMIT:
-                    return float(number.value)
-    return None
 
 
 def bare_speed(tokens: list[Token], i: int) -> Quantity | None:

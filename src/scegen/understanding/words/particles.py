@@ -129,8 +129,6 @@ def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
     if tokens[i].low != "back" or not terms:
         return False
     previous = terms[-1]
-    if previous.cat == "verb":
-        return previous.data.get("control") != "subject"
     single = previous.cat == "actor" and previous.form == "base"
     single = single or (previous.cat == "pronoun" and previous.value in {"it", "him"})
     let = len(terms) > 1 and any(

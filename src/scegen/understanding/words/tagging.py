@@ -122,8 +122,6 @@ def tag(tokens: list[Token]) -> list[Term]:
     i = 0
     while i < len(tokens):
         term = _term_at(tokens, i, _before(terms, tokens))
-        if _named_twice(terms, term):
-            del terms[-1], terms[-2]  # "the ALKS (ego) vehicle"
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
         if term.cat == "verb" and sends_back(tokens, terms, i):
@@ -133,13 +131,6 @@ def tag(tokens: list[Token]) -> list[Term]:
         i = terms[-1].j
     crossed = _crossings(gather(from_side_to_side(terms), tokens), tokens)
     return with_articles(name_letters(crossed, tokens), tokens)
-
-
-def _named_twice(terms: list[Term], term: Term) -> bool:
-    """``the (ego) vehicle``: one name, in spite of the brackets."""
-    marks = [t.value for t in terms[-3:]]
-    ego = len(marks) == 3 and (marks[0], marks[2]) == ("(", ")") and "ego" in terms[-2].data
-    return ego and term.cat == "actor" and "ego" not in term.data
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
