@@ -139,6 +139,22 @@ def test_ten_cars_queue_without_driving_into_each_other(cases):
             assert gap_m(traces, a.participant, b.participant) > 1.0
 
 
+@pytest.mark.parametrize("case", ["ten_at_t", "four_way_left_turn"])
+def test_a_road_longer_than_needed_lets_nobody_start_farther_out(cases, case):
+    functional, logical = cases[case]
+    # Starts are looked for in steps of half a second, so a little may change.
+    farthest = {
+        length: max(
+            p.motion.turning_starts_m - p.motion.start_m
+            for p in concretize(
+                functional, logical, road=plan_road(functional.junction, arm_length_m=length)
+            ).participants
+        )
+        for length in (900, 1500)
+    }
+    assert farthest[1500] < farthest[900] + 60.0, farthest
+
+
 def test_who_speeds_is_clearly_above_the_limit(cases):
     concrete = concretize(*cases["skewed_overtaking"])
     factor = concrete.participant("car_2").speed_mps / LIMIT_MPS

@@ -7,7 +7,8 @@ against the ego's; one common shift then makes the approach long enough.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from math import inf
 
 import numpy as np
 
@@ -21,30 +22,33 @@ from scegen.concretization.meetings import (
     Meeting,
     shared_length_m,
 )
-from scegen.concretization.priorities import Manners, patient_ones
+from scegen.concretization.priorities import Manners, Waits, patient_ones
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import Appointment
 from scegen.motion.rules.giving_way import must_give_way
 
 _ARM_MARGIN_M = 1.0
 _BEFORE_JUNCTION_M = 5.0
+_SAME_S = 0.01
+_ROUNDS = 4
+"""So often all are arranged anew because the scenario has to begin earlier than was assumed."""
 _DANGER_WITHIN_S = 1.5
 """Those who meet in danger may be this much off their meeting to spare others."""
 
 
-def arrange(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
-    """The offset of every drive against the ego's timeline (s)."""
+def arrange(scene: Setup, meetings: Sequence[Meeting], begins_s: float) -> dict[str, float]:
+    """The offset of every drive against the ego's timeline (s), on which all begin at a time."""
     offsets = {scene.ego.id: 0.0}
     ordered = sorted(meetings, key=lambda m: m.priority)
     dangers = [m for m in ordered if m.priority < ORDINARY]
-    while _arrange_one(scene, dangers, offsets, None):
+    while _arrange_one(scene, dangers, offsets, begins_s, None):
         continue
     duties = must_give_way(scene.functional, scene.logical)
     manners = Manners(lights_of(scene, offsets), duties, patient_ones(scene, ordered, duties))
     while len(offsets) < len(scene.drives):
-        if _arrange_one(scene, ordered, offsets, manners):
+        if _arrange_one(scene, ordered, offsets, begins_s, manners):
             continue
-        if _queue_one(scene, offsets, manners):
+        if _queue_one(scene, offsets, begins_s, manners):
             continue
         free = [n for n in scene.drives if n not in offsets]
         name = min(free, key=lambda n: scene.drives[n].drive.rank)
@@ -55,6 +59,7 @@ def arrange(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
             offset,
             _placed(scene, offsets),
             offsets,
+            begins_s,
             manners=manners,
         )
     scene.signals = manners.lights.plan if manners.lights is not None else None
@@ -83,6 +88,7 @@ def _arrange_one(
     scene: Setup,
     meetings: Sequence[Meeting],
     offsets: dict[str, float],
+    begins_s: float,
     manners: Manners | None,
 ) -> bool:
     """Arrange the most important meeting of which one side is fixed."""
@@ -107,6 +113,7 @@ def _arrange_one(
                 offset,
                 _placed(scene, offsets, without=spared),
                 offsets,
+                begins_s,
                 direction=1 if bystander else 0,
                 within_s=LONGEST_S if meeting.priority >= ORDINARY else _DANGER_WITHIN_S,
                 manners=manners if meeting.priority >= ORDINARY else None,
@@ -117,7 +124,9 @@ def _arrange_one(
     return False
 
 
-def _queue_one(scene: Setup, offsets: dict[str, float], manners: Manners | None) -> bool:
+def _queue_one(
+    scene: Setup, offsets: dict[str, float], begins_s: float, manners: Manners | None
+) -> bool:
     """Line one vehicle up behind or before those of its arm and lane that are fixed."""
     for name, draft in sorted(scene.drives.items(), key=lambda item: item[1].drive.rank):
         if name in offsets:
@@ -127,10 +136,10 @@ def _queue_one(scene: Setup, offsets: dict[str, float], manners: Manners | None)
             continue
         ahead = [d for d in same if d.drive.rank < draft.drive.rank]
         if ahead:
-            offset = max(offsets[d.id] + headway_s(d, draft) for d in ahead)
+            offset = max(_behind(d, offsets[d.id], draft, begins_s) for d in ahead)
             direction = 1
         else:
-            offset = min(offsets[d.id] - headway_s(draft, d) for d in same)
+            offset = min(_before(draft, d, offsets[d.id], begins_s) for d in same)
             direction = -1
         others = _placed(scene, offsets)
         offsets[name] = clear_offset(
@@ -138,6 +147,7 @@ def _queue_one(scene: Setup, offsets: dict[str, float], manners: Manners | None)
             offset,
             others,
             offsets,
+            begins_s,
             direction=direction,
             manners=manners,
         )
@@ -154,14 +164,38 @@ def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
     )
 
 
-def headway_s(lead: DriveDraft, follow: DriveDraft) -> float:
-    """How much later than ``lead`` ``follow`` must be to keep its distance all along (s).
+def _behind(lead: DriveDraft, lead_s: float, follow: DriveDraft, begins_s: float) -> float:
+    """The earliest offset of one that keeps its distance behind another from its start on."""
+    shared = shared_length_m(lead, follow)
+    offset = lead_s + headway_s(lead, follow, shared, inf)
+    while True:
+        # Who comes later starts farther out, where the one ahead may be nearer.
+        place = _place_m(follow, begins_s - offset)
+        later = lead_s + headway_s(lead, follow, shared, place)
+        if later <= offset + _SAME_S:
+            return offset
+        offset = later
 
-    At every place that both pass, the follower's reference point comes two seconds after the
-    leader's, and its bumper stays behind.
+
+def _before(lead: DriveDraft, follow: DriveDraft, follow_s: float, begins_s: float) -> float:
+    """The latest offset of one that is kept at a distance by another from that one's start on."""
+    place = _place_m(follow, begins_s - follow_s)
+    return follow_s - headway_s(lead, follow, shared_length_m(lead, follow), place)
+
+
+def _place_m(draft: DriveDraft, time_s: float) -> float:
+    """Where a drive is at a time of its course; who backs out stands where it starts before."""
+    return draft.course.s_at(max(time_s, 0.0) if draft.backs_out else time_s)
+
+
+def headway_s(lead: DriveDraft, follow: DriveDraft, shared_m: float, from_m: float) -> float:
+    """How much later than ``lead`` ``follow`` must be to keep its distance from a place on (s).
+
+    At every place of their shared way from there on, its end at least, the follower's reference
+    point comes two seconds after the leader's, and its bumper stays behind.
     """
-    shared = min(shared_length_m(lead, follow), float(follow.course.s_m[-1]))
-    s = np.arange(0.0, max(shared, 1.0), 2.0)
+    end = max(1.0, min(shared_m, float(follow.course.s_m[-1])))
+    s = np.append(np.arange(min(from_m, end), end, 2.0), end)
     bodies = QUEUE_GAP_M + lead.body.rear_m + follow.body.front_m
     mine = follow.course.times_at(s)
     by_time = lead.course.times_at(s) + HEADWAY_S
@@ -183,25 +217,36 @@ def schedule(
     Everybody starts on its arm, before its first phase and before its first meeting; the ego
     has ``APPROACH_S`` until its own; those into whose way somebody steps keep the appointment.
     """
-    offsets = arrange(scene, meetings)
     first_s = _first_places(scene, meetings)
-    ego = scene.ego
-    latest = [0.0 if ego.backs_out else APPROACH_S - ego.course.time_at(first_s[ego.id])]
-    for name, draft in scene.drives.items():
-        stands = draft.stands or stands_at_red(scene.functional.participant(name))
-        if stands or scene.sets_off(name):
-            continue
-        if draft.backs_out:
-            # It stands near where it starts until its time has come.
-            latest.append(-offsets[name])
-            continue
-        lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
-        latest.append(-offsets[name] - max(0.0, lead_in))
+    ego, waits = scene.ego, Waits.of(scene.drives.values())
+    begins_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
+    for _ in range(_ROUNDS):
+        offsets = arrange(scene, meetings, begins_s)
+        assumed_s, begins_s = begins_s, min(begins_s, *_latest_s(scene, offsets, first_s))
+        if begins_s >= assumed_s - _SAME_S:
+            break
+        waits.restore()
     for appointment in appointments:
         arrival = scene.drives[appointment.drive].course.time_at(appointment.s_m)
-        latest.append(appointment.least_s - arrival - offsets[appointment.drive])
-    shift = max(latest)
-    return {name: offset + shift for name, offset in offsets.items()}
+        begins_s = min(begins_s, arrival + offsets[appointment.drive] - appointment.least_s)
+    return {name: offset - begins_s for name, offset in offsets.items()}
+
+
+def _latest_s(
+    scene: Setup, offsets: Mapping[str, float], first_s: Mapping[str, float]
+) -> Iterator[float]:
+    """When every drive must be under way at the latest, on the ego's timeline."""
+    for name, draft in scene.drives.items():
+        if draft.backs_out:
+            # It stands near where it starts until its time has come.
+            yield offsets[name]
+        elif not (
+            draft.stands
+            or stands_at_red(scene.functional.participant(name))
+            or scene.sets_off(name)
+        ):
+            lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
+            yield offsets[name] + max(0.0, lead_in)
 
 
 def shortfall(scene: Setup, offsets_s: Mapping[str, float]) -> tuple[float, str]:

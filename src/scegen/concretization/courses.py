@@ -105,8 +105,9 @@ class Course:
         return float(np.interp(s_m, self.s_m, self.time_s))
 
     def times_at(self, s_m: Array) -> Array:
-        """The same for places on the path."""
-        return np.interp(s_m, self.s_m, self.time_s)
+        """The same for places up to its end."""
+        before = np.minimum(s_m, 0.0) / max(float(self.speed_mps[0]), 0.5)
+        return np.interp(s_m, self.s_m, self.time_s) + before
 
     def s_at(self, time_s: float) -> float:
         """Where it is at a time; before the start it approaches at its first speed."""

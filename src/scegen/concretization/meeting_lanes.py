@@ -165,7 +165,8 @@ def _meetings(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) -> Iterator[La
         key = tuple((name, lanes[name]) for name in names)
         if key not in known:
             for each in key:
-                ways.setdefault(each, _laid(scene, *each))
+                if each not in ways:
+                    ways[each] = _laid(scene, *each)
             known[key] = ways_touch(ways[key[0]], ways[key[1]])
         return known[key]
 

@@ -1,0 +1,98 @@
+"""Nearing: whether two bodies on their ways, each by its timetable, ever come near each other.
+
+Unit: none (True, False).
+Validity: at sampled times only; looked at closely where the bodies' centres are near. How near the
+boxes are is the greatest free distance along a side of either (separating axes), at most the true
+distance.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from scegen.measures.boxes import Box
+from scegen.motion.batch.arrays import Floats
+from scegen.motion.batch.kernels import inner_kernel, kernel
+
+_FINE_S, _COARSE_S = 0.05, 0.4
+_FINE_STEPS = round(_COARSE_S / _FINE_S)
+_COARSE_M = 14.0
+"""Two cars approach each other by less than this in half a coarse step."""
+
+
+class Timetable(NamedTuple):
+    """When a body is where, on the clock of its own drive, which begins ``late_s`` on the common.
+
+    ``time_s`` and ``way_m`` rise; before the first time it drives ``first_mps``. The way of its
+    reference point is given as in ``Path``, and goes straight on at both ends.
+    """
+
+    time_s: Floats
+    way_m: Floats
+    first_mps: float
+    late_s: float
+    s_m: Floats
+    x_m: Floats
+    y_m: Floats
+    heading_rad: Floats
+    ahead_m: float
+    half_length_m: float
+    half_width_m: float
+
+
+@inner_kernel
+def _before(values: Floats, value: float) -> int:
+    """The last place, but for the end, at which rising values are not above one; 0 if none is."""
+    place = np.searchsorted(values, value, side="right") - 1
+    return int(min(max(place, 0), values.shape[0] - 2))
+
+
+@inner_kernel
+def _box(table: Timetable, time_s: float) -> Box:
+    """The box of a body at a time."""
+    own = min(time_s - table.late_s, table.time_s[-1])
+    way = table.way_m[0] + own * table.first_mps
+    if own > table.time_s[0]:
+        n = _before(table.time_s, own)
+        share = (own - table.time_s[n]) / (table.time_s[n + 1] - table.time_s[n])
+        way = table.way_m[n] + share * (table.way_m[n + 1] - table.way_m[n])
+    on = min(max(way, table.s_m[0]), table.s_m[-1])
+    n = _before(table.s_m, on)
+    share = (on - table.s_m[n]) / (table.s_m[n + 1] - table.s_m[n])
+    heading = table.heading_rad[n] + share * (table.heading_rad[n + 1] - table.heading_rad[n])
+    c, s = np.cos(heading), np.sin(heading)
+    ahead = table.ahead_m + way - on
+    x = table.x_m[n] + share * (table.x_m[n + 1] - table.x_m[n])
+    y = table.y_m[n] + share * (table.y_m[n + 1] - table.y_m[n])
+    return Box(x + ahead * c, y + ahead * s, c, s, table.half_length_m, table.half_width_m)
+
+
+@inner_kernel
+def _free_m(a: Box, b: Box) -> float:
+    """The greatest free distance along a side of the first box; below 0 where none is free."""
+    dx, dy = b.x - a.x, b.y - a.y
+    c = abs(a.cos * b.cos + a.sin * b.sin)
+    s = abs(a.cos * b.sin - a.sin * b.cos)
+    along = abs(dx * a.cos + dy * a.sin) - a.half_length - b.half_length * c - b.half_width * s
+    across = abs(dy * a.cos - dx * a.sin) - a.half_width - b.half_length * s - b.half_width * c
+    return max(along, across)
+
+
+@kernel
+def come_near(
+    one: Timetable, two: Timetable, begins_s: float, ends_s: float, within_m: float
+) -> bool:
+    """Whether two come within a distance of each other between two times."""
+    reach = 2.0 * (one.half_length_m + two.half_length_m) + _COARSE_M
+    for n in range(int(np.ceil((ends_s - begins_s) / _COARSE_S))):
+        coarse = begins_s + n * _COARSE_S
+        a, b = _box(one, coarse), _box(two, coarse)
+        if np.hypot(b.x - a.x, b.y - a.y) >= reach:
+            continue
+        for m in range(_FINE_STEPS):
+            a, b = _box(one, coarse + m * _FINE_S), _box(two, coarse + m * _FINE_S)
+            if max(_free_m(a, b), _free_m(b, a)) < within_m:
+                return True
+    return False
