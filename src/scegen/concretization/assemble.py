@@ -12,7 +12,6 @@ from scegen.concretization.courses import speed_program
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.settling import settle
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
@@ -71,8 +70,7 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
             f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
             hint="Raise the speeds or take a smaller junction.",
         )
-    timed = put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
-    return settle(timed, scene.network)
+    return put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
 
 
 def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:

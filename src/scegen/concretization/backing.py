@@ -1,7 +1,7 @@
 """Where one that reverses stops, goes back and drives on, and what speed program that takes.
 
 Where it changes direction it has to stand. Simulators fire a trigger up to a step late, so it
-creeps the last bit and comes to rest within a centimetre or two (see ``settling``).
+creeps the last bit and comes to rest within a centimetre or two.
 """
 
 from __future__ import annotations
