@@ -16,7 +16,7 @@ from scegen.checking.opendrive.lanes import reference
 from scegen.checking.opendrive.locate import lanes_at
 from scegen.checking.openscenario import check_openscenario
 
-bends = st.floats(-0.02, 0.02)
+bends = st.floats(-0.02, 0.02, allow_subnormal=False)
 lengths = st.floats(5.0, 200.0)
 
 LANES = """<lanes><laneSection s="0">

@@ -20,12 +20,14 @@ from scegen.scenario.concrete import (
     CrossingMotion,
     DistanceBelow,
     DriveMotion,
+    OnContact,
     SpeedPhase,
     StandingMotion,
     StoodStill,
     Travelled,
     Trigger,
 )
+from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ParticipantKind, Role, Side
 
 pytestmark = [
@@ -193,6 +195,33 @@ def test_positions_and_speeds_are_those_of_the_simulator(tmp_path, version, dt_s
         off = np.hypot(x[:steps] - trace.x_m[:steps], y[:steps] - trace.y_m[:steps])
         assert off.max() < 0.01, name
         assert np.abs(speed[:steps] - trace.speed_mps[:steps]).max() < 0.01, name
+
+
+def test_a_collision_brings_to_rest(tmp_path):
+    concrete = scenario()
+    van = next(p for p in concrete.participants if p.id == "van")
+    there = PATHS["van"].pose(0.0)
+    way = PATHS["ego"]
+    near = float(np.hypot(way.x_m - there.x_m, way.y_m - there.y_m).min())
+    assert near > 2.0  # it passes beside the van: whoever it is to hit must stand in its way
+    pose = way.pose(60.0)
+    box = StaticObject(
+        id="box", category="obstacle", what="box", x_m=pose.x_m, y_m=pose.y_m,
+        heading_deg=float(np.degrees(pose.heading_rad)), length_m=1.0, width_m=1.0, height_m=1.0,
+    )  # fmt: skip
+    ego = next(p for p in concrete.participants if p.id == "ego")
+    halts = ego.model_copy(
+        update={"on_contact": OnContact(participant="box", rate_mps2=80.0), "speed_program": ()}
+    )
+    made = concrete.model_copy(update={"participants": (halts, van), "objects": (box,)})
+    tracks, complaints = play(tmp_path, made, "1.2", 0.05)
+    assert complaints == []
+    trace = simulate(made, PATHS)["ego"]
+    x, y, speed = tracks["ego"].T
+    steps = min(len(x), len(trace.x_m))
+    assert trace.speed_mps[-1] == 0.0
+    assert np.hypot(x[:steps] - trace.x_m[:steps], y[:steps] - trace.y_m[:steps]).max() < 0.01
+    assert np.abs(speed[:steps] - trace.speed_mps[:steps]).max() < 0.01
 
 
 def test_who_reaches_the_end_of_the_path_stays_there(tmp_path):

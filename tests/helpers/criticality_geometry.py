@@ -4,9 +4,9 @@ import numpy as np
 from shapely import affinity
 from shapely.geometry import box as rectangle
 
-from scegen.measures.boxes import Box
 from scegen.motion.batch import BatchTraces, empty_traces
 from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, S, X, Y
+from scegen.motion.batch.touching import Box
 from scegen.motion.model import Path
 
 

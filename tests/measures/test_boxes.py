@@ -7,11 +7,10 @@ from shapely import MultiPoint
 from shapely.affinity import translate
 from shapely.geometry import LineString
 
-from scegen.measures.boxes import Box
-from scegen.measures.contact import boxes_touch
 from scegen.measures.distance import box_distance
 from scegen.measures.occlusion import cuts, hidden
 from scegen.measures.time_to_collision import box_time_to_collision
+from scegen.motion.batch.touching import Box, boxes_touch
 
 
 @pytest.fixture(scope="module")

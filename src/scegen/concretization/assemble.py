@@ -15,9 +15,8 @@ from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
-from scegen.motion.model import Path
+from scegen.motion.model import STANDING_MPS, Path
 from scegen.motion.paths import build_path
-from scegen.motion.simulation import STANDING_MPS
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (

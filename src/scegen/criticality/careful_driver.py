@@ -109,7 +109,10 @@ def careful_driver_verdict(
         friction: coefficient between tyre and road; None for that of the environment.
     """
     grip = friction_of(concrete.environment) if friction is None else friction
-    return _Trial(concrete, {**paths, **object_paths(concrete)}, grip).verdict()
+    own = concrete.ego.model_copy(update={"on_contact": None})  # its own crash is no braking
+    people = tuple(own if p.id == own.id else p for p in concrete.participants)
+    free = concrete.model_copy(update={"participants": people})
+    return _Trial(free, {**paths, **object_paths(concrete)}, grip).verdict()
 
 
 @dataclass(frozen=True, slots=True)

@@ -79,6 +79,7 @@ def _vehicle(participant: ConcreteParticipant, body: Body) -> xosc.Vehicle:
     """A vehicle whose performance allows all that its program asks: players clip to it."""
     program = participant.speed_program
     rates = [phase.rate_mps2 for phase in program]
+    rates += [participant.on_contact.rate_mps2] if participant.on_contact else []
     speeds = [participant.speed_mps, *(phase.target_speed_mps for phase in program)]
     track = round(0.8 * body.width_m, 3)
     radius = _WHEEL_DIAMETER_M / 2

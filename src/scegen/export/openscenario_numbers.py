@@ -9,8 +9,7 @@ import numpy as np
 
 from scegen.export.expressions import Expression, Number
 from scegen.motion.batch.playing import play
-from scegen.motion.model import Path
-from scegen.motion.simulation import STANDING_MPS
+from scegen.motion.model import STANDING_MPS, Path
 from scegen.scenario.concrete import LATEST, ConcreteScenario
 
 _BEFORE_END_S = 1.0

@@ -17,6 +17,7 @@ from scegen.export.openscenario_triggers import (
     phase_event_name,
     phase_trigger,
     when_complete,
+    when_touching,
 )
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
@@ -123,6 +124,15 @@ def _maneuver_group(
             )
         )
         speed.add_event(event)
+    if participant.on_contact is not None:
+        struck = participant.on_contact
+        collides = xosc.Event(f"{participant.id}_collides", overwrite)
+        rest = xosc.TransitionDynamics(
+            xosc.DynamicsShapes.linear, xosc.DynamicsDimension.rate, struck.rate_mps2
+        )
+        collides.add_action(f"{participant.id}_is_halted", xosc.AbsoluteSpeedAction(0.0, rest))
+        collides.add_trigger(when_touching(participant.id, struck.participant))
+        speed.add_event(collides)
     # At the end of its path a participant stops; without this, players drive on along the road.
     arrived = xosc.Event(f"{participant.id}_arrives", overwrite)
     arrived.add_action(f"{participant.id}_stops", _step_to(0.0))

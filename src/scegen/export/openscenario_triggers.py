@@ -72,6 +72,11 @@ def when_complete(name: str, action: str) -> xosc.ValueTrigger:
     return _state_condition(name, "action", action, "completeState")
 
 
+def when_touching(entity: str, other: str) -> xosc.EntityTrigger:
+    """True once the boxes of two touch."""
+    return _entity(f"{entity}_touches_{other}", xosc.CollisionCondition(other), entity)
+
+
 def at_once(name: str, duration_s: float) -> xosc.ValueTrigger:
     """True from the first instant: "later than 0" would lose a step."""
     return _value(name, xosc.SimulationTimeCondition(duration_s, xosc.Rule.lessThan))

@@ -3,28 +3,17 @@
 from __future__ import annotations
 
 from math import sqrt
-from typing import NamedTuple
 
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, X, Y
 from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.touching import Box
 
 CX, CY, DX, DY, VX, VY = range(6)
 """Rows of a frame: centre (m, world), direction (cosine and sine of heading), velocity (m/s)."""
 FRAME_ROWS = 6
-
-
-class Box(NamedTuple):
-    """Centre (m, world), cosine and sine of the heading, half sides (m)."""
-
-    x: float
-    y: float
-    cos: float
-    sin: float
-    half_length: float
-    half_width: float
 
 
 @kernel

@@ -17,11 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
-from scegen.measures.boxes import Box
-from scegen.measures.contact import boxes_touch
 from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.touching import Box, boxes_touch
 from scegen.motion.model import Path
 
 SAMPLING_M = 0.5

@@ -12,24 +12,10 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.boxes import Box, box_between
+from scegen.measures.boxes import box_between
 from scegen.motion.batch.arrays import Floats, Ints
-from scegen.motion.batch.kernels import inner_kernel, kernel
-
-
-@inner_kernel
-def boxes_touch(a: Box, b: Box) -> bool:
-    """Whether two boxes share a point: no side of either separates them."""
-    dx, dy = b.x - a.x, b.y - a.y
-    c = abs(a.cos * b.cos + a.sin * b.sin)
-    s = abs(a.cos * b.sin - a.sin * b.cos)
-    if abs(dx * a.cos + dy * a.sin) > a.half_length + b.half_length * c + b.half_width * s:
-        return False
-    if abs(dy * a.cos - dx * a.sin) > a.half_width + b.half_length * s + b.half_width * c:
-        return False
-    if abs(dx * b.cos + dy * b.sin) > b.half_length + a.half_length * c + a.half_width * s:
-        return False
-    return bool(abs(dy * b.cos - dx * b.sin) <= b.half_width + a.half_length * s + a.half_width * c)
+from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.touching import boxes_touch
 
 
 @kernel

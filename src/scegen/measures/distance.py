@@ -14,10 +14,10 @@ from math import inf, sqrt
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
-from scegen.measures.boxes import Box, box_at, frames_of, track_box
-from scegen.measures.contact import boxes_touch
+from scegen.measures.boxes import box_at, frames_of, track_box
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.touching import Box, boxes_touch
 
 
 @inner_kernel

@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.measures.boxes import Box
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.touching import Box
 
 _FINE_S, _COARSE_S = 0.05, 0.4
 _FINE_STEPS = round(_COARSE_S / _FINE_S)

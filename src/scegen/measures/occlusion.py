@@ -18,9 +18,10 @@ from math import inf, nan
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.boxes import Box, track_box
+from scegen.measures.boxes import track_box
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.touching import Box
 
 
 @inner_kernel

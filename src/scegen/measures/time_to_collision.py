@@ -16,9 +16,10 @@ from math import inf
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
-from scegen.measures.boxes import CX, CY, VX, VY, Box, box_at, frames_of
+from scegen.measures.boxes import CX, CY, VX, VY, box_at, frames_of
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.touching import Box
 
 
 @inner_kernel

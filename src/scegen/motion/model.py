@@ -13,6 +13,11 @@ from scegen.scenario.vocabulary import ParticipantKind
 
 Array = NDArray[np.float64]
 
+NEGLIGIBLE = 1e-6
+"""esmini's SMALL_NUMBER: below this distance (m) or speed (m/s) no time to arrival exists."""
+STANDING_MPS = 1e-3
+"""esmini's STAND_STILL_THRESHOLD."""
+
 
 @dataclass(frozen=True, slots=True)
 class LaneSpan:

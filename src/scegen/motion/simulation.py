@@ -10,17 +10,20 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import cos, hypot, inf, sin
+from math import cos, hypot, inf, radians, sin
+from typing import TypeAlias
 
 import numpy as np
 
-from scegen.motion.model import Array, Path, Trace
+from scegen.motion.model import NEGLIGIBLE, STANDING_MPS, Array, Path, Trace
 from scegen.road.geometry import Pose
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     ConcreteScenario,
+    OnContact,
     SpeedPhase,
     StoodStill,
     Travelled,
@@ -28,10 +31,7 @@ from scegen.scenario.concrete import (
 )
 
 _ROUNDING = 1e-9
-NEGLIGIBLE = 1e-6
-"""esmini's SMALL_NUMBER: below this distance (m) or speed (m/s) no time to arrival exists."""
-STANDING_MPS = 1e-3
-"""esmini's STAND_STILL_THRESHOLD."""
+Corners: TypeAlias = list[tuple[float, float]]
 
 
 @dataclass
@@ -44,7 +44,7 @@ class _Mover:
     s_m: float = 0.0
     fired: int = 0
     stands_since_s: float = inf
-    active: SpeedPhase | None = None
+    active: SpeedPhase | OnContact | None = None
     s_log: list[float] = field(default_factory=list)
     v_log: list[float] = field(default_factory=list)
 
@@ -66,7 +66,8 @@ class _Mover:
     def move(self, dt_s: float) -> None:
         """Change speed, then position; stop for good at the end of the path."""
         if self.active is not None:
-            target, step = self.active.target_speed_mps, self.active.rate_mps2 * dt_s
+            target = 0.0 if isinstance(self.active, OnContact) else self.active.target_speed_mps
+            step = self.active.rate_mps2 * dt_s
             gap = target - self.speed_mps
             self.speed_mps = target if abs(gap) <= step else self.speed_mps + np.sign(gap) * step
         self.s_m += self.speed_mps * dt_s
@@ -77,6 +78,11 @@ class _Mover:
     @property
     def here(self) -> Pose:
         return self.path.pose(self.s_m)
+
+    @property
+    def box(self) -> Corners:
+        """The corners of its box where it is."""
+        return _corners(self.here, self.participant.body)
 
     @property
     def position_m(self) -> tuple[float, float]:
@@ -153,6 +159,10 @@ class Steps:
             p.id: (_Guest if p.id == outside else _Mover)(p, paths[p.id], p.speed_mps)
             for p in concrete.participants
         }
+        self._things = {
+            o.id: _corners(Pose(o.x_m, o.y_m, radians(o.heading_deg)), o.body)
+            for o in concrete.objects
+        }
         self._look()
 
     @property
@@ -192,12 +202,24 @@ class Steps:
         for mover in self._movers.values():
             mover.record(self.time_s)
         for mover in self._movers.values():
+            self._collide(mover)
             program = mover.participant.speed_program
             if mover.fired < len(program):
                 phase = program[mover.fired]
                 if _holds(phase.trigger, mover, self._movers, self.time_s):
                     mover.active = phase
                     mover.fired += 1
+
+    def _collide(self, mover: _Mover) -> None:
+        """Whom a collision brings to rest does nothing else from then on."""
+        struck = mover.participant.on_contact
+        if struck is None or isinstance(mover.active, OnContact) or isinstance(mover, _Guest):
+            return
+        other = self._movers.get(struck.participant)
+        boxes = mover.box, other.box if other is not None else self._things[struck.participant]
+        if _touch(*boxes):
+            mover.active = struck
+            mover.fired = len(mover.participant.speed_program)
 
 
 def _holds(trigger: Trigger, owner: _Mover, movers: Mapping[str, _Mover], time_s: float) -> bool:
@@ -214,6 +236,25 @@ def _holds(trigger: Trigger, owner: _Mover, movers: Mapping[str, _Mover], time_s
     ax, ay = owner.position_m
     bx, by = other.position_m
     return hypot(ax - bx, ay - by) < trigger.distance_m
+
+
+def _corners(pose: Pose, body: Body) -> Corners:
+    """The corners of the box of a body whose reference point is at a pose."""
+    ends = (body.front_m, -body.rear_m)
+    sides = (body.width_m / 2, -body.width_m / 2)
+    at = [pose.shifted(forward_m=ahead, left_m=left) for ahead in ends for left in sides]
+    return [(corner.x_m, corner.y_m) for corner in at]
+
+
+def _touch(one: Corners, other: Corners) -> bool:
+    """Whether two rectangles share a point: seen along no side of either they lie apart."""
+    for box in (one, other):
+        for to in (1, 2):
+            dx, dy = box[to][0] - box[0][0], box[to][1] - box[0][1]
+            first, second = ([x * dx + y * dy for x, y in corners] for corners in (one, other))
+            if max(first) < min(second) or max(second) < min(first):
+                return False
+    return True
 
 
 def _arrival_s(mover: _Mover, place_m: float) -> float:

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from scegen.motion.batch.playing import play
-from scegen.motion.model import Array, Path, Trace
-from scegen.motion.simulation import STANDING_MPS, arrivals_s
+from scegen.motion.model import STANDING_MPS, Array, Path, Trace
+from scegen.motion.simulation import arrivals_s
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,

@@ -177,6 +177,17 @@ class SpeedPhase(FrozenModel):
     act: Identifier | None = None
 
 
+class OnContact(FrozenModel):
+    """What a collision does to one who takes part in it.
+
+    As soon as its box touches that of ``participant``, an object or somebody who takes part, its
+    speed program is over, and it comes to rest at ``rate_mps2``.
+    """
+
+    participant: Identifier
+    rate_mps2: float = Field(gt=0, le=400)
+
+
 MOST_STRIPS = 3
 """So many strips lie beside the lanes at most; they are numbered after them."""
 MOST_OFFSET_M = 12.0
@@ -257,7 +268,10 @@ Motion = Annotated[DriveMotion | CrossingMotion | StandingMotion, Field(discrimi
 
 
 class ConcreteParticipant(FrozenModel):
-    """A participant with its way and its speed program (empty = keeps ``speed_mps``)."""
+    """A participant with its way and its speed program (empty = keeps ``speed_mps``).
+
+    ``on_contact`` is None where nothing it touches stops it.
+    """
 
     id: Identifier
     kind: ParticipantKind
@@ -266,6 +280,7 @@ class ConcreteParticipant(FrozenModel):
     speed_mps: float = Field(ge=0, le=100)
     motion: Motion
     speed_program: tuple[SpeedPhase, ...] = ()
+    on_contact: OnContact | None = None
 
     @property
     def body(self) -> Body:
@@ -332,6 +347,10 @@ class ConcreteScenario(FrozenModel):
                 if reference is not None and reference not in ids:
                     msg = f"a trigger of {participant.id} names the unknown {reference!r}"
                     raise ValueError(msg)
+            struck = participant.on_contact
+            if struck is not None and struck.participant not in {*everything} - {participant.id}:
+                msg = f"on_contact of {participant.id} names the unknown {struck.participant!r}"
+                raise ValueError(msg)
         return self
 
     @property

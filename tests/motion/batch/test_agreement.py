@@ -22,6 +22,7 @@ from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,
     DistanceBelow,
+    OnContact,
     SpeedPhase,
     StandingMotion,
     StoodStill,
@@ -91,12 +92,20 @@ def scenarios(draw):
             speed_mps=draw(number(0, 20)),
             motion=STANDING,
             speed_program=tuple(draw(programs)),
+            on_contact=draw(
+                st.none()
+                | st.builds(
+                    OnContact,
+                    participant=st.sampled_from([n for n in NAMES if n != name]),
+                    rate_mps2=number(1, 300),
+                )
+            ),
         )
         for name in NAMES
     )
     # The simulators look at nothing but these.
     concrete = ConcreteScenario.model_construct(
-        participants=participants, duration_s=draw(st.sampled_from([0.05, 3.0, 8.0]))
+        participants=participants, objects=(), duration_s=draw(st.sampled_from([0.05, 3.0, 8.0]))
     )
     return concrete, {name: draw(paths()) for name in NAMES}
 

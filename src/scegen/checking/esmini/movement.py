@@ -90,6 +90,7 @@ def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[F
         message = f"goes {movement.speed_mps[step]:.1f} m/s; a {participant.kind} {fastest:g}"
         yield error("esmini.speed", _when(movement, step), message)
     rates = [phase.rate_mps2 for phase in participant.speed_program]
+    rates += [participant.on_contact.rate_mps2] if participant.on_contact else []
     hardest = max(body.max_acceleration_mps2, body.max_deceleration_mps2, *rates, 0.0)
     change = np.diff(movement.speed_mps) / np.maximum(np.diff(movement.time_s), 1e-6)
     arrival = _arrival(movement)
@@ -177,9 +178,10 @@ def _on_the_road(
 
 
 def _stopped(movement: Movement, participant: ConcreteParticipant) -> bool:
-    """Whether it stands at the end because its program says so."""
+    """Whether it stands at the end because its program says so, or a collision."""
     program = participant.speed_program
     told = any(phase.target_speed_mps == 0 for phase in program)
+    told |= participant.on_contact is not None
     told |= not program and participant.speed_mps == 0
     return told and abs(float(movement.speed_mps[-1])) < STILL_MPS
 

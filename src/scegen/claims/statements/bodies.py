@@ -10,7 +10,7 @@ import numpy as np
 from scegen.claims.claim import Claim, ClaimKind, Judged, always
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import HEADING, Floats, X, Y
+from scegen.motion.batch.arrays import HEADING, Floats, Ints, X, Y
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.functional import Participant
 from scegen.scenario.vocabulary import ON_FOOT
@@ -59,11 +59,20 @@ def _possible(person: Participant, view: View) -> Judged:
         _aside(view, person.id, speed) / _limit_aside(person, view),
         _jumps(view, person.id, speed),
     ]
-    inside = np.arange(view.steps - 1) < view.last_step[:, None]
+    inside = np.arange(view.steps - 1) < np.minimum(view.last_step, _crash(person, view))[:, None]
     worst: Floats = np.where(inside, np.max(series, axis=0), 0.0)
     step = worst.argmax(axis=1)
     most = worst[np.arange(view.count), step]
     return Judged(1.0 + _ROOM - most, most, (step + 1) * view.dt_s)
+
+
+def _crash(person: Participant, view: View) -> Ints:
+    """The step from which on a collision moves it, and no body has limits; the last if none."""
+    struck = view.concrete.participant(person.id).on_contact
+    if struck is None:
+        return view.last_step
+    time_s = view.of_pair("contact_s", person.id, struck.participant)
+    return np.where(np.isfinite(time_s), view.step_of(time_s), view.last_step)
 
 
 def _limit_aside(person: Participant, view: View) -> float:

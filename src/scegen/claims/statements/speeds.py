@@ -159,12 +159,13 @@ def _own_change(told: Told, person: Participant, view: View) -> Ints:
 
 
 def _closest(told: Told, view: View, name: str) -> Ints:
-    """When those who concern it (or else all) come nearest to it; the end if it is alone."""
+    """When those who concern it (or else all, or things) come nearest to it; the end if none."""
     nearest = np.full(view.count, np.inf)
     best = np.full(view.count, np.inf)
     others = [other.id for other in told.people if other.id != name]
+    things = [other for other in view.index if other != name]
     concerned = told.concerned_by(name)
-    for other in sorted(concerned) or others:
+    for other in sorted(concerned) or others or things:
         apart = view.of_pair("distance_m", name, other)
         better = apart < best
         nearest = np.where(better, view.of_pair("closest_s", name, other), nearest)

@@ -89,7 +89,7 @@ def raise_criticality(
         return Raised(concrete, stage.proof(before, before, 1, reason))
     found: list[tuple[ConcreteScenario, Proof]] = []
     if stage.stands(before):
-        bound = stage.bound(before)
+        bound = stage.finished(before)
         found.append((bound.concrete, stage.proof(before, bound, 1, None)))
         if solutions == 1:
             return Raised(*found[0])
@@ -199,7 +199,7 @@ def _fill(
         made, blocked = _solve(stage, problem, rng, None if found else advice)
         if made is None:
             return blocked
-        evidence = stage.bound(made.evidence)
+        evidence = stage.finished(made.evidence)
         proof = stage.proof(before, evidence, problem.evaluations, None)
         found.append((evidence.concrete, _with_advice(proof, advice, led=made.led)))
     return None

@@ -15,6 +15,7 @@ from scegen.claims.view import view_of
 from scegen.claims.ways import Way, paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
+from scegen.criticality.raising.aftermath import halted
 from scegen.criticality.raising.refusing import measurable, never_meet
 from scegen.criticality.reactivity.binding import bind_to_ego
 from scegen.criticality.search.bounds import build_space
@@ -169,16 +170,22 @@ class Stage:
             self.focus += fresh[:_MOST_TOUCHING]
             self._rescene()
 
-    def bound(self, found: Evidence) -> Evidence:
-        """What was found, with those in danger bound to the ego where that is possible."""
+    def finished(self, found: Evidence) -> Evidence:
+        """What was found, with those in danger bound to the ego, and collisions that halt.
+
+        Either where that is possible, with all that holds without it.
+        """
 
         def proved(tried: ConcreteScenario) -> bool:
             return self.stands(self.examine(tried))
 
         made = bind_to_ego(found.concrete, self.network, self.meetings_s(found), proved)
-        if made is found.concrete:
-            return found
-        return self.examine(made)
+        bound = found if made is found.concrete else self.examine(made)
+        over = halted(bound.concrete, bound.view)
+        if over is bound.concrete:
+            return bound
+        after = self.examine(over)
+        return after if self.stands(after) else bound
 
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
         """Whose danger with the ego it is, the target's partner first, and when it happens.

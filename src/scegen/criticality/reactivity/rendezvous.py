@@ -16,8 +16,8 @@ import numpy as np
 from scegen.claims.ways import Way
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.motion.model import Path, Trace
-from scegen.motion.simulation import NEGLIGIBLE, arrivals_s
+from scegen.motion.model import NEGLIGIBLE, Path, Trace
+from scegen.motion.simulation import arrivals_s
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ArrivalBelow,

@@ -20,7 +20,7 @@ from scegen.measures.tables import Tables
 from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.motion.simulation import STANDING_MPS
+from scegen.motion.model import STANDING_MPS
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 
 PROVED = tuple(

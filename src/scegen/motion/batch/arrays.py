@@ -69,11 +69,26 @@ class PhaseTable(NamedTuple):
     point_y_m: Floats
 
 
+class ContactTable(NamedTuple):
+    """Whom a collision with whom brings to rest: ``other`` (i,), -1 for nobody.
+
+    ``rate_mps2`` (i,) is how; ``half_length_m``, ``half_width_m`` and ``ahead_m`` (i,), how far the
+    box's centre lies before the reference point, are everybody's bodies.
+    """
+
+    other: Ints
+    rate_mps2: Floats
+    half_length_m: Floats
+    half_width_m: Floats
+    ahead_m: Floats
+
+
 class Program(NamedTuple):
-    """All that candidates share: paths and the structure of the speed programs."""
+    """All that candidates share: paths, the structure of the speed programs, collisions."""
 
     paths: PathTable
     phases: PhaseTable
+    contacts: ContactTable
 
 
 class Candidates(NamedTuple):

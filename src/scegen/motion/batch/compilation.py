@@ -14,6 +14,7 @@ from scegen.motion.batch.arrays import (
     TRACK_ROWS,
     BatchTraces,
     Candidates,
+    ContactTable,
     PathTable,
     PhaseTable,
     Program,
@@ -77,11 +78,12 @@ def compile_program(
     index = {p.id: i for i, p in enumerate(concrete.participants)}
     still = [object_path(thing) for thing in concrete.objects]
     programs = [[_phase(phase, index) for phase in p.speed_program] for p in concrete.participants]
-    return build_program(
+    program, candidate = build_program(
         [*(paths[name] for name in index), *still],
         [*(p.speed_mps for p in concrete.participants), *(0.0 for _ in still)],
         [*programs, *([] for _ in still)],
     )
+    return program._replace(contacts=_contacts(concrete)), candidate
 
 
 def build_program(
@@ -104,7 +106,22 @@ def build_program(
         target_speed_mps=np.array([[p.target_speed_mps for p in flat]], dtype=np.float64),
         rate_mps2=np.array([[p.rate_mps2 for p in flat]], dtype=np.float64),
     )
-    return Program(path_table(paths), table), candidate
+    nobody = np.full(len(paths), -1, dtype=np.int64)
+    contacts = ContactTable(nobody, *(np.zeros(len(paths)) for _ in range(4)))
+    return Program(path_table(paths), table, contacts), candidate
+
+
+def _contacts(concrete: ConcreteScenario) -> ContactTable:
+    index = {entity.id: i for i, entity in enumerate(concrete.entities)}
+    struck = [p.on_contact for p in concrete.participants] + [None for _ in concrete.objects]
+    bodies = [entity.body for entity in concrete.entities]
+    return ContactTable(
+        np.array([-1 if s is None else index[s.participant] for s in struck], dtype=np.int64),
+        np.array([0.0 if s is None else s.rate_mps2 for s in struck]),
+        np.array([body.length_m / 2 for body in bodies]),
+        np.array([body.width_m / 2 for body in bodies]),
+        np.array([body.centre_ahead_m for body in bodies]),
+    )
 
 
 def path_table(paths: Sequence[Path]) -> PathTable:

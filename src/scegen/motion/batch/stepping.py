@@ -26,7 +26,8 @@ from scegen.motion.batch.arrays import (
     Y,
 )
 from scegen.motion.batch.kernels import inner_kernel, kernel
-from scegen.motion.simulation import NEGLIGIBLE, STANDING_MPS
+from scegen.motion.batch.touching import collided
+from scegen.motion.model import NEGLIGIBLE, STANDING_MPS
 
 _ROUNDING = 1e-9
 """A time or distance that misses its value by less counts as reached (as in the reference)."""
@@ -51,19 +52,20 @@ def run_candidate(
         tracks: output, (participant, track row, step), see ``BatchTraces``.
         fired_step: output, (phase,).
     """
-    paths, phases = program
+    paths, phases, contacts = program
     participants = paths.first.shape[0] - 1
     # Travelled distance, speed, target speed, rate (0: no phase active), length left at start,
     # first step of standing (-1: moves).
     state = np.zeros((participants, 6))
-    # Vertex at or behind the position, next phase to fire.
-    marks = np.zeros((participants, 2), dtype=np.int64)
+    # Vertex at or behind the position, next phase to fire, with whom a collision is yet to come.
+    marks = np.zeros((participants, 3), dtype=np.int64)
     for i in range(participants):
         length = paths.s_m[paths.first[i + 1] - 1]
         state[i, 4] = max(length - candidates.start_m[c, i], 0.0)
         state[i, 1] = candidates.speed_mps[c, i] if state[i, 4] > 0.0 else 0.0
         marks[i, 0] = paths.first[i]
         marks[i, 1] = phases.first[i]
+        marks[i, 2] = contacts.other[i]
         state[i, 5] = -1.0
     fired_step[:] = -1
     for t in range(tracks.shape[2]):
@@ -85,6 +87,9 @@ def run_candidate(
                 tracks[i, S, t] = s
                 marks[i, 0] = _place(paths, i, marks[i, 0], s, tracks, t)
         for i in range(participants):
+            if marks[i, 2] >= 0 and collided(contacts, tracks, i, t):
+                state[i, 2], state[i, 3] = 0.0, contacts.rate_mps2[i]
+                marks[i, 1], marks[i, 2] = phases.first[i + 1], -1
             k = marks[i, 1]
             if k < phases.first[i + 1] and _holds(
                 phases, candidates.trigger[c, k], k, i, state, tracks, t, dt_s

@@ -1,0 +1,120 @@
+"""What a collision leaves: nobody drives on through whom it has hit.
+
+Who hits somebody with its front is halted by the crash; who is hit otherwise, and who hits what is
+light, brakes; people on foot and riders fall. There is no rebound, and nobody is pushed: a
+stand-in for what players do not compute.
+"""
+
+from __future__ import annotations
+
+from math import isfinite
+
+import numpy as np
+
+from scegen.claims.boxes import contact
+from scegen.claims.view import View
+from scegen.measures.bodies import MASS_KG
+from scegen.motion.batch.arrays import COS, SIN
+from scegen.scenario.concrete import Change, ConcreteParticipant, ConcreteScenario, OnContact
+from scegen.scenario.objects import StaticObject
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
+
+_CRUSHED_M = 0.5
+"""So much of a front gives way."""
+_MOST_MPS2 = 300.0
+_HEAVY = 0.2
+"""Of what it hits, the share of both masses that halts it: what is lighter is pushed away."""
+_BRAKES_MPS2 = 6.0
+_FALLS_S = 0.5
+_MOVES_MPS = 0.3
+_UNPROTECTED = ON_FOOT | {ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE}
+
+
+def halted(concrete: ConcreteScenario, view: View) -> ConcreteScenario:
+    """The scenario in which all who touch somebody come to rest from their first contact on.
+
+    What they would do after it is left out. The same one if nobody touches anybody.
+
+    Args:
+        concrete: the scenario.
+        view: its movement, one candidate.
+    """
+    met = _first_contacts(view)
+    people = []
+    changes: list[Change] = []
+    first = 0
+    for person in concrete.participants:
+        count, made = len(person.speed_program), person
+        found = met.get(person.id)
+        rate = None if found is None else _rate_mps2(concrete, view, person, *found)
+        if found is not None and rate is not None:
+            fired = view.traces.fired_step[0, first : first + count]
+            until = view.step_of(np.array([found[1]]))[0]
+            done = int(((fired >= 0) & (fired < until)).sum())
+            made = person.model_copy(
+                update={
+                    "speed_program": person.speed_program[:done],
+                    "on_contact": OnContact(participant=found[0], rate_mps2=rate),
+                }
+            )
+            reason = f"comes to rest where it touches {found[0]}"
+            name = f"{person.id}.on_contact.rate_mps2"
+            changes.append(Change(parameter=name, by="aftermath", after=rate, reason=reason))
+        people.append(made)
+        first += count
+    if not changes:
+        return concrete
+    provenance = (*concrete.provenance, *changes)
+    return concrete.model_copy(update={"participants": tuple(people), "provenance": provenance})
+
+
+def _first_contacts(view: View) -> dict[str, tuple[str, float]]:
+    """Whom everybody touches first, and when (s)."""
+    names = [entity.id for entity in view.concrete.entities]
+    met: dict[str, tuple[str, float]] = {}
+    for (a, b), time_s in zip(view.scene.pairs, view.summary.contact_s[0], strict=True):
+        for who, other in ((names[a], names[b]), (names[b], names[a])):
+            if isfinite(time_s) and time_s < met.get(who, ("", np.inf))[1]:
+                met[who] = other, float(time_s)
+    return met
+
+
+def _rate_mps2(
+    concrete: ConcreteScenario, view: View, who: ConcreteParticipant, other: str, time_s: float
+) -> float | None:
+    """How one comes to rest; None if it stands already."""
+    step = view.step_of(np.array([time_s]))[0]
+    speed = float(view.speed_mps(who.id)[0, step])
+    if speed < _MOVES_MPS:
+        return None
+    if who.kind in _UNPROTECTED:
+        return round(max(speed / _FALLS_S, _MOVES_MPS), 3)
+    struck = next(entity for entity in concrete.entities if entity.id == other)
+    mass_kg = struck.mass_kg if isinstance(struck, StaticObject) else MASS_KG[struck.kind]
+    heavy = mass_kg / (mass_kg + MASS_KG[who.kind]) > _HEAVY
+    closing = speed - _along_mps(view, who.id, other, int(step))
+    if not heavy or closing < _MOVES_MPS or not _with_its_front(view, who.id, other):
+        return _BRAKES_MPS2
+    crash = closing**2 / (2 * _CRUSHED_M)
+    return round(min(max(crash, _BRAKES_MPS2), _MOST_MPS2), 3)
+
+
+def _along_mps(view: View, who: str, other: str, step: int) -> float:
+    """The part of the other's velocity that goes its way."""
+    cos = view.row(who, COS)[0, step] * view.row(other, COS)[0, step]
+    sin = view.row(who, SIN)[0, step] * view.row(other, SIN)[0, step]
+    return float((cos + sin) * view.speed_mps(other)[0, step])
+
+
+def _with_its_front(view: View, who: str, other: str) -> bool:
+    """Whether they meet at its front: there their boxes are about to separate, seen from it."""
+    touch = contact(view, who, other)
+    own, far = touch.first, touch.second
+    dx, dy = float(far.x[0] - own.x[0]), float(far.y[0] - own.y[0])
+    cos, sin = float(own.cos[0]), float(own.sin[0])
+    x, y = dx * cos + dy * sin, dy * cos - dx * sin
+    c = abs(cos * float(far.cos[0]) + sin * float(far.sin[0]))
+    s = abs(cos * float(far.sin[0]) - sin * float(far.cos[0]))
+    deep_x = own.half_length + far.half_length * c + far.half_width * s - abs(x)
+    deep_y = own.half_width + far.half_length * s + far.half_width * c - abs(y)
+    return x > 0.0 and deep_x <= deep_y
