@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from math import inf
 
 import numpy as np
@@ -31,12 +32,12 @@ _AFTER_S = 8.0
 _ROUNDS = 16
 _BEFORE_S = 1.0
 _ALONG = 0.5
-_GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0)
+_GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0)
 
 
 @dataclass(frozen=True, slots=True)
 class _Contact:
-    """``who`` touches ``other``, or ``runs_in``: from behind, or into one who crosses."""
+    """``who`` touches ``other``, or ``runs_in``: from behind, into who crosses or comes back."""
 
     time_s: float
     who: str
@@ -78,8 +79,8 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
         for other, there in tracks.items():
             if other == name or contact_wanted(scene.functional, name, other):
                 continue
-            if any(each in scene.drives and scene.drives[each].reversal for each in (name, other)):
-                continue  # who meets one that reverses answers that in its own way
+            if _comes_back(scene, name):
+                continue  # who reverses looks ahead
             if other in scene.walks and other not in moments.sets_off_s:
                 continue
             pair = frozenset((name, other))
@@ -98,20 +99,19 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
                 and other in scene.drives
                 and same_arm(scene.drives[name], scene.drives[other])
             )
-            runs_in = ahead and (follows or other not in scene.drives)
+            runs_in = ahead and (follows or other not in scene.drives or _comes_back(scene, other))
             yield _Contact(float(first_s[0]), name, other, runs_in)
 
 
-def _room(moments: Moments, who: str, other: str) -> Callable[[], float]:
-    """What says how near one comes to another, whose way does not change meanwhile; inf if not."""
+def _comes_back(scene: Setup, name: str) -> bool:
+    return name in scene.drives and scene.drives[name].reversal is not None
+
+
+def _room_m(moments: Moments, who: str, other: str) -> float:
+    """How near one comes to another; inf if no nearer than it may."""
     times = _times(moments)
-    there = moments.track(other, times)[0] if other in moments.scene.drives else None
-
-    def least_m() -> float:
-        others = moments.track(other, times)[0] if there is None else there
-        return float(apart(moments.track(who, times)[0], others, CLOSEST_M).min())
-
-    return least_m
+    there = moments.track(other, times)[0]
+    return float(apart(moments.track(who, times)[0], there, CLOSEST_M).min())
 
 
 def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contact) -> None:
@@ -121,9 +121,9 @@ def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contac
     waits = [m for m in before if m.act is not None and goes_on_when_free(scene.act(m.act).when)]
     rest = [mark for mark in before if mark is not own and mark not in waits]
     kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKING and who.id in h.by]
-    target = _slowest_mps(scene, moments, contact)
+    target, backs = _slowest_mps(scene, moments, contact), _comes_back(scene, contact.other)
     who.deeds, who.course_ = rest, None
-    free, least_m = who.course, _room(moments, who.id, contact.other)
+    free, least_m = who.course, partial(_room_m, moments, who.id, contact.other)
     late = moments.offsets_s[who.id]
     low = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
 
@@ -133,7 +133,7 @@ def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contac
             mark = replace(own, s_m=place, target_mps=min(own.target_mps, target))
         else:
             hazard = next(iter(kinds), None)
-            mark = SpeedChange(place, target, rate, hazard, sort=Sort.ACT)
+            mark = SpeedChange(place, target, rate, hazard, sort=Sort.ACT, there=backs)
         who.deeds, who.course_ = [*rest, mark], None
         return least_m()
 

@@ -24,7 +24,6 @@ from scegen.scenario.concrete import (
     ConcreteScenario,
     Motion,
     SpeedPhase,
-    Travelled,
 )
 from scegen.scenario.functional import Participant
 
@@ -98,16 +97,10 @@ def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
 
 
 def _program(scene: Setup, draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
-    """Initial speed and phases, rounded; reactions come where the program reaches them."""
+    """Initial speed and phases, rounded."""
     speed, phases = speed_program(
         draft.id, draft.course, draft.start_s, draft.start_m, draft.triggers
     )
-    if draft.reactions:
-        at = draft.reacts_at_s_m - draft.start_m
-        before = [
-            p for p in phases if isinstance(p.trigger, Travelled) and p.trigger.distance_m <= at
-        ]
-        phases = (*before, *draft.reactions, *phases[len(before) :])
     told = {act.id for act in scene.logical.acts or scene.functional.acts}
     return round(speed, 3), tuple(_rounded(phase, told) for phase in phases)
 

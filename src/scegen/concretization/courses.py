@@ -46,7 +46,8 @@ class SpeedChange:
     ``waits_for`` is what it waits for instead, once that is known; ``resume_hazard`` the danger
     that going on serves. With ``then_s`` it comes so long after the act before it has ended,
     wherever that is. ``act`` names the act of the text that it is. What the road slows down to must
-    be reached ``by_m``: where acts have changed the speed, it begins just in time for that.
+    be reached ``by_m``: where acts have changed the speed, it begins just in time for that. With
+    ``there`` it stands where it does now, however fast it comes.
     """
 
     s_m: float
@@ -62,6 +63,7 @@ class SpeedChange:
     then_s: float | None = None
     act: str | None = None
     by_m: float = 0.0
+    there: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,6 +268,10 @@ def speed_program(
             trigger = phase.mark.waits_for
         elif phase.stood_s is not None:
             trigger = StoodStill(participant=who, duration_s=phase.stood_s)
+        elif phase.mark.there and not phase.resumes:
+            lasts_s = course.speed_then(phase.begins_s) / phase.rate_mps2
+            rests_m = phase.s_m - start_m + phase.rate_mps2 * lasts_s**2 / 2
+            trigger = ArrivalBelow(participant=who, place_m=round(rests_m, 3), time_s=lasts_s / 2)
         phases.append(
             SpeedPhase(
                 trigger=trigger,

@@ -24,7 +24,6 @@ from scegen.scenario.concrete import (
     AtTime,
     DriveMotion,
     LaneChange,
-    SpeedPhase,
     Travelled,
     Trigger,
 )
@@ -42,8 +41,7 @@ class DriveDraft:
 
     ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
     ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
-    the outer end of the entry arm; ``start_m`` where on that path it starts at time 0;
-    ``reactions`` phases that look at others, to be put where the program reaches ``reacts_at_s_m``.
+    the outer end of the entry arm; ``start_m`` where on that path it starts at time 0.
     ``slowing_mps2`` is how hard it brakes before turns, ``approach_mps`` and ``resume_mps`` its
     speeds before and after them if not ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this
     road. ``rests_at_m`` is where it is to come to rest if it brakes, because of a thing in its way;
@@ -71,8 +69,6 @@ class DriveDraft:
     lane_changes: list[LaneChange] = field(default_factory=list)
     marks: list[SpeedChange] = field(default_factory=list)
     deeds: list[SpeedChange] = field(default_factory=list)
-    reactions: list[SpeedPhase] = field(default_factory=list)
-    reacts_at_s_m: float = 0.0
     start_m: float = 0.0
     offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2

@@ -25,7 +25,7 @@ from scegen.concretization.others import WalkDraft
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill
+from scegen.scenario.concrete import ArrivalBelow
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import HazardKind, Maneuver
@@ -41,8 +41,6 @@ _BEGINS_M = 0.3
 _SEEN_BY_THEN_S = 0.6
 """Time to get so far from standing."""
 _LEAST_RUN_UP_M = 15.0
-_LEAST_WAIT_S = 1.5
-_RESUMING_MPS2 = 1.5
 _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 
@@ -139,14 +137,14 @@ def _shape(scene: Setup, hazard: Hazard) -> list[Meeting]:
         else:
             back_up(scene, draft, other)
         if other is not None:
-            event_s, brakes_s, _ = _encounter(draft, other)
+            event_s, brakes_s = _encounter(draft, other)
             reason = "reversing: brakes when it comes back"
             meetings.append(Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason))
     return meetings
 
 
-def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, float]:
-    """Where the one is when the other has to brake, where that one is then, and where it stops."""
+def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
+    """Where the one is when the other has to brake, and where that one is then."""
     touching = in_each_others_way(draft.laid.path, draft.body, other.laid.path, other.body)
     s, its = sampled(draft.laid.path)[0], sampled(other.laid.path)[0]
     begins_s, ends_s = draft.laid.path.backwards[0]
@@ -165,21 +163,15 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, floa
     brakes_s = brakes_from(other, stops_s, rate, 0.0)
     if brakes_s < _LEAST_RUN_UP_M:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - brakes_s + 1.0, other.id)
-    return event_s, brakes_s, stops_s
+    return event_s, brakes_s
 
 
 def _react(scene: Setup, hazard: Hazard) -> None:
-    """It goes when the other comes; the other, and who is behind it, brakes and goes on later."""
+    """It goes when the other comes."""
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)
-        if other is None or draft.reversal is None:
-            continue
-        _, brakes_s, stops_s = _encounter(draft, other)
-        _wait_for(draft, other, brakes_s)
-        _, ends_s = draft.laid.path.backwards[0]
-        begins_s = draft.laid.path.backwards[0][0]
-        over_s = draft.course.time_at(ends_s + (ends_s - begins_s)) + draft.offset_s
-        _brake_for(other, brakes_s, stops_s, over_s)
+        if other is not None and draft.reversal is not None:
+            _wait_for(draft, other, _encounter(draft, other)[1])
 
 
 def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
@@ -207,33 +199,6 @@ def _away_m(draft: DriveDraft, from_s: float, to_s: float) -> float:
     """How far apart two places of its way are, in a straight line."""
     here, there = draft.laid.path.pose(from_s), draft.laid.path.pose(to_s)
     return float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
-
-
-def _brake_for(other: DriveDraft, brakes_s: float, stops_s: float, over_s: float) -> None:
-    if other.reactions:
-        return
-    rate = other.braking_mps2(_BRAKING_MPS2)
-    speed = other.course.speed_at(brakes_s)
-    stands_s = other.course.time_at(brakes_s) + other.offset_s + speed / rate
-    other.reactions += [
-        SpeedPhase(
-            trigger=ArrivalBelow(
-                participant=other.id,
-                place_m=round(stops_s - other.start_m, 3),
-                time_s=_away_m(other, brakes_s, stops_s) / max(speed, 1.0),
-            ),
-            target_speed_mps=0.0,
-            rate_mps2=rate,
-        ),
-        SpeedPhase(
-            trigger=StoodStill(
-                participant=other.id, duration_s=max(_LEAST_WAIT_S, over_s - stands_s)
-            ),
-            target_speed_mps=other.speed_in_force(stops_s),
-            rate_mps2=other.acceleration_mps2(_RESUMING_MPS2),
-        ),
-    ]
-    other.reacts_at_s_m = brakes_s
 
 
 REVERSING = Rule(prepare=_prepare, shape=_shape, react=_react)
