@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import sqrt
+from math import hypot, sqrt
 
 from scegen.concretization.along.runner import Move, Runner, gap_m
 from scegen.concretization.along.spacing import GapAt, level, place
@@ -52,8 +52,9 @@ def _box(runner: Runner, time_s: float) -> tuple[float, float, float, float]:
 
 def leap_s(first: Runner, second: Runner, way_m: float, step_s: float) -> float:
     """How long two need at least to come nearer by so much, in whole steps; one step at least."""
-    closing = max(first.fastest_mps + second.fastest_mps, _NEVER_MPS)
-    return max(1.0, way_m // (closing * step_s)) * step_s
+    fastest = first.fastest_mps, second.fastest_mps
+    closing = hypot(*fastest) if first.towards == second.towards else sum(fastest)
+    return max(1.0, way_m // (max(closing, _NEVER_MPS) * step_s)) * step_s
 
 
 def least_apart_m(first: Runner, second: Runner, from_s: float, to_s: float) -> float:

@@ -20,7 +20,7 @@ _LATEST_S = 40.0
 _STEP_S = 0.05
 _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
-_ROUNDS = 24
+_ROUNDS = 12
 _ROUNDING, _SOFTER = 1e-6, 0.8
 _KEEPS_M = 0.75 * STANDS_BEHIND_M
 """Who follows keeps this free; simulators step, and bends are not as long in every lane."""
@@ -145,7 +145,7 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
     for rate in rates:
         found = _latest_s(who, other, rest, rate, sees_s, own)
         if found is not None:
-            begins = floor(found / _STEP_S + _ROUNDING) * _STEP_S
+            begins = _steps(found) * _STEP_S
             enough = rate
             if len(rates) > 1:
                 enough = _just_enough(who, other, rest, begins, rate, own)
@@ -186,15 +186,12 @@ def _follow(story: Story, who: Runner, other: Runner) -> bool:
             found = goes_on(driver, who.speed_mps, ahead) if steps else None
         if found is None:
             return False
-        begins = floor(found.begins_s / _STEP_S + _ROUNDING) * _STEP_S
+        begins = _steps(found.begins_s) * _STEP_S
         steps.append(Step(begins, found.to_mps, found.rate_mps2, reacts_to=other.id))
         speed = step.target_mps
     hardest = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
     who.steps = steps
-    if (
-        max(s.rate_mps2 for s in steps) <= hardest
-        and _least_gap_m(who, other, _KEEPS_M) >= _KEEPS_M
-    ):
+    if max(s.rate_mps2 for s in steps) <= hardest and _keeps(who, other, _KEEPS_M):
         return True
     who.steps = []
     return False
@@ -205,10 +202,10 @@ def _just_enough(
 ) -> float:
     """As hard as leaves the same room, for one that begins in the step of a player before."""
     low, high = rate * _SOFTER, rate
-    for _ in range(_ROUNDS // 2):
+    for _ in range(_ROUNDS):
         middle = (low + high) / 2
         who.steps = [*rest, _braking(begins_s, middle, who, other, own, None)]
-        enough = _least_gap_m(who, other, from_s=begins_s) >= CLOSEST_M
+        enough = _keeps(who, other, CLOSEST_M, begins_s)
         low, high = (low, middle) if enough else (middle, high)
     return high
 
@@ -255,33 +252,32 @@ def _latest_s(
 ) -> float | None:
     """The latest moment at which braking so hard still leaves a little room; None if none does."""
 
-    def near(begins_s: float) -> float:
+    def keeps(room_m: float, begins_s: float) -> bool:
         step = _braking(begins_s, rate, who, other, own, None)
         who.steps = [*rest, step]
-        return _least_gap_m(who, other, from_s=max(earliest_s, 0.0))
+        return _keeps(who, other, room_m, max(earliest_s, 0.0))
 
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = (s.begins_s for s in rest if s.target_mps > who.speed_mps)
     low, high = max(earliest_s, *gains, 0.0), _LATEST_S
-    if near(low) < CLOSEST_M / 2:
+    if not keeps(CLOSEST_M / 2, low):
         return None
-    for _ in range(_ROUNDS):
+    while _steps(low) < _steps(high):
         middle = (low + high) / 2
-        if near(middle) >= CLOSEST_M:
-            low = middle
-        else:
-            high = middle
+        low, high = (middle, high) if keeps(CLOSEST_M, middle) else (low, middle)
     return low
 
 
-def _least_gap_m(
-    who: Runner, other: Runner, most_m: float = CLOSEST_M, from_s: float = 0.0
-) -> float:
-    """The least free length of two while one is in the other's line, if less than most."""
-    least, time_s = most_m, from_s
+def _steps(time_s: float) -> int:
+    """Whole steps until a time."""
+    return floor(time_s / _STEP_S + _ROUNDING)
+
+
+def _keeps(who: Runner, other: Runner, room_m: float, time_s: float = 0.0) -> bool:
+    """Whether two have so much free length from a time on while one is in the other's line."""
     while time_s < _LATEST_S:
         gap = gap_m(who, other, time_s)
-        if gap < least and in_line(who, other, time_s, LANE_WIDTH_M):
-            least = gap
-        time_s += leap_s(who, other, gap - least, 2 * _STEP_S)
-    return least
+        if gap < room_m and in_line(who, other, time_s, LANE_WIDTH_M):
+            return False
+        time_s += leap_s(who, other, gap - room_m, 2 * _STEP_S)
+    return True
