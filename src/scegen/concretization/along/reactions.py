@@ -79,7 +79,8 @@ def brakes_for(story: Story, who: str, other: str) -> bool:
 
 def _contact_s(first: Runner, second: Runner) -> float | None:
     """When two touch first."""
-    if first.stands and second.stands:
+    beside = not (first.moves or second.moves) and not in_line(first, second, 0.0, LANE_WIDTH_M)
+    if beside or (first.stands and second.stands):
         return None
     time_s = 0.0
     while time_s < _LATEST_S:
