@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil, pi
 
@@ -9,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.checking.opendrive.curves import Arc
-from scegen.checking.opendrive.lanes import lane_borders, reference, section_at
-from scegen.checking.opendrive.network import Geometry, Network, Road
+from scegen.checking.opendrive.network import Geometry, LaneSection, Network, Poly3, Road
 
 TOLERANCE_M = 0.05
 """How far outside a lane a point may lie and still count as on it."""
 CHORD_M = 0.5
+_ROUNDING = 1e-9
 Points = NDArray[np.complex128]
 Numbers = NDArray[np.float64]
 
@@ -42,9 +43,13 @@ def lanes_at(network: Network, points: Points) -> list[list[OnLane]]:
         for geometry in road.geometries:
             ds, t = _along(geometry, points)
             inside = (ds >= -TOLERANCE_M) & (ds <= geometry.length + TOLERANCE_M)
-            for i in np.flatnonzero(inside & (np.abs(t) <= reach)):
-                s = min(max(geometry.s + float(ds[i]), 0.0), road.length)
-                _add(found[i], road, s, float(t[i]))
+            here = np.flatnonzero(inside & (np.abs(t) <= reach))
+            if here.size:
+                s = np.clip(geometry.s + ds[here], 0.0, road.length)
+                for n, lane in _on_lanes(road, geometry, s, t[here]):
+                    mine = found[here[n]]
+                    if all((o.road, o.lane) != (lane.road, lane.lane) for o in mine):
+                        mine.append(lane)
     return found
 
 
@@ -98,16 +103,44 @@ def _reach(road: Road) -> float:
     return offsets + max(widths) + 1.0
 
 
-def _add(found: list[OnLane], road: Road, s: float, t: float) -> None:
-    section = section_at(road, s)
-    for lane in section.lanes.values():
-        if lane.id == 0:
-            continue
-        inner, outer = lane_borders(road, section, lane.id, s)
-        low, high = min(inner, outer), max(inner, outer)
-        if not low - TOLERANCE_M <= t <= high + TOLERANCE_M:
-            continue
-        if any(other.road == road.id and other.lane == lane.id for other in found):
-            continue
-        heading = reference(road, s)[1] + (0.0 if road.runs_along_s(lane.id) else pi)
-        found.append(OnLane(road.id, lane.id, lane.type, s, t - (inner + outer) / 2, heading))
+def _on_lanes(
+    road: Road, geometry: Geometry, s: Numbers, t: Numbers
+) -> Iterator[tuple[int, OnLane]]:
+    """(number of the point, a lane that it lies on), of points beside one geometry of a road."""
+    begun = np.array([section.s for section in road.sections]) <= s[:, None] + _ROUNDING
+    last = np.maximum(begun.sum(axis=1) - 1, 0)
+    offset = _values(road.lane_offsets, s, np.zeros(len(s)))
+    for number, section in enumerate(road.sections):
+        borders = _borders(section, s, offset)
+        for lane in section.lanes.values():
+            if lane.id == 0:
+                continue
+            inner, outer = borders[lane.id - (1 if lane.id > 0 else -1)], borders[lane.id]
+            low, high = np.minimum(inner, outer), np.maximum(inner, outer)
+            on = (low - TOLERANCE_M <= t) & (t <= high + TOLERANCE_M) & (last == number)
+            turned = 0.0 if road.runs_along_s(lane.id) else pi
+            for n in np.flatnonzero(on):
+                at = float(s[n])
+                heading = geometry.heading_at(at - geometry.s) + turned
+                aside = float(t[n] - (inner[n] + outer[n]) / 2)
+                yield int(n), OnLane(road.id, lane.id, lane.type, at, aside, heading)
+
+
+def _borders(section: LaneSection, s: Numbers, offset: Numbers) -> dict[int, Numbers]:
+    """Offsets of the outer border of every lane from the reference line (left > 0)."""
+    borders = {0: offset}
+    for sign in (1, -1):
+        number = sign
+        while number in section.lanes:
+            widths = section.lanes[number].widths
+            width = _values(widths, s, widths[0].value(s))
+            borders[number] = borders[number - sign] + sign * width
+            number += sign
+    return borders
+
+
+def _values(pieces: tuple[Poly3, ...], s: Numbers, before: Numbers) -> Numbers:
+    """The values of the last pieces that have begun at places; ``before`` the first."""
+    for piece in pieces:
+        before = np.where(piece.s <= s + _ROUNDING, piece.value(s), before)
+    return before

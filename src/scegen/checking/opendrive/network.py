@@ -8,10 +8,15 @@ from __future__ import annotations
 from cmath import exp
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from scegen.checking.opendrive.curves import Curve
 
 START, END = "start", "end"
+S = TypeVar("S", float, NDArray[np.float64])
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,8 +29,8 @@ class Poly3:
     c: float
     d: float
 
-    def value(self, s: float) -> float:
-        """The value at ``s``."""
+    def value(self, s: S) -> S:
+        """The value at ``s``, or at places."""
         u = s - self.s
         return self.a + u * (self.b + u * (self.c + u * self.d))
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import accumulate, pairwise
+from collections.abc import Iterator, Sequence
+from itertools import accumulate, islice, pairwise
 
 from scegen.checking.opendrive.arms import STRIPS, Arm
 from scegen.checking.opendrive.locate import OnLane
@@ -24,7 +24,9 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
 
     ``xosc.external``: who is driven from outside has no trajectory.
     """
-    for participant in situation.concrete.participants if situation.concrete else ():
+    people = situation.concrete.participants if situation.concrete else ()
+    under = _under(situation, [p.id for p in people if isinstance(p.motion, DriveMotion)])
+    for participant in people:
         trajectory = situation.storyboard.trajectory(participant.id)
         motion = participant.motion
         if participant.id in situation.storyboard.driven_from_outside:
@@ -37,9 +39,20 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
             continue
         elif isinstance(motion, DriveMotion):
             on_foot = participant.kind in ON_FOOT
-            yield from _drive(situation, participant.id, motion, trajectory, on_foot=on_foot)
+            lanes = under[participant.id]
+            yield from _drive(situation, participant.id, motion, trajectory, lanes, on_foot=on_foot)
         elif isinstance(motion, CrossingMotion):
             yield from _crossing(situation, participant.id, motion, trajectory)
+
+
+def _under(situation: Situation, names: Sequence[str]) -> dict[str, list[list[OnLane]]]:
+    """The lanes under every vertex of trajectories, looked for at once: that is quicker."""
+    ways = [(name, situation.storyboard.trajectory(name)) for name in names]
+    points = {
+        name: [vertex.point for vertex in way.points] for name, way in ways if way is not None
+    }
+    lanes = iter(situation.lanes_at([point for way in points.values() for point in way]))
+    return {name: list(islice(lanes, len(way))) for name, way in points.items()}
 
 
 def _drive(
@@ -47,10 +60,10 @@ def _drive(
     name: str,
     motion: DriveMotion,
     trajectory: Trajectory,
+    under: Sequence[list[OnLane]],
     *,
     on_foot: bool,
 ) -> Iterator[Finding]:
-    under = situation.lanes_at([vertex.point for vertex in trajectory.points])
     inward = situation.arms[motion.entry].inward
     numbers = [motion.entry_lane, *(change.lane_after for change in motion.lane_changes)]
     on_a_strip = max(numbers) > len(inward)

@@ -22,15 +22,23 @@ def check_starts(situation: Situation) -> Iterator[Finding]:
 
     The numbers beyond the driving lanes are those of the strips beside them.
     """
+    starts = {
+        entity.name: situation.in_world(situation.storyboard.start(entity.name))
+        for entity in situation.storyboard.entities
+    }
+    placed = [(name, position) for name, position in starts.items() if position is not None]
+    under = dict(
+        zip((n for n, _ in placed), situation.lanes_at([p for _, p in placed]), strict=True)
+    )
     for entity in situation.storyboard.entities:
-        position = situation.in_world(situation.storyboard.start(entity.name))
+        position = starts[entity.name]
         if position is None:
             if situation.network is not None:
                 found = unchecked if situation.concrete is None else error
                 message = "Init does not teleport it to a position that can be placed"
                 yield found(RULE, entity.name, message)
             continue
-        lanes = situation.lanes_at([position])[0]
+        lanes = under[entity.name]
         participant = situation.participant(entity.name)
         if participant is not None and situation.arms:
             if not _by_ramp(participant, situation, lanes):
