@@ -78,7 +78,7 @@ class Claim:
     def judge(self, view: View) -> Judged:
         """Whether it holds in every candidate."""
         found = self.test(view)
-        return found._replace(margin=np.nan_to_num(found.margin, nan=-NEVER, neginf=-NEVER))
+        return found._replace(margin=np.where(found.margin > -np.inf, found.margin, -NEVER))
 
 
 def rule_claim(

@@ -153,9 +153,8 @@ class Stage:
 
     def stands(self, evidence: Evidence) -> bool:
         """Whether every claim holds that is not given up, and the target is met."""
-        if not evidence.holds(self.given_up):
-            return False
-        return self.untargeted or evidence.meets(self.target, self.pair)
+        met = self.untargeted or evidence.meets(self.target, self.pair)
+        return met and evidence.holds(self.given_up)
 
     def _look_at_touching(self, contact_s: Floats, pairs: Ints) -> None:
         """Those who touch at first get all measures: PET leads a search out of a contact."""
@@ -175,12 +174,14 @@ class Stage:
 
         Either where that is possible, with all that holds without it.
         """
+        shown = [found]
 
         def proved(tried: ConcreteScenario) -> bool:
-            return self.stands(self.examine(tried))
+            shown.append(self.examine(tried))
+            return self.stands(shown[-1])
 
         made = bind_to_ego(found.concrete, self.network, self.meetings_s(found), proved)
-        bound = found if made is found.concrete else self.examine(made)
+        bound = next(evidence for evidence in shown if evidence.concrete is made)
         over = halted(bound.concrete, bound.view)
         if over is bound.concrete:
             return bound

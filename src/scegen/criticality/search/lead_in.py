@@ -48,22 +48,19 @@ def early_missing(view: View, choice: Sequence[Band], pair: tuple[str, str], roo
     if choice[0].measure == "headway" and tailgates(view.concrete, pair):
         return np.zeros(view.count)
     missing = np.zeros(view.count)
-    early: Summary | None = None
     for band in choice:
         if band.measure == "pet":
             later = LEAD_IN_S + (_LATER_S if room else 0.0) - second_enters_s(view, pair)
             missing = np.maximum(missing, later)
         else:
-            early = early if early is not None else _summary_of_lead_in(view, pair)
-            missing = np.maximum(missing, _worse_missing(view, early, band.measure, pair, room))
+            missing = np.maximum(missing, _worse_missing(view, band.measure, pair, room))
     return missing
 
 
 def early_contact_missing(view: View, pair: tuple[str, str], room: float) -> Floats:
     """How far a contact is from coming after the lead-in, and from a gap in it (c,)."""
     late = LEAD_IN_S + (_LATER_S if room else 0.0) - view.of_pair("contact_s", *pair)
-    early = _summary_of_lead_in(view, pair)
-    apart = _worse_missing(view, early, "distance", pair, room)
+    apart = _worse_missing(view, "distance", pair, room)
     missing: Floats = np.maximum(np.nan_to_num(np.maximum(late, 0.0)), apart)
     return missing
 
@@ -87,11 +84,10 @@ def second_enters_s(view: View, pair: tuple[str, str]) -> Floats:
     return first
 
 
-def _worse_missing(
-    view: View, early: Summary, name: str, pair: tuple[str, str], room: float
-) -> Floats:
+def _worse_missing(view: View, name: str, pair: tuple[str, str], room: float) -> Floats:
     """How far a measure is from getting clearly worse after the lead-in, in what counts as that."""
     field, worse = _WORSE_BY[name]
+    early = view.once(("lead-in", pair), lambda: _summary_of_lead_in(view, pair))
     before, after = getattr(early, field)[:, 0], view.of_pair(field, *pair)
     # Undefined in the lead-in: nobody was near. Undefined at all: no candidate for the band.
     undisturbed = np.isnan(before) & ~np.isnan(after)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -33,12 +34,19 @@ PROOF_DT_S = 0.01
 
 @dataclass(frozen=True)
 class Evidence:
-    """What one scenario shows."""
+    """What one scenario shows, in fine steps and in ``coarse`` ones."""
 
     concrete: ConcreteScenario
     view: View
+    coarse: View | None
     hazards: tuple[HazardProof, ...]
-    claims: tuple[ClaimProof, ...] = ()
+    claimed: Sequence[Claim] = ()
+
+    @cached_property
+    def claims(self) -> tuple[ClaimProof, ...]:
+        """How every claim holds: in the one and in the other."""
+        views = [self.view] if self.coarse is None else [self.view, self.coarse]
+        return prove(self.claimed, *views)
 
     def holds(self, but: Collection[str] = ()) -> bool:
         """Whether every statement holds, but for those with these ids."""
@@ -87,8 +95,8 @@ def examine(
     view = seen_in(dt_s)
     hazards = tuple(judge(view, hazard) for hazard in concrete.hazards)
     # Players take longer steps, in which triggers fire later: what is said holds in both.
-    views = [view] if dt_s == STEP_S or not claims else [view, seen_in(STEP_S)]
-    return Evidence(concrete, view, hazards, prove(claims, *views))
+    coarse = None if dt_s == STEP_S or not claims else seen_in(STEP_S)
+    return Evidence(concrete, view, coarse, hazards, claims)
 
 
 def proof_of(
