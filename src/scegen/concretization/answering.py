@@ -32,6 +32,7 @@ _AFTER_S = 8.0
 _ROUNDS = 16
 _BEFORE_S = 1.0
 _ALONG = 0.5
+_GONE_M = 0.1
 _GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0)
 
 
@@ -86,7 +87,7 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
             pair = frozenset((name, other))
             if pair not in touching:
                 free_m = apart(tracks[name], there, 0.0)
-                touching[pair] = times[free_m <= 0.0]
+                touching[pair] = times[(free_m <= 0.0) & (times < _parts_s(moments, name, other))]
             if not touching[pair].size:
                 continue
             first_s = touching[pair][:1]
@@ -110,8 +111,23 @@ def _comes_back(scene: Setup, name: str) -> bool:
 def _room_m(moments: Moments, who: str, other: str) -> float:
     """How near one comes to another; inf if no nearer than it may."""
     times = _times(moments)
+    times = times[times < _parts_s(moments, who, other)]
     there = moments.track(other, times)[0]
-    return float(apart(moments.track(who, times)[0], there, CLOSEST_M).min())
+    near_m = apart(moments.track(who, times)[0], there, CLOSEST_M)
+    return float(near_m.min(initial=inf))
+
+
+def _parts_s(moments: Moments, *names: str) -> float:
+    """When the first of these is gone: at the end of its way; inf if they stay."""
+    drives = [(n, moments.scene.drives[n]) for n in names if n in moments.scene.drives]
+    return min(
+        (
+            moments.offsets_s[n] + float(d.course.time_s[-1])
+            for n, d in drives
+            if float(d.course.s_m[-1]) >= d.laid.path.length_m - _GONE_M
+        ),
+        default=inf,
+    )
 
 
 def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contact) -> None:

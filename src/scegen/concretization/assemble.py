@@ -29,7 +29,6 @@ from scegen.scenario.functional import Participant
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
-_LONGEST_EXIT_M = 500.0
 _TURNS_MPS = 0.6
 """One that is to stand where it changes direction comes to rest some centimetres short of it."""
 
@@ -173,10 +172,10 @@ def _duration_s(scene: Setup, concrete: ConcreteScenario, paths: dict[str, Path]
         # One who comes to rest in the end is often nearest to another just then.
         ends[name] = float(trace.time_s[done[0]]) + (_AFTER_REST_S - _AFTER_S if stays else 0.0)
     duration = max(ends.values()) + _AFTER_S
-    for name, draft in scene.drives.items():
+    for name in scene.drives:
         trace = traces[name]
         stopped = trace.s_m >= paths[name].length_m - 1e-6
-        if stopped.any() and scene.road.arms[draft.drive.exit].length_m < _LONGEST_EXIT_M:
+        if stopped.any():
             early = duration - float(trace.time_s[stopped.argmax()])
             if early > 0:
                 # One who waits at the end of the road would be run over by the next.

@@ -31,6 +31,9 @@ choice."""
 _MORE_S = 1e-3
 _BRAKES_S = 0.6
 """So long at least it slows down."""
+_ROLLS_MPS, _SURE_S = 0.5, 1.0
+"""Whose way another goes on by moves, then and so long after: one who comes to rest there does so
+some centimetres short where a simulator takes steps."""
 _LONGEST_S = 25.0
 """Nobody is let wait longer for others: of a stream somebody comes later instead."""
 
@@ -175,7 +178,8 @@ def set_gaps(scene: Setup) -> None:
         other, again = scene.drives[draft.lets_by], _going_on(draft)
         goes_s = draft.offset_s + again.begins_s
         way_m = round(other.course.s_at(goes_s - other.offset_s) - other.start_m, 3)
-        moves = other.course.speed_then(goes_s - other.offset_s) > 0.5
+        moving_s = goes_s - other.offset_s
+        moves = all(other.course.speed_then(moving_s + s) > _ROLLS_MPS for s in (0.0, _SURE_S))
         if moves and 0.0 < way_m < other.laid.path.length_m - other.start_m - 1.0:
             draft.goes_at = Travelled(participant=other.id, distance_m=way_m)
         else:

@@ -1,5 +1,7 @@
 """The offline rules: valid, without chance, a help to the search and never a harm."""
 
+from dataclasses import replace
+
 import pytest
 
 from scegen.concretization import concretize
@@ -43,7 +45,7 @@ def test_a_danger_that_lacks_something_gets_more_of_it(ready):
     short = speeding.model_copy(update={"happened": False, "margin": -1.5, "by": ("car_1",)})
     before = search.before
     try:
-        search.before = type(before)(before.concrete, before.view, (short,))
+        search.before = replace(before, hazards=(short,))
         changes = search.advise(OfflineProposer()).advice.changes
     finally:
         search.before = before
