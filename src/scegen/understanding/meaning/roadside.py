@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 
 _OPENED_REACH = 11
 _TYRES = frozenset({"tire", "tyre"})
 _IN_THE_WAY = 9
-_CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk"})
+_CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk", "middle"})
 _REACH = 4
+_BESIDE = "things beside the road are built only where they hide somebody"
+_TOWED = "what a vehicle tows is not modelled"
+_ENDS = frozenset({"punct", "conj", "locus"})
+_FOR_IT = frozenset({"avoid", "brake", "hard_brake", "stop", "slow", "swerve"})
 
 
 def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
@@ -38,28 +42,34 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         whose += thing.owner.entities if thing.owner is not None else []
         draft.hazard(HazardKind.OBSTACLE, basis, whose)
         draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
-    elif thing.kind == "object" and _in_the_way(thing, chunks):
+    elif thing.kind == "object" and _in_the_way(thing, chunks, draft):
         draft.hazard(HazardKind.OBSTACLE, basis, [])
         draft.lying.append(thing)
     elif thing.kind == "object":
-        draft.note(
-            thing.i, thing.j, "things beside the road are built only where they hide somebody"
-        )
+        towed = (thing.head.data.get("thing") if thing.head else None) == "trailer"
+        draft.note(thing.i, thing.j, _TOWED if towed else _BESIDE)
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
         draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
 
 
-def _in_the_way(thing: Thing, chunks: list[Chunk]) -> bool:
-    """``a barrier blocks the lane``, ``a tree lying across the road``."""
+def _in_the_way(thing: Thing, chunks: list[Chunk], draft: Draft) -> bool:
+    """``a wall stands in the ego's lane``, ``a bin on the road``, ``brakes for a caravan``."""
     k = next(k for k, c in enumerate(chunks) if c is thing)
-    after = chunks[k + 1 : k + _IN_THE_WAY]
-    verb = next((m for m, c in enumerate(after) if isinstance(c, Event)), None)
-    if verb is None or any(isinstance(c, Mention) for c in after[:verb]):
-        return False
-    event, rest = after[verb], after[verb + 1 :]
-    what = next((c for c in rest if isinstance(c, Place | Thing)), None)
-    blocks = isinstance(event, Event) and event.name == "block"
-    return blocks and isinstance(what, Place) and what.kind in _CARRIAGEWAY
+    if thing.prep is None or thing.prep.value == "for":
+        before = [c for c in chunks[max(0, k - 2) : k] if isinstance(c, Event)][-1:]
+        if before and not before[0].nominal and before[0].name in _FOR_IT | {"tow"}:
+            return before[0].name != "tow"
+    put = False
+    for chunk in chunks[k + 1 : k + _IN_THE_WAY]:
+        if isinstance(chunk, Place) and (put or chunk.kind == "middle"):
+            return chunk.kind in _CARRIAGEWAY
+        if isinstance(chunk, Event):
+            put = chunk.name == "block"
+        elif isinstance(chunk, Word) and chunk.cat == "prep":
+            put = draft.tokens[chunk.i].low in word_list("upon") or chunk.value == "into"
+        elif chunk.cat in _ENDS if isinstance(chunk, Word) else not put and chunk.prep is None:
+            return False
+    return False
 
 
 def _bursts(thing: Thing, draft: Draft) -> bool:
