@@ -260,4 +260,29 @@ SCENARIOS: dict[str, FunctionalScenario] = {
         side="left",
         lanes=2,
     ),
+    "a_door_opens_before_it": road(
+        [ego(40), one("parked", "van", AHEAD, STAY, parked=True)],
+        [("obstacle", "parked", "ego")],
+        acts=[act("opens", "parked", "open_door")],
+        spacings=[apart("ego", "parked", "gap_m", 22.0, "opens")],
+    ),
+    "a_rider_swerves_for_a_door_on_the_left_side": road(
+        [
+            ego(50),
+            one("rider", "bicycle", AHEAD, speed=18),
+            one("parked", "car", [], STAY, parked=True),
+        ],
+        [("obstacle", "parked", "rider"), ("swerving", "rider", "ego")],
+        acts=[
+            act("opens", "parked", "open_door", when=as_soon_as("rider", "parked", "ttc_s", 1.5)),
+            act("swerves", "rider", "swerve"),
+        ],
+        side="left",
+    ),
+    "a_rider_hits_a_door": road(
+        [ego(), one("rider", "bicycle", AHEAD), one("parked", "car", [], STAY, parked=True)],
+        [("obstacle", "parked", "rider")],
+        acts=[act("opens", "parked", "open_door")],
+        outcome=ends("collision", "rider", "parked"),
+    ),
 }

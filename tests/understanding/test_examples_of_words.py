@@ -79,6 +79,8 @@ _OWN = {
     "2 s after the ego.",
     "steps off the kerb when the ego is 30 m away": "A man steps off the kerb when the ego is 30 m "
     "away.",
+    "opens its door when the cyclist is 10 m away": "The ego follows a cyclist. A parked car opens "
+    "its door when the cyclist is 10 m away.",
     "crosses on green for pedestrians": "At traffic lights a woman crosses on green for "
     "pedestrians.",
     "a pedestrian crosses at red": "At traffic lights a pedestrian crosses at red.",

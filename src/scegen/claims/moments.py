@@ -14,6 +14,7 @@ from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
 from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.concrete import door_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.vocabulary import Approach, HazardKind, Side
@@ -229,6 +230,8 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         return first(view.row(name, SPEED) < -STANDS_MPS)
     if act.kind is ActKind.TURN:
         return turns(view, name)
+    if act.kind is ActKind.OPEN_DOOR:
+        return sets_off(view, door_of(name)) if door_of(name) in view.index else never
     crossing = next((c for c in logical.crossings if c.participant == name), None)
     if crossing is None:
         stands = view.speed_mps(name)[:, 0] <= STANDS_MPS

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scegen.scenario.acts import Act
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.concrete import door_of
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
 from scegen.scenario.logical import ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.model import Interval
@@ -82,8 +83,18 @@ class Told:
         known = {p.id for p in self.people}
         return {other for pair in pairs if name in pair for other in pair} & known - {name}
 
+    @property
+    def doors(self) -> dict[str, str]:
+        """Whose the doors are that open."""
+        acts = (act for act in self.functional.acts if act.kind is ActKind.OPEN_DOOR)
+        return {door_of(act.participant): act.participant for act in acts}
+
     def may_touch(self, first: str, second: str) -> bool:
-        """Whether a contact of two is what is said, or what nobody decided on."""
+        """Whether a contact of two is what is said, or what nobody decided on.
+
+        A door is a part of its vehicle.
+        """
+        first, second = (self.doors.get(name, name) for name in (first, second))
         outcome = self.functional.outcome
         if outcome is None and self.open_end:
             return second in self.concerned_by(first)

@@ -7,6 +7,7 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.along.compose import compose_along, tells_along
+from scegen.concretization.along.doors import opens
 from scegen.concretization.answering import answer
 from scegen.concretization.asked import dangers
 from scegen.concretization.assemble import assemble
@@ -89,6 +90,12 @@ def concretize(
     """
     if tells_along(functional, logical):
         return compose_along(functional, logical, seed=seed, road=road)
+    for name in opens(functional):
+        raise MotionInfeasibleError(
+            "opens its door: that is made only on a road without a junction",
+            where=name,
+            hint="Leave the junction out, or let somebody pull out or stand in the way.",
+        )
     functional = functional.model_copy(update={"hazards": dangers(functional, logical)})
     try:
         return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)

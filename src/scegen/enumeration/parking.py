@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Standing
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Side
@@ -41,7 +42,8 @@ def standing(
     else:
         hidden = _sides(functional, arm, crossed) if hides else set()
         side = hidden.pop() if len(hidden) == 1 else kerb
-    blocks = not parked.pulls_out and any(
+    opens = any(a.kind is ActKind.OPEN_DOOR for a in functional.acts if a.participant == parked.id)
+    blocks = not (parked.pulls_out or opens) and any(
         h.kind in BLOCKING and parked.id in h.by for h in functional.hazards
     )
     return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)

@@ -31,7 +31,8 @@ def entities(concrete: ConcreteScenario, *, external_ego: bool = False) -> xosc.
     result = xosc.Entities()
     for participant in concrete.participants:
         body = BODIES[participant.kind]
-        if participant.kind in ON_FOOT:
+        # esmini moves no MiscObject: a door goes as who gets out by it.
+        if participant.kind in ON_FOOT | {ParticipantKind.DOOR}:
             entity = _on_foot(participant.kind, body)
         else:
             entity = _vehicle(participant, body)

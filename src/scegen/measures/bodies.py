@@ -29,6 +29,7 @@ MASS_KG: dict[ParticipantKind, float] = {
     ParticipantKind.EMERGENCY_VEHICLE: 3500.0,
     ParticipantKind.ANIMAL: 25.0,
     ParticipantKind.LARGE_ANIMAL: 70.0,
+    ParticipantKind.DOOR: 30.0,
 }
 """Mass with driver or rider: typical values for bodies of the sizes in ``scenario.bodies``.
 

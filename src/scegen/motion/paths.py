@@ -6,13 +6,20 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.doors import door_path
 from scegen.motion.model import Path
 from scegen.motion.polyline import LaidDrive
 from scegen.motion.reversing import lay_way
 from scegen.motion.routing import route_stretches
 from scegen.motion.standing import crossing_path, standing_path
 from scegen.road.model import RoadNetwork
-from scegen.scenario.concrete import ConcreteScenario, CrossingMotion, DriveMotion, Motion
+from scegen.scenario.concrete import (
+    ConcreteScenario,
+    CrossingMotion,
+    DriveMotion,
+    Motion,
+    SwingingMotion,
+)
 from scegen.scenario.vocabulary import ParticipantKind
 
 END_MARGIN_M = 2.0
@@ -40,6 +47,8 @@ def build_path(motion: Motion, kind: ParticipantKind, network: RoadNetwork, who:
         return lay_drive(network, motion, who).path
     if isinstance(motion, CrossingMotion):
         return crossing_path(network, motion, who)
+    if isinstance(motion, SwingingMotion):
+        return door_path(network, motion)
     return standing_path(network, motion, kind, who)
 
 

@@ -34,7 +34,10 @@ def body(
     """
     size = BODIES[kind]
     edge = max(0.06, (1.6 if ego else 0.8) / scale)
-    if kind in ANIMALS:
+    if kind is ParticipantKind.DOOR:
+        drawn = box(-size.rear_m, -size.width_m / 2, size.length_m, size.width_m, colour,
+                    stroke=theme.outline, stroke_width=edge)  # fmt: skip
+    elif kind in ANIMALS:
         drawn = _animal(size, colour, theme, edge)
     elif kind is ParticipantKind.PEDESTRIAN:
         drawn = element("ellipse", rx=0.16, ry=0.28, fill=colour, stroke=theme.outline,
@@ -48,7 +51,7 @@ def body(
         drawn += circle(middle + 0.05, 0, 0.15, theme.outline)
     else:
         drawn = _vehicle(kind, colour, theme, edge)
-    if braking and kind not in ON_FOOT | {ParticipantKind.BICYCLE}:
+    if braking and kind not in ON_FOOT | {ParticipantKind.BICYCLE, ParticipantKind.DOOR}:
         glow, lights = _brake_lights(size.rear_m, size.width_m, theme, scale)
         drawn = glow + drawn + lights
     if max(size.length_m, size.width_m) * scale < 2 * _SMALLEST_PX:

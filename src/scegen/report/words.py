@@ -11,6 +11,7 @@ from scegen.scenario.concrete import (
     LaneChange,
     SpeedPhase,
     StoodStill,
+    SwingingMotion,
     Travelled,
 )
 from scegen.scenario.functional import Hazard
@@ -76,6 +77,8 @@ def participant_words(participant: ConcreteParticipant) -> str:
         else:
             start = "waits at first"
         return f"{kind}, {start}, crosses arm {motion.arm} from the {motion.start_side}"
+    if isinstance(motion, SwingingMotion):
+        return f"{kind} of {motion.vehicle}, closed at first"
     place = "in the lane of" if motion.in_lane else f"on the {motion.side} of"
     return f"{kind}, stands {place} arm {motion.arm}"
 

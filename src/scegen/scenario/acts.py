@@ -77,6 +77,12 @@ class ActKind(Word):
         "steps off the kerb when the ego is 30 m away",
     )
     REVERSE = "reverse", "begins to drive backwards", "a U-turn (`turn`)", "backs up for 3 s"
+    OPEN_DOOR = (
+        "open_door",
+        "a parked vehicle opens a door on the side of the traffic",
+        "a door that is open from the start: an object in the way",
+        "opens its door when the cyclist is 10 m away",
+    )
     OVERTAKE = (
         "overtake",
         "begins to pass somebody in front of it",

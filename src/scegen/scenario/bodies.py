@@ -58,4 +58,6 @@ BODIES: dict[ParticipantKind, Body] = {
     ParticipantKind.EMERGENCY_VEHICLE: Body(
         5.90, 2.30, 2.70, 1.85, 3.70, "vehicle.ford.ambulance", 50, 3, 8
     ),
+    # Its length lies along its way, the arc on which it swings. CARLA shows who gets out by it.
+    ParticipantKind.DOOR: Body(0.10, 1.00, 1.20, 0.0, 0.0, "walker.pedestrian.0001", 3, 10, 10),
 }

@@ -264,7 +264,31 @@ class StandingMotion(FrozenModel):
     strip: Strip | None = None
 
 
-Motion = Annotated[DriveMotion | CrossingMotion | StandingMotion, Field(discriminator="type")]
+def door_of(vehicle: str) -> str:
+    """The name of a vehicle's door."""
+    return f"{vehicle[:35]}_door"
+
+
+class SwingingMotion(FrozenModel):
+    """The door of ``vehicle``, on the side of the traffic; it swings open as it moves.
+
+    ``stands`` and ``kind`` are where that vehicle stands and what it is.
+    """
+
+    type: Literal["swinging"] = "swinging"
+    vehicle: Identifier
+    kind: ParticipantKind
+    stands: StandingMotion
+
+    @property
+    def arm(self) -> int:
+        """The arm on which its vehicle stands."""
+        return self.stands.arm
+
+
+Motion = Annotated[
+    DriveMotion | CrossingMotion | StandingMotion | SwingingMotion, Field(discriminator="type")
+]
 
 
 class ConcreteParticipant(FrozenModel):
@@ -342,6 +366,11 @@ class ConcreteScenario(FrozenModel):
             msg = f"ids of participants and objects are not unique: {sorted(everything)}"
             raise ValueError(msg)
         for participant in self.participants:
+            if isinstance(motion := participant.motion, SwingingMotion):
+                on = {p.id: (p.kind, p.motion) for p in self.participants}
+                if on.get(motion.vehicle) != (motion.kind, motion.stands):
+                    msg = f"{participant.id} does not hang on {motion.vehicle}, as that one stands"
+                    raise ValueError(msg)
             for phase in participant.speed_program:
                 reference = getattr(phase.trigger, "participant", None)
                 if reference is not None and reference not in ids:

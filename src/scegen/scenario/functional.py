@@ -184,6 +184,13 @@ class Participant(FrozenModel):
     light: AtLight | None = None
     speed_mps: Interval | None = None
 
+    @model_validator(mode="after")
+    def _somebody(self) -> Participant:
+        if self.kind is ParticipantKind.DOOR:
+            msg = f"{self.id}: a door is no participant; its vehicle has the act open_door"
+            raise ValueError(msg)
+        return self
+
     @property
     def pulls_out(self) -> bool:
         """Whether it is parked at first and then drives."""

@@ -163,9 +163,16 @@ class ParticipantKind(Word):
         "`car`, `truck`",
         "an ambulance",
     )
+    DOOR = (
+        "door",
+        "a door of a parked vehicle, which the act `open_door` makes: in concrete scenarios only",
+        "a participant of a description",
+    )
 
 
 ANIMALS = frozenset({ParticipantKind.ANIMAL, ParticipantKind.LARGE_ANIMAL})
+DESCRIBED = tuple(kind for kind in ParticipantKind if kind is not ParticipantKind.DOOR)
+"""Kinds that a description may have."""
 ON_FOOT = ANIMALS | {ParticipantKind.PEDESTRIAN}
 """Kinds that walk or run, and drive nothing."""
 

@@ -55,7 +55,7 @@ def test_prompts_name_every_word_of_the_vocabulary():
             vocabulary.Visibility,
         ),
         "participants": (
-            vocabulary.ParticipantKind,
+            vocabulary.DESCRIBED,
             vocabulary.Approach,
             vocabulary.Maneuver,
             ThingKind,
@@ -72,7 +72,7 @@ def test_prompts_define_what_does_not_speak_for_itself():
     texts = prompts()
     for agent, kinds in {
         "road": (vocabulary.JunctionKind, vocabulary.Control, Carriageway, Strip),
-        "participants": (vocabulary.ParticipantKind, vocabulary.Approach),
+        "participants": (vocabulary.DESCRIBED, vocabulary.Approach),
         "hazards": (vocabulary.HazardKind,),
         "acts": (ActKind, Measure, OutcomeKind),
     }.items():

@@ -11,7 +11,7 @@ from scegen.claims.hazards.judging import hazard_pairs
 from scegen.measures.tables import Tables, build_tables
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.concrete import ConcreteScenario, SwingingMotion
 from scegen.scenario.vocabulary import HazardKind
 
 Pair = tuple[str, str]
@@ -70,10 +70,18 @@ def scene_of(
         friction=friction,
     )
     parked = [*(p.parked for p in concrete.participants), *(True for _ in concrete.objects)]
+    hung = {
+        (index[p.motion.vehicle], index[p.id])
+        for p in concrete.participants
+        if isinstance(p.motion, SwingingMotion)
+    }
     rest = [
         (i, j)
         for i, j in combinations(range(len(parked)), 2)
-        if (i, j) not in chosen and (j, i) not in chosen and not (parked[i] and parked[j])
+        if (i, j) not in chosen
+        and (j, i) not in chosen
+        and not (parked[i] and parked[j])
+        and (i, j) not in hung
     ]
     if not rest:
         return scene

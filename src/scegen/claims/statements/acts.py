@@ -9,8 +9,8 @@ import numpy as np
 
 from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, offset
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
+from scegen.claims.boxes import box_at, boxes, offset, seen
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always, within
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     ASIDE_MPS,
@@ -30,6 +30,7 @@ from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.doors import WAY_M
 from scegen.scenario.acts import (
     Act,
     ActKind,
@@ -39,10 +40,15 @@ from scegen.scenario.acts import (
     BeforeJunction,
     WhenMeasure,
 )
+from scegen.scenario.concrete import door_of
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
 
+_AJAR_M = 0.05
+_OPENS_BEFORE_S = Interval(low=0.0, high=4.0)
+"""Whoever is farther away when a door opens has time to look for another way."""
 _BESIDE_M = 0.5
 _SWERVES_M = 0.3
 _SPEED_OVER_S = 0.1
@@ -66,6 +72,8 @@ def claims(told: Told) -> Iterator[Claim]:
             statement = f"{act.participant} stands for {amount(act.duration_s)} s"
             tolerance = 2 * tolerances.TIME_S
             yield _claim(told, act, "duration_s", statement, "s", _stands, tolerance=tolerance)
+        if act.kind is ActKind.OPEN_DOOR:
+            yield from _opens(told, act)
         yield from _triggered(told, act, does)
 
 
@@ -123,6 +131,40 @@ def _happens(told: Told, act: Act, view: View) -> Judged:
     step = _begins(told, act, view)
     time_s = _when(view, step)
     return Judged(view.time_of(view.last_step) - time_s, time_s, time_s)
+
+
+def _opens(told: Told, act: Act) -> Iterator[Claim]:
+    """A door is closed until somebody comes, and open when that one is there."""
+    coming = {to for h in told.hazards if act.participant in h.by for to in h.to} or {told.ego}
+    for name in sorted(coming):
+        statement = f"the door of {act.participant} is open when {name} comes to it"
+        yield _claim(told, act, f"open.{name}", statement, "s", _is_open, name)
+        if act.when is None:
+            statement = f"the door of {act.participant} opens before {name}, shortly before"
+            yield _claim(told, act, f"before.{name}", statement, "s", _shortly_before, name)
+
+
+def _is_open(_told: Told, act: Act, name: str, view: View) -> Judged:
+    """How long it has been open when that one is nearest."""
+    door = door_of(act.participant)
+    if door not in view.index:
+        return always(view, holds=False)
+    place = view.place_m(door)
+    opened = first(place >= WAY_M - _AJAR_M)
+    nearest = view.of_pair("closest_s", name, door)
+    since = nearest - _when(view, opened)
+    return Judged(since + tolerances.TIME_S, since, _when(view, opened))
+
+
+def _shortly_before(told: Told, act: Act, name: str, view: View) -> Judged:
+    """How far away that one still is, in time."""
+    door, step = door_of(act.participant), _begins(told, act, view)
+    if door not in view.index:
+        return always(view, holds=False)
+    away = measure_at(view, Measure.HEADWAY_S, act.participant, name, step)
+    follows = seen(box_at(view, name, step), box_at(view, door, step)).x > 0.0
+    margin = np.where((step < view.steps) & follows, within(away, _OPENS_BEFORE_S, 0.0), np.nan)
+    return Judged(margin, away, _when(view, step))
 
 
 def _of_speed(told: Told, act: Act) -> Iterator[Claim]:

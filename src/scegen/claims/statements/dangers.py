@@ -73,7 +73,9 @@ def _as_said(told: Told, hazard: Hazard, view: View) -> Judged:
 
 def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
     """Margins are relative to the scale of the weakest condition."""
-    margin, time_s = decisive(view, hazard)
+    doors = {of: door for door, of in told.doors.items() if door in view.index}
+    by = tuple(doors.get(name, name) for name in hazard.by)
+    margin, time_s = decisive(view, hazard.model_copy(update={"by": by}))
     if hazard.kind is HazardKind.DELAYED_BRAKING:
         margin = np.where(_never_brakes(told, hazard, view), np.maximum(margin, 0.0), margin)
     return Judged(margin, margin, time_s)

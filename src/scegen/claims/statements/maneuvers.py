@@ -123,7 +123,7 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         to = f" to the {drive.changes_to}" if drive.changes_to else ""
         test: Test = partial(_changes_lane, drive)
         yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
-    elif drive.maneuver is Maneuver.OVERTAKE:
+    elif drive.maneuver is Maneuver.OVERTAKE and not _met_by_a_door(told, name):
         passed = overtaken(told, name)
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
@@ -143,6 +143,12 @@ def _is_an_act(told: Told, drive: Drive) -> bool:
     """Whether its change of lane is one of the acts, to the same side: that is claimed there."""
     own = (a for a in told.acts_of(drive.participant) if a.kind is ActKind.CHANGE_LANE)
     return any(drive.changes_to in {None, act.side} for act in own)
+
+
+def _met_by_a_door(told: Told, name: str) -> bool:
+    """Whether the only ones whom it could pass open a door before it, which may end it."""
+    others = {p.id for p in told.people} - {name}
+    return bool(told.doors) and others <= {*told.doors.values()}
 
 
 def overtaken(told: Told, name: str) -> list[str]:

@@ -84,7 +84,9 @@ def pairs_of(told: Told, outcome: Outcome, view: View) -> list[tuple[str, str]]:
     """Between whom it may be: the two who are named, or the ego and anybody."""
     between = outcome.between
     if len(between) == 2:
-        return [(between[0], between[1])]
+        doors = [(a, d) for a, b in (between, between[::-1]) for d, of in told.doors.items()
+                 if of == b and d in view.index]  # fmt: skip
+        return [(between[0], between[1]), *doors]
     one = between[0] if between and between[0] != told.ego else None
     others = [one] if one is not None else [name for name in view.index if name != told.ego]
     return [(told.ego, other) for other in others if other in view.index]

@@ -87,7 +87,7 @@ def claims(told: Told) -> Iterator[Claim]:
         statement=f"there are {len(names)} participants and no others",
         field="participants",
         unit="1",
-        test=partial(_those, names),
+        test=partial(_those, names | told.doors.keys()),
         fixed=True,
     )
     said = told.functional.environment.model_dump(mode="json", exclude_none=True)

@@ -15,6 +15,7 @@ from scegen.claims.moments import act_begins, at
 from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.concrete import door_of
 from scegen.scenario.spacings import CONTACT, START, Measure, Spacing
 from scegen.scenario.vocabulary import Side
 
@@ -115,6 +116,10 @@ def measure_at(
     if measure in {Measure.LATERAL_OFFSET_M, Measure.OVERLAP_PERCENT}:
         frame, box = box_at(view, reference, step), box_at(view, who, step)
         return measured(measure, frame, box, side)
+    # A vehicle whose door opens is as near as its door, which heads across the road.
+    doors = [name for name in (door_of(who), door_of(reference)) if name in view.index]
+    if doors:
+        who, reference = doors[0], reference if doors[0] == door_of(who) else who
     # Along the ego's heading where it is one of the two: the other may go across.
     own, other = (who, reference) if who == view.concrete.ego.id else (reference, who)
     frame, box = box_at(view, own, step), box_at(view, other, step)

@@ -36,7 +36,7 @@ def all_acts(
     return acts
 
 
-_ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF}
+_ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF, ActKind.OPEN_DOOR}
 
 
 def _passing_first(hazard: Hazard, runners: Mapping[str, Runner], acts: list[Act]) -> list[Act]:

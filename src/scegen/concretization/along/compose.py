@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from scegen.concretization.along.auxiliary import fitted
 from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.doors import opens
 from scegen.concretization.along.frame import Frame, frame_of, road_of
 from scegen.concretization.along.laying import closest_s, lay
 from scegen.concretization.along.parked import park
@@ -17,6 +18,7 @@ from scegen.concretization.along.telling import story_of
 from scegen.concretization.along.writing import (
     ends_s,
     walk_motion,
+    written_door,
     written_parked,
     written_runner,
     written_walk,
@@ -36,7 +38,13 @@ from scegen.road import build_network
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
-from scegen.scenario.concrete import Change, ConcreteParticipant, ConcreteScenario, RoadParameters
+from scegen.scenario.concrete import (
+    Change,
+    ConcreteParticipant,
+    ConcreteScenario,
+    RoadParameters,
+    door_of,
+)
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
@@ -123,16 +131,20 @@ def _written(
     by_walk = {walk.id: walk for walk in walks}
     people = []
     for participant in story.functional.participants:
-        if participant.id in story.runners:
+        if participant.id in standing:
+            people.append(standing[participant.id])
+        elif participant.id in story.runners:
             people.append(written_runner(story, frame, participant))
         elif participant.id in by_walk:
             walk = by_walk[participant.id]
             path = crossing_path(network, walk_motion(frame, walk), walk.id)
             people.append(written_walk(story, frame, walk, path.length_m))
-        else:
-            people.append(standing[participant.id])
+    doors = opens(story.functional)
+    people += [written_door(story, doors[p.id], p) for p in parked if p.id in doors]
     objects = tuple(
-        _thing(story, frame, network, name) for name, r in story.runners.items() if r.box
+        _thing(story, frame, network, name)
+        for name, r in story.runners.items()
+        if r.box and not r.opens
     )
     concrete = ConcreteScenario(
         name=slug_name(story.logical),
@@ -154,6 +166,10 @@ def _caused(story: Story) -> tuple[Hazard, ...]:
     """The dangers, those by a thing with the thing named."""
     found = []
     for hazard in story.hazards:
+        if any(name in opens(story.functional) for name in hazard.by):
+            by = tuple(door_of(n) if n in opens(story.functional) else n for n in hazard.by)
+            found.append(hazard.model_copy(update={"by": by}))
+            continue
         if hazard.kind is HazardKind.OBSTACLE and story.things and not hazard.by:
             thing = story.things[0]
             to = hazard.to or (thing.in_way_of or story.ego.id,)

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scegen.concretization.along.auxiliary import ON_RAMP_S, merging
+from scegen.concretization.along.doors import door_before
 from scegen.concretization.along.performing import perform
 from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import goes_on_when_free
 from scegen.concretization.profile import NEVER_S
-from scegen.scenario.acts import Act, AfterAct, AfterDistance, AfterStart, WhenMeasure
+from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT
 
 _HOLDS_S = 1.5
 """Between two acts of one participant, where nothing is said: long enough to see the speed held."""
 _LATE_S, _LOOK_S = 60.0, 0.02
+_SHIES_S = 0.3
+"""Who swerves for a door that opens does so sooner than one brakes: a simple reaction."""
 
 
 def time_what_is_known(story: Story) -> tuple[list[Act], list[Act]]:
@@ -83,6 +86,9 @@ def _moment_s(story: Story, act: Act) -> float:
            and a.id in story.ends_s]  # fmt: skip
     if own:
         return max(own) + _HOLDS_S
+    door = door_before(story.functional, story.runners, act.participant)
+    if act.kind is ActKind.SWERVE and door is not None:
+        return door.appears_s + _SHIES_S
     if act.participant in merging(story.functional):
         return FIRST_ACT_S + ON_RAMP_S
     return FIRST_ACT_S

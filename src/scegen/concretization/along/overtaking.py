@@ -66,7 +66,11 @@ def _stray(story: Story, act: Act, runner: Runner) -> None:
 
 def _drives_past(story: Story) -> bool:
     """Past one who is parked beside the lanes leads no change of lane."""
-    return any(s.participant not in story.runners for s in story.logical.standings)
+    beside = {name for name, runner in story.runners.items() if runner.opens}
+    return any(
+        s.participant not in story.runners or s.participant in beside
+        for s in story.logical.standings
+    )
 
 
 def _meet_after(story: Story, strays: set[str]) -> None:
@@ -139,7 +143,11 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
         if hazard.kind is HazardKind.OVERTAKING and own.id in hazard.by
         for name in hazard.to
     }
-    alike = {n: r for n, r in story.runners.items() if r.forward == own.forward and r is not own}
+    alike = {
+        name: runner
+        for name, runner in story.runners.items()
+        if runner.forward == own.forward and runner is not own and not runner.opens
+    }
     meant = to if act.into is None or act.into in to else {act.into}
     named = [alike[name] for name in meant if name in alike]
     if named:

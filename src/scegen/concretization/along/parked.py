@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.doors import middle_m, opens
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.along.strips import strips_along
-from scegen.road.cross_section import CARRIAGEWAY, LANE_TYPES
+from scegen.concretization.along.strips import strip_middle_m, strips_along
+from scegen.road.cross_section import CARRIAGEWAY
 from scegen.road.defaults import LANE_WIDTH_M
-from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.logical import Drive, Standing
 from scegen.scenario.roadway import Strip
@@ -41,7 +41,8 @@ class Parked:
 
 def standings_beside(story: Story) -> list[Standing]:
     """Those who stand beside the lanes and do not walk."""
-    return [s for s in story.logical.standings if s.participant not in story.runners]
+    along = {name for name, runner in story.runners.items() if not runner.opens}
+    return [s for s in story.logical.standings if s.participant not in along]
 
 
 def on_left(story: Story, standing: Standing) -> bool:
@@ -79,22 +80,10 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) ->
     left = on_left(story, standing)
     body = BODIES[story.functional.participant(standing.participant).kind]
     sign = 1 if left else -1
-    middle = _middle_m(story, standing)
+    middle = strip_middle_m(story.functional, story.logical, standing.participant)
     inner = edge_y_m(story, left=left) + sign * (middle - body.width_m / 2)
     wanted = inner - sign * (gap_m + runner.body.width_m / 2)
     runner.offset_m += runner.sign * (wanted - runner.y_m(0.0, LANE_WIDTH_M))
-
-
-def _middle_m(story: Story, standing: Standing) -> float:
-    """How far beyond the lanes the middle of the strip lies on which somebody stands."""
-    said = story.functional.participant(standing.participant).strip
-    wanted = {LaneType.PARKING, LaneType.SHOULDER} if said is None else {LANE_TYPES[said]}
-    before = 0.0
-    for kind, width in strips_along(story.functional, story.logical):
-        if kind in wanted:
-            return before + width / 2
-        before += width
-    raise KeyError(f"no strip for {standing.participant}")
 
 
 def park(story: Story, walks: list[Walk]) -> list[Parked]:
@@ -108,13 +97,21 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
     placed: list[Parked] = []
     ends: dict[tuple[bool, str], float] = {}
     free = 0
-    for standing in standings_beside(story):
+    rows: dict[bool, tuple[float, int]] = {}
+    opening = opens(story.functional)
+    for standing in sorted(standings_beside(story), key=lambda s: s.participant not in opening):
         kind = story.functional.participant(standing.participant).kind
         left, half = on_left(story, standing), BODIES[kind].length_m / 2
+        if (door := story.runners.get(standing.participant)) is not None:
+            there = middle_m(door, BODIES[kind])
+            placed.append(Parked(standing.participant, kind, standing, left, there))
+            rows[left] = there, door.sign
+            continue
         hidden = _hidden(standing, hiding, walks, left)
         if hidden is None:
-            passed = story.ego.x_m(_PASSED_AT_S) + free * (2 * half + _BETWEEN_M)
             free += 1
+            first, sign = rows.get(left, (story.ego.x_m(_PASSED_AT_S), -1))
+            passed = first - sign * (free - (left not in rows)) * (2 * half + _BETWEEN_M)
             placed.append(Parked(standing.participant, kind, standing, left, passed))
             continue
         sign = story.runners[hidden.meets].sign

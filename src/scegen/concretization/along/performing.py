@@ -10,6 +10,7 @@ from scegen.concretization.along.auxiliary import (
     merging,
 )
 from scegen.concretization.along.casting import usual_mps
+from scegen.concretization.along.doors import clear_of_m, door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner, Step
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, lasting_s
@@ -26,6 +27,8 @@ from scegen.scenario.vocabulary import HazardKind, Side
 
 _PACES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _SAME_MPS = 0.5
+_PASSES_S, _SHIES_FOR_S = 1.0, 1.3
+"""Who swerves round a door stays aside so long, until it has passed."""
 _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 
 
@@ -33,6 +36,9 @@ def perform(story: Story, act: Act, begins_s: float) -> None:
     """Add an act's steps and moves to who does it."""
     runner = story.runners[act.participant]
     story.begins_s[act.id] = begins_s
+    if act.kind is ActKind.OPEN_DOOR:
+        runner.appears_s, story.ends_s[act.id] = begins_s, begins_s + opening_s(act)
+        return
     if story.goes_round(act) or story.comes_back(act):
         story.ends_s[act.id] = begins_s  # its moves follow from the places
         return
@@ -106,6 +112,12 @@ def _swerve(
 ) -> list[Move]:
     lane = runner.lane_at(begins_s)
     side = act.side or _free_side(story, runner, lane)
+    door = door_before(story.functional, story.runners, runner.id)
+    if act.lateral_m is None and door is not None:
+        aside = runner.sign * clear_of_m(door, runner)
+        lasts = lasting_s(act, abs(aside), _SHIES_FOR_S)
+        out = Move(begins_s, lasts, lane, runner.offset_m + aside, act.id, hazard)
+        return [out, Move(out.ends_s + _PASSES_S, lasts, lane, runner.offset_m, act.id, hazard)]
     if act.lateral_m is None:
         aside = max(0, lane + outward(story.functional, side))
         if not story.innermost <= aside <= story.lane_count:

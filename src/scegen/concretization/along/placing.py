@@ -8,8 +8,9 @@ from dataclasses import replace
 from scegen.concretization.along.passing import JUST_M, just_missed_s, place_just_missed
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import LENGTHWISE, GapAt, level, place
-from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
-from scegen.concretization.limits import TAILGATING_HEADWAY_S
+from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
+from scegen.concretization.amounts import CLOSEST_M
+from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.scenario.acts import ActKind, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
@@ -27,6 +28,9 @@ _MEETS_S = 6.5
 _SLOWER_MPS = 0.5
 _STOPS_BEFORE_M = 1.0
 _AT_REST_S = 60.0
+_A_LITTLE_S = 0.1
+_HIT_AFTER_S = 1.2
+"""Who is to run into a door that opens does so when it is open."""
 
 
 def place_all(story: Story, *, wider: float = 1.0) -> None:
@@ -221,6 +225,8 @@ def _usual(
     """The measure that two of one direction usually have, and when; None: side by side."""
     ahead = is_ahead(story, runner.id, other.id)
     front, back = (runner, other) if ahead else (other, runner)
+    if runner.opens:
+        return Measure.TTC_S, _seen_before_s(story, runner, other) * wider, runner.appears_s
     backing = next((each for each in (front, back) if each.backs), None)
     if backing is not None:
         return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M, 0.0
@@ -249,6 +255,15 @@ def _usual(
     if back.speed_mps == 0.0:
         return Measure.GAP_M, 2.0, 0.0
     return Measure.HEADWAY_S, _headway_s(story, front, back, wider), 0.0
+
+
+def _seen_before_s(story: Story, door: Runner, other: Runner) -> float:
+    """How long before one comes a door opens: as long as one takes to react and to stop short."""
+    speed = other.speed_at_mps(door.appears_s)
+    if contact_wanted(story, door.id, other.id) or speed <= 0.0:
+        return _HIT_AFTER_S
+    stops = speed / (2 * LATE_BRAKING_MPS2) + CLOSEST_M / speed
+    return max(_HIT_AFTER_S, REACTION_S + stops + _A_LITTLE_S)
 
 
 def _headway_s(story: Story, front: Runner, back: Runner, wider: float) -> float:

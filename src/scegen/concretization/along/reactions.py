@@ -223,7 +223,7 @@ def _sees_s(who: Runner, other: Runner) -> float:
     """When the other becomes a danger: as it slows down, or comes into the lane."""
     moments = [s.begins_s for s in other.steps if s.target_mps < other.speed_mps]
     comes = [m for m in other.moves if m.lane == who.lane and other.forward == who.forward]
-    return min([*moments, *(m.begins_s for m in comes or other.moves)], default=0.0)
+    return min([*moments, *(m.begins_s for m in comes or other.moves)], default=other.appears_s)
 
 
 def _braking(

@@ -65,7 +65,7 @@ class Runner:
     ``lane_count`` how many there are and ``strips_m`` how far beyond them the middles of the strips
     lie whose numbers follow theirs.
     One that ``backs`` reverses from the start on, after the ``FORTH_M`` by which players know which
-    way it faces.
+    way it faces. From ``appears_s`` on it is in the way: a door that opens.
     """
 
     id: str
@@ -83,6 +83,7 @@ class Runner:
     lane_count: int = MAX_LANES
     strips_m: tuple[float, ...] = ()
     backs: bool = False
+    appears_s: float = 0.0
     _told: tuple[tuple[float, tuple[Step, ...]], Profile] | None = field(
         default=None, init=False, repr=False, compare=False
     )
@@ -106,6 +107,11 @@ class Runner:
     def leading_m(self) -> float:
         """From its reference point to the end of its box that comes first."""
         return self.body.rear_m if self.backs else self.body.front_m
+
+    @property
+    def opens(self) -> bool:
+        """Whether it is the door of one who is parked."""
+        return self.kind is ParticipantKind.DOOR
 
     @property
     def stands(self) -> bool:

@@ -53,6 +53,18 @@ def strips_along(
     return strips_beside(strips, parked=parked)
 
 
+def strip_middle_m(functional: FunctionalScenario, logical: LogicalScenario, name: str) -> float:
+    """How far beyond the lanes the middle of the strip lies on which somebody stands."""
+    said = functional.participant(name).strip
+    wanted = {LaneType.PARKING, LaneType.SHOULDER} if said is None else {LANE_TYPES[said]}
+    before = 0.0
+    for kind, width in strips_along(functional, logical):
+        if kind in wanted:
+            return before + width / 2
+        before += width
+    raise KeyError(f"no strip for {name}")
+
+
 def _against_traffic(functional: FunctionalScenario, logical: LogicalScenario, name: str) -> bool:
     """Whether one walks on a side of the road where the traffic comes towards it."""
     assignment = logical.assignment(name)

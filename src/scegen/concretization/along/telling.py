@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.concretization.along.acts import all_acts
 from scegen.concretization.along.casting import cast
+from scegen.concretization.along.doors import cast_doors, hang_doors
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
@@ -31,6 +32,7 @@ def story_of(
     grip = friction_of(functional.environment) * GRAVITY_MPS2
     runners = cast(functional, logical, min(limit, comfortable_mps(functional)))
     _keep_on_the_road(functional, runners, limit, grip)
+    cast_doors(functional, logical, runners)
     things = _things(functional, logical, runners)
     for thing in things:
         blocked = runners[thing.in_way_of or ""]
@@ -51,6 +53,7 @@ def story_of(
     if road is not None:
         count = max(road.arms[0].lanes_in, road.arms[0].lanes_out)
     put_on_strips(functional, logical, people, count)
+    hang_doors(functional, logical, runners, count)
     for thing in things:
         runners[thing.id].lane = runners[thing.in_way_of or ""].lane
     return Story(functional, logical, runners, acts, count, limit, grip, tuple(things))

@@ -6,14 +6,17 @@ from collections.abc import Sequence
 from math import hypot
 
 from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.doors import endangered, opening_s
 from scegen.concretization.along.frame import Frame
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import FORTH_M, Runner, Step
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.doors import WAY_M
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import Act, AfterStart
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     AtTime,
@@ -24,12 +27,15 @@ from scegen.scenario.concrete import (
     LaneChange,
     SpeedPhase,
     StandingMotion,
+    SwingingMotion,
     Travelled,
     Trigger,
+    door_of,
 )
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.reversing import MOST_BACK_M, BacksUp
+from scegen.scenario.vocabulary import ParticipantKind
 
 _LEAST_MOVE_M = 2.0
 _BETWEEN_M = 0.1
@@ -37,6 +43,7 @@ _BETWEEN_M = 0.1
 _SPARE_M = 3.0
 _MOVES_MPS = 0.1
 _LOOK_S = 0.25
+_FLUNG_MPS2 = 6.0
 
 
 def written_runner(story: Story, frame: Frame, participant: Participant) -> ConcreteParticipant:
@@ -128,12 +135,12 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
         first = all(_apart_m(frame, runner, other, n * _LOOK_S) > apart for n in looks)
         along = other.speed_at_mps(moment) * runner.sign * other.sign
         closing = runner.speed_at_mps(moment) > along + 0.05
-        participant = any(p.id == other.id for p in story.functional.participants)
+        participant = other.box is None
         if closing and participant and first:
             return DistanceBelow(participant=other.id, distance_m=round(apart, 3))
         if participant and step.act is None:
-            return _come_so_far((other, story.ego, runner), moment)
-    return _come_so_far((story.ego, runner), moment)
+            return come_so_far((other, story.ego, runner), moment)
+    return come_so_far((story.ego, runner), moment)
 
 
 def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
@@ -144,7 +151,7 @@ def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
     return hypot(here.x_m - there.x_m, here.y_m - there.y_m)
 
 
-def _come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
+def come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
     """How far the first of them who moves has come at a moment; that moment if nobody does."""
     for who in whose:
         if who.speed_at_mps(moment_s) > _MOVES_MPS:
@@ -158,7 +165,7 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
     meets = story.runners[walk.meets]
     trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
     if not walk.timed:
-        trigger = _come_so_far([meets], just_before_step_s(walk.sets_off_s))
+        trigger = come_so_far([meets], just_before_step_s(walk.sets_off_s))
     stops = walk.stops_after_m is not None
     return ConcreteParticipant(
         id=walk.id,
@@ -203,6 +210,30 @@ def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcretePartic
             from_junction_m=round(max(0.0, away), 3),
             strip=participant.strip,
         ),
+    )
+
+
+def written_door(story: Story, act: Act, vehicle: ConcreteParticipant) -> ConcreteParticipant:
+    """The door of one who is parked, which opens as the first whom it endangers has come so far."""
+    if not isinstance(vehicle.motion, StandingMotion):
+        raise TypeError(f"{vehicle.id} does not stand")
+    names = sorted(endangered(story.functional, vehicle.id))
+    coming = [story.runners[name] for name in names if name in story.runners]
+    begins, lasts = story.begins_s[act.id], opening_s(act)
+    trigger: Trigger = come_so_far((*coming, story.ego), just_before_step_s(begins))
+    if isinstance(act.when, AfterStart):
+        trigger = AtTime(time_s=round(begins, 3))
+    # It gains speed and is stopped where it is open: way = v (t - v / 2a).
+    speed = _FLUNG_MPS2 * (lasts - max(lasts**2 - 2 * WAY_M / _FLUNG_MPS2, 0.0) ** 0.5)
+    phase = SpeedPhase(
+        trigger=trigger, target_speed_mps=round(speed, 4), rate_mps2=_FLUNG_MPS2, act=act.id
+    )
+    return ConcreteParticipant(
+        id=door_of(vehicle.id),
+        kind=ParticipantKind.DOOR,
+        speed_mps=0.0,
+        motion=SwingingMotion(vehicle=vehicle.id, kind=vehicle.kind, stands=vehicle.motion),
+        speed_program=(phase,),
     )
 
 

@@ -25,7 +25,7 @@ from scegen.criticality.target import NEAR_MISS, parse_target
 from scegen.errors import InputError
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.concrete import ConcreteScenario, door_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 
@@ -144,7 +144,10 @@ def named_pair(functional: FunctionalScenario | None, concrete: ConcreteScenario
     """The pair that the description's outcome names, if both have a way of their own here."""
     between = functional.outcome.between if functional and functional.outcome else ()
     known = {entity.id for entity in concrete.entities}
-    return (between[0], between[1]) if len(between) == 2 and {*between} <= known else None
+    if len(between) != 2 or not {*between} <= known:
+        return None
+    first, second = (door_of(name) if door_of(name) in known else name for name in between)
+    return first, second
 
 
 def _by_braking(

@@ -16,12 +16,12 @@ from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
+    DESCRIBED,
     Approach,
     Control,
     HazardKind,
     JunctionKind,
     Maneuver,
-    ParticipantKind,
     RoadSurface,
     TimeOfDay,
     Visibility,
@@ -43,7 +43,7 @@ _DEFINED: dict[str, Iterable[StrEnum]] = {
     "carriageways": Carriageway,
     "strips": Strip,
     "auxiliary_lanes": AuxiliaryLane,
-    "participant_kinds": ParticipantKind,
+    "participant_kinds": DESCRIBED,
     "approaches": Approach,
     "maneuvers": [word for word in Maneuver if word not in _EXITS[1:]],
     "hazard_kinds": HazardKind,

@@ -82,6 +82,8 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         kind = _kind(frame.kind, entity, event)
         if kind is None or _stands_then(entity, event):
             continue
+        if kind is ActKind.OVERTAKE and scene.targets and all(t.parked for t in scene.targets):
+            continue  # past one who is parked beside the lanes leads no move aside
         always = (
             (frame.always or kind is ActKind.CHANGE_LANE)
             and not (event.modal and parent is None)
@@ -116,7 +118,7 @@ def _changes_lane(entity: Entity, event: Event) -> bool:
 def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
     """``starts to walk``: crosses; ``veers into the left lane``: changes lanes."""
     afoot = not entity.is_vehicle
-    if kind in _DRIVEN and afoot:
+    if (kind in _DRIVEN and afoot) or (kind is ActKind.OPEN_DOOR and not entity.parked):
         return None
     if kind is ActKind.ACCELERATE and entity.stands is not None and entity.sets_off >= event.i:
         return ActKind.SET_OFF  # "accelerates from standstill"

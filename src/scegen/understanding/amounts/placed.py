@@ -208,7 +208,7 @@ class Spacer(Teller):
         here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
             return here[-1]
-        laned = [a for a in here if a.kind in _LANED or a.kind is ActKind.CROSS]
+        laned = [a for a in here if a.kind in _LANED | {ActKind.CROSS, ActKind.OPEN_DOOR}]
         laned += [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
         own = self._text.verb_at(number.i, number.j)
         laned = laned or [

@@ -11,7 +11,7 @@ from scegen.checking.openscenario.rules.trajectories import backwards_m
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.openscenario.storyboard import Trajectory
 from scegen.checking.results import Finding, error
-from scegen.scenario.concrete import CrossingMotion, DriveMotion
+from scegen.scenario.concrete import CrossingMotion, DriveMotion, StandingMotion
 from scegen.scenario.reversing import BacksOut
 from scegen.scenario.vocabulary import ON_FOOT
 
@@ -33,7 +33,7 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
             if trajectory is not None:
                 message = "is said to be driven from outside, but has a trajectory"
                 yield error("xosc.external", participant.id, message)
-        elif isinstance(motion, DriveMotion | CrossingMotion) and trajectory is None:
+        elif not isinstance(motion, StandingMotion) and trajectory is None:
             yield error("xosc.missing_trajectory", participant.id, "moves but has no trajectory")
         elif trajectory is None or not situation.arms or not trajectory.points:
             continue

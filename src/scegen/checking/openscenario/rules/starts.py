@@ -8,7 +8,12 @@ from scegen.checking.opendrive.arms import Arm
 from scegen.checking.opendrive.locate import OnLane
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.results import Finding, error, unchecked
-from scegen.scenario.concrete import ConcreteParticipant, CrossingMotion, DriveMotion
+from scegen.scenario.concrete import (
+    ConcreteParticipant,
+    CrossingMotion,
+    DriveMotion,
+    SwingingMotion,
+)
 from scegen.scenario.reversing import BacksOut
 
 RULE = "xosc.start"
@@ -69,7 +74,7 @@ def _where_asked(
 ) -> Iterator[Finding]:
     motion = participant.motion
     reversal = motion.reversal if isinstance(motion, DriveMotion) else None
-    if isinstance(motion, CrossingMotion):
+    if isinstance(motion, CrossingMotion | SwingingMotion):
         return  # starts outside the carriageway: its path is checked instead
     number = motion.entry if isinstance(motion, DriveMotion) else motion.arm
     if isinstance(reversal, BacksOut):

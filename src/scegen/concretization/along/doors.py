@@ -1,0 +1,109 @@
+"""Doors that open on the side of the traffic: what of the parked vehicle is then in the way.
+
+To everybody along the road such a vehicle is the ground over which its door swings, from the moment
+on at which it opens.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from math import copysign
+
+from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.strips import strip_middle_m
+from scegen.concretization.asked import outward
+from scegen.motion.doors import REACH_M, hinge_ahead_m
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import ParticipantKind, Side
+
+_DOOR = BODIES[ParticipantKind.DOOR]
+_OPENS_S = 0.8
+_CLEAR_M = 1.2
+_IN_THE_WAY_M = 0.3
+"""By so much it reaches into the way of who comes along: one rides or drives as near as that."""
+
+
+def opens(functional: FunctionalScenario) -> dict[str, Act]:
+    """Who is parked and opens a door, and the act."""
+    parked = {p.id for p in functional.participants if p.parked}
+    acts = (act for act in functional.acts if act.participant in parked)
+    return {act.participant: act for act in acts if act.kind is ActKind.OPEN_DOOR}
+
+
+def cast_doors(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: dict[str, Runner]
+) -> None:
+    """Add those who open a door to those along the road; lanes come later."""
+    ego = runners[functional.ego.id]
+    arm = logical.assignment(ego.id)
+    entry = getattr(arm, "entry", 0)
+    for standing in logical.standings:
+        name = standing.participant
+        if name not in opens(functional) or name in runners:
+            continue
+        keeps = functional.junction.driving_side.value
+        forward = (standing.arm == entry) == (standing.side.value == keeps)
+        box = replace(_DOOR, length_m=_DOOR.width_m, width_m=REACH_M)
+        runners[name] = Runner(
+            name, ParticipantKind.DOOR, forward, -1, 0.0,
+            box=box, keeps_left=ego.keeps_left, inner_m=ego.inner_m,
+        )  # fmt: skip
+
+
+def hang_doors(
+    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner],
+    lane_count: int,
+) -> None:  # fmt: skip
+    """Put doors beside the outermost lane, and those whom they endanger within their reach."""
+    inward = -outward(functional, Side.LEFT)
+    for name in opens(functional).keys() & runners.keys():
+        door, kind = runners[name], functional.participant(name).kind
+        middle = strip_middle_m(functional, logical, name)
+        tip = REACH_M - (middle - BODIES[kind].width_m / 2) - LANE_WIDTH_M / 2
+        door.lane, door.offset_m = lane_count, inward * (tip - REACH_M / 2)
+        for other in (runners[n] for n in endangered(functional, name) if n in runners):
+            said = any(
+                spacing.measure is Measure.LATERAL_GAP_M
+                and other.id in {spacing.participant, spacing.reference}
+                for spacing in functional.spacings
+            )
+            most = tip - _IN_THE_WAY_M + other.body.width_m / 2
+            if other.lane == lane_count and other.forward == door.forward and not said:
+                other.offset_m = inward * min(inward * other.offset_m, most)
+
+
+def endangered(functional: FunctionalScenario, name: str) -> set[str]:
+    """Who comes along where somebody opens a door."""
+    found = {to for hazard in functional.hazards if name in hazard.by for to in hazard.to}
+    return found or {functional.ego.id}
+
+
+def door_before(
+    functional: FunctionalScenario, runners: Mapping[str, Runner], who: str
+) -> Runner | None:
+    """The door that opens before somebody, None if none does."""
+    names = (n for n in opens(functional) if n in runners and who in endangered(functional, n))
+    return next((runners[name] for name in names), None)
+
+
+def clear_of_m(door: Runner, who: Runner) -> float:
+    """How far somebody goes aside, to the left of the ego's way if positive, to clear a door."""
+    away = who.y_m(0.0, LANE_WIDTH_M) - door.y_m(0.0, LANE_WIDTH_M)
+    needs = (door.body.width_m + who.body.width_m) / 2 + _CLEAR_M - abs(away)
+    return copysign(max(needs, _CLEAR_M), away)
+
+
+def middle_m(door: Runner, vehicle: Body) -> float:
+    """Where the middle of the vehicle lies along the road whose door it is."""
+    return door.x_m(0.0) + door.sign * (_DOOR.width_m / 2 - hinge_ahead_m(vehicle))
+
+
+def opening_s(act: Act) -> float:
+    """How long a door takes to open."""
+    return _OPENS_S if act.duration_s is None else act.duration_s.middle
