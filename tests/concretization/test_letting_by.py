@@ -47,6 +47,19 @@ SITUATIONS = {
         junction={"control": "stop"},
         acts=[{"id": "a", "participant": "ego", "kind": "wait", "into": "car"}],
     ),
+    "who turns off elsewhere": said(
+        "four_way",
+        person("ego", maneuvers=["right"]),
+        person("car", approaches=["right"], maneuvers=["left"]),
+        acts=[{"id": "a", "participant": "ego", "kind": "give_way", "into": "car"}],
+    ),
+    "who turns off elsewhere, on the left": said(
+        "four_way",
+        person("ego", maneuvers=["left"]),
+        person("car", approaches=["left"], maneuvers=["right"]),
+        junction={"driving_side": "left"},
+        acts=[{"id": "a", "participant": "ego", "kind": "give_way", "into": "car"}],
+    ),
     "an ambulance": said(
         "straight",
         person("ego", maneuvers=["lane_change"], speed=50),

@@ -21,7 +21,9 @@ from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS
 from scegen.scenario.acts import LETS_BY, Act
 from scegen.scenario.vocabulary import JunctionKind
 
-_ENOUGH_S = 10.0
+_ENOUGH_S, _ENOUGH_M = 10.0, 10.0
+_ALONG = 0.5
+"""Cosine of 60 degrees: by more than that, two go neither the same way nor against each other."""
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -78,10 +80,15 @@ def _meet(told: Told, act: Act) -> bool:
 
 
 def _gets_past(name: str, other: str, view: View) -> Judged:
-    """By how much the other, who goes the same way or comes the other, is past in the end (m)."""
+    """By how much the other, who goes the same way or comes the other, is past in the end (m).
+
+    Those who then go neither have parted without meeting.
+    """
     own, theirs = boxes(view, name), boxes(view, other)
-    ahead_m = offset(own, theirs)[0] * np.sign(same_way(own, theirs))
-    past_m = at(ahead_m - own.half_length - theirs.half_length, view.last_step)
+    along = at(same_way(own, theirs), view.last_step)
+    ahead_m = at(offset(own, theirs)[0], view.last_step) * np.sign(along)
+    past_m = ahead_m - own.half_length - theirs.half_length
+    past_m = np.where(np.abs(along) < _ALONG, _ENOUGH_M, past_m)
     return Judged(past_m, past_m, view.time_of(view.last_step))
 
 
