@@ -96,6 +96,9 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     if bracketed is not None and subject and bracketed not in subject:
         return subject[0], bracketed
     by_verb = number.frame.role in {"overlap", "headway", "ttc"} or not (named or located)
+    pronoun = isinstance(noun, Mention) and noun.pronoun is not None
+    if pronoun and scene is not None and scene.event.name == "follow":
+        by_verb = True  # "follows a car 30 m behind it", "follows a truck 25 m in front of it"
     if by_verb and scene is not None and scene.actors and scene.targets:
         return scene.actors[0], scene.targets[0]
     subject = [e for e in subject if e not in named]

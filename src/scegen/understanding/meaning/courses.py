@@ -23,6 +23,8 @@ def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
         event = clause.event
         words = context.tokens[event.i : event.j]
         rounds = bool(words) and words[0].forms[-1][0] in {"circulate", "circle"}
+        gone = [t.low for t in words[1:]] in (["round"], ["around"]) and event.object is None
+        rounds |= gone and not any(e.ego for e in clause.drivers)
         within = next((p for p in event.pps if _inside(p, context)), None)
         if event.negated or not (rounds or within) or event.name in {"enter", "approach"}:
             continue
