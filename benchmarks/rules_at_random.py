@@ -5,8 +5,9 @@
 Each situation (tests/helpers/random_traffic.py) is made, its danger raised where there is one, its
 files played in esmini, and judged on the recording by code that knows nothing of how it was made
 (tests/helpers/judging_rules.py). Without a breach nobody breaks a rule and nobody waits for ever;
-with one, whoever is said to breaks exactly that rule. Texts that contradict themselves (one who is
-said to fail to yield has right of way wherever the words let it be) are refused and counted apart.
+with one, whoever is said to breaks exactly that rule; and either way every claim holds. Texts that
+contradict themselves (one who is said to fail to yield has right of way wherever the words let it
+be) are refused and counted apart.
 Ends with 1 where that is not so.
 """
 
@@ -86,11 +87,12 @@ def main() -> int:
                     print(f"{rule} {seed} refused: {error}".splitlines()[0], file=sys.stderr)
                     continue
                 bad = wrong(rule, found, by)
-                done = not by or (reached and not missed)
                 seen = rule != "signals" or not by or ("red", *by, None) in found
                 count["made"] += 1
-                count["as said" if not bad and seen else "not as said"] += 1
-                count["claims missed or danger not reached"] += not done
+                count["as said" if seen and not (bad or missed) else "not as said"] += 1
+                count["a rule broken"] += bool(bad)
+                count["a claim missed"] += bool(missed)
+                count["danger not reached"] += bool(by) and not reached
                 words = f"{sorted(map(str, bad))} {missed or ''}" if bad or missed else "as said"
                 took = perf_counter() - begin
                 print(f"{rule} {seed} {breach}: {words} ({took:.1f} s)", file=sys.stderr)

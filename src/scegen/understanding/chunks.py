@@ -69,6 +69,7 @@ class Mention(NounPhrase):
         label: a name such as ``#1`` for "vehicle 1".
         drives: it does what only vehicles do ("the guy overtakes").
         walks: it does what people on foot do ("she steps out").
+        stood: it does what only one does that stands ("it sets off").
         label_at: index of the token that holds the label.
         possessor: it only says whose something is.
         joined: the mention that it is joined to by "and".
@@ -94,6 +95,7 @@ class Mention(NounPhrase):
     label: str | None = None
     drives: bool = False
     walks: bool = False
+    stood: bool = False
     label_at: int | None = None
     possessor: bool = False
     joined: Mention | None = None

@@ -88,9 +88,10 @@ def _keeps_lane(told: Told, drive: Drive) -> bool:
 def _stays_in_lane(drive: Drive, view: View) -> Judged:
     """How far to a side it comes on the arm by which it comes."""
     name = drive.participant
-    along, _ = arms_of(view)[drive.entry].place(boxes(view, name))
-    aside = np.abs(lateral_m(view, name, drive))
-    aside = np.where(along <= arms_of(view)[drive.entry].straight_m, aside, 0.0)
+    arm = arms_of(view)[drive.entry]
+    # Beyond the junction it may come beside its own arm again.
+    there = np.maximum.accumulate(arm.place(boxes(view, name))[0] > arm.straight_m, axis=1)
+    aside = np.where(there, 0.0, np.abs(lateral_m(view, name, drive)))
     step = aside.argmax(axis=1)
     most = at(aside, step)
     return Judged(SAME_LANE_M - most, most, view.time_of(step))
@@ -123,7 +124,7 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         to = f" to the {drive.changes_to}" if drive.changes_to else ""
         test: Test = partial(_changes_lane, drive)
         yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
-    elif drive.maneuver is Maneuver.OVERTAKE and not _met_by_a_door(told, name):
+    elif drive.maneuver is Maneuver.OVERTAKE and not _ended_from_beside(told, name):
         passed = overtaken(told, name)
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
@@ -145,10 +146,11 @@ def _is_an_act(told: Told, drive: Drive) -> bool:
     return any(drive.changes_to in {None, act.side} for act in own)
 
 
-def _met_by_a_door(told: Told, name: str) -> bool:
-    """Whether the only ones whom it could pass open a door before it, which may end it."""
+def _ended_from_beside(told: Told, name: str) -> bool:
+    """Whether all whom it could pass pull out or open a door before it, which may end it."""
     others = {p.id for p in told.people} - {name}
-    return bool(told.doors) and others <= {*told.doors.values()}
+    coming = {*told.doors.values(), *(p.id for p in told.people if p.pulls_out)}
+    return bool(others) and others <= coming
 
 
 def overtaken(told: Told, name: str) -> list[str]:

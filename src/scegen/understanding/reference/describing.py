@@ -18,6 +18,7 @@ _ONLY_VEHICLES = frozenset(
 )  # fmt: skip
 _UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
                        "follow", "speed"})  # fmt: skip
+_FROM_REST, _AWAY = frozenset({"unpark", "door"}), frozenset({"off", "away"})
 _CYCLING = frozenset({"cycle", "pedal"})
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
@@ -59,6 +60,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
     mention.walks = mention.walks or _on_foot(event)
+    away = event.name == "leave" and event.object is None and tokens[event.j - 1].low in _AWAY
+    mention.stood = mention.stood or ((away or event.name in _FROM_REST) and not event.negated)
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object

@@ -98,7 +98,10 @@ class Pronouns:
             options = others[-1:] or options  # "a rider passes the ego as it turns"
         if not self.draft.entities and word in {"he", "she"}:
             return self._somebody(mention, exclude, subject)
-        if mention.drives and any(e.parked for e in options):
+        if mention.stood and not any(e.still for e in options):
+            standing = [e for e in recent if e.still and e not in exclude]
+            options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
+        elif mention.drives and any(e.parked for e in options):
             driving = [e for e in recent if e.moving_vehicle and e not in exclude]
             options = driving[-1:] or options  # "a van is parked in its lane; it has to swerve"
         before = self.roster.before if len(self.roster.before) == 1 else []
