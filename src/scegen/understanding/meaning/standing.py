@@ -132,6 +132,8 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
         for entity in others:
             if entity.is_vehicle and entity.sets_off < 0:
                 entity.parked, entity.parked_basis = True, basis
+        if term.data.get("in_lane"):
+            context.draft.hazard(HazardKind.OBSTACLE, basis, [e for e in others if e.parked])
 
 
 def _until(event: Event, context: Context) -> bool:
