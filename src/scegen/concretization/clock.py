@@ -24,7 +24,6 @@ from scegen.concretization.meetings import (
 )
 from scegen.concretization.priorities import Manners, Waits, patient_ones
 from scegen.concretization.setup import Setup
-from scegen.concretization.walkers import Appointment
 from scegen.motion.rules.giving_way import must_give_way
 
 _ARM_MARGIN_M = 1.0
@@ -209,13 +208,11 @@ def _like_the_ego(scene: Setup, draft: DriveDraft) -> float:
     return ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
 
 
-def schedule(
-    scene: Setup, meetings: Sequence[Meeting], appointments: Sequence[Appointment]
-) -> dict[str, float]:
+def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     """Offsets on the scenario's clock.
 
     Everybody starts on its arm, before its first phase and before its first meeting; the ego
-    has ``APPROACH_S`` until its own; those into whose way somebody steps keep the appointment.
+    has ``APPROACH_S`` until its own.
     """
     first_s = _first_places(scene, meetings)
     ego, waits = scene.ego, Waits.of(scene.drives.values())
@@ -226,9 +223,6 @@ def schedule(
         if begins_s >= assumed_s - _SAME_S:
             break
         waits.restore()
-    for appointment in appointments:
-        arrival = scene.drives[appointment.drive].course.time_at(appointment.s_m)
-        begins_s = min(begins_s, arrival + offsets[appointment.drive] - appointment.least_s)
     return {name: offset - begins_s for name, offset in offsets.items()}
 
 

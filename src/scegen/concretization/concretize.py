@@ -44,10 +44,8 @@ from scegen.concretization.setup import Setup
 from scegen.concretization.speeds import cruise_speed_mps
 from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import (
-    appointments,
     place_walkers,
     program_walkers,
-    start_farther_out,
     stop_in_the_way,
 )
 from scegen.errors import MotionInfeasibleError
@@ -166,7 +164,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
         if rule.shape is not None:
             meetings += rule.shape(scene, hazard)
     meetings += shape_maneuvers(scene)
-    meetings += go_round_stationary(scene)
+    go_round_stationary(scene)
     place_obstacles(scene)
     for rule, hazard in rules:
         if rule.act is not None:
@@ -217,7 +215,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
 
 
 def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
-    offsets = schedule(scene, meetings, appointments(scene))
+    offsets = schedule(scene, meetings)
     offsets = do_acts(scene, offsets)
     moments = _with_lead_in(scene, offsets)
     short, who = shortfall(scene, moments.offsets_s)
@@ -234,7 +232,6 @@ def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     set_triggers(scene, moments)
     set_lights(scene, moments.leaves_s)
     set_gaps(scene)
-    start_farther_out(scene)
     return moments
 
 

@@ -26,6 +26,7 @@ from scegen.scenario.vocabulary import AtLight, HazardKind
 
 STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""
+STANDS_FIRST_S = 0.5
 _HOLDS_S = 1.5
 """Between two acts of one driver, where no time is said: long enough to see the speed held."""
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
@@ -94,14 +95,23 @@ def stand_in_line(scene: Setup) -> None:
 
 
 def lead_in_missing_s(scene: Setup, moments: Moments) -> float:
-    """How much too early the first act comes, where the text does not say when."""
+    """How much too early the first act comes, where the text does not say when.
+
+    Who goes across stands for a moment before.
+    """
     begins = [
         moments.begins_s(act)
         for draft in scene.drives.values()
         for act in (scene.act(mark.act) for mark in draft.deeds if mark.act is not None)
         if not isinstance(act.when, AfterStart)
     ]
-    return max(0.0, LEAD_IN_S - min(begins, default=LEAD_IN_S))
+    timed = {act.participant for act in scene.acts if isinstance(act.when, AfterStart)}
+    leaves = [moments.leaves_s(name) for name in scene.walks if name not in timed]
+    return max(
+        0.0,
+        LEAD_IN_S - min(begins, default=LEAD_IN_S),
+        STANDS_FIRST_S - min(leaves, default=STANDS_FIRST_S),
+    )
 
 
 def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:

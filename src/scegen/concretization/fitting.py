@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from scegen.concretization.asked import contact_wanted
 from scegen.concretization.deeds import is_open
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.moments import Moments, is_lengthwise
@@ -97,15 +96,6 @@ def _unknowns(scene: Setup, moments: Moments) -> Iterator[Unknown]:
                     lambda _, draft=draft, n=n: draft.deeds[n].s_m,  # type: ignore[misc]
                     lambda _, value, draft=draft, n=n: _move(draft, n, value),  # type: ignore[misc]
                 )
-    for walk in scene.walks.values():
-        if walk.id in moments.sets_off_s and contact_wanted(
-            scene.functional, walk.id, scene.ego.id
-        ):
-            yield Unknown(
-                _STEP_M,
-                lambda _, walk=walk: walk.back_m,  # type: ignore[misc]
-                lambda _, value, walk=walk: setattr(walk, "back_m", value),  # type: ignore[misc]
-            )
     for name in moments.sets_off_s:
         yield Unknown(
             _STEP_S,

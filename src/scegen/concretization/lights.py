@@ -147,7 +147,7 @@ def _walked(scene: Setup, leaves_s: Callable[[str], float]) -> Iterator[_Shown]:
     for walk in scene.walks.values():
         wanted = scene.functional.participant(walk.id).light
         if wanted is not None:
-            way_m = walk.motion.setback_m + walk.back_m - walk.body.front_m
+            way_m = walk.motion.setback_m - walk.body.front_m
             time_s = leaves_s(walk.id) + walk.runs_s(max(way_m, 0.0))
             yield _Shown(walk.crossing.arm, afoot=True, time_s=time_s, wanted=wanted)
 

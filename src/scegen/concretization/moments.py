@@ -101,7 +101,7 @@ class Moments:
 
     def _walks_s(self, name: str) -> float:
         walk = self.scene.walks[name]
-        return walk.runs_s(self._rendezvous(name)[2] + walk.back_m)
+        return walk.runs_s(self._rendezvous(name)[2])
 
     def _rendezvous(self, name: str) -> tuple[DriveDraft, float, float]:
         found = self._partners[name]
@@ -121,7 +121,7 @@ class Moments:
         if name in scene.walks:
             walk = scene.walks[name]
             way, speed = gained(walk.speed_mps, walk.rate_mps2, times_s - self.leaves_s(name))
-            way = np.minimum(way - walk.back_m, walk.path.length_m)
+            way = np.minimum(way, walk.path.length_m)
             return box_on(walk.path, walk.body, way), speed
         stand = scene.stands[name]
         still = np.zeros(len(times_s))

@@ -83,11 +83,10 @@ class Walker:
 
 @dataclass
 class WalkDraft(Walker):
-    """One who crosses an arm, in the making; it starts ``back_m`` farther out than it was laid."""
+    """One who crosses an arm, in the making."""
 
     motion: CrossingMotion
     path: Path
-    back_m: float = 0.0
     program: tuple[SpeedPhase, ...] = ()
 
     @property

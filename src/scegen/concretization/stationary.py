@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import same_arm
-from scegen.concretization.limits import LATE_BRAKING_MPS2
-from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.others import StandDraft
 from scegen.concretization.passing import pass_standing
 from scegen.concretization.setup import Setup
@@ -21,7 +18,6 @@ CLEAR_OF_CORNER_M = 6.0
 """From the junction to the nearest parked bumper: behind a crosswalk of 4 m set back by 1 m."""
 _ROOM_TO_PULL_OUT_M = 30.0
 _BETWEEN_M = 1.5
-_PULLS_OUT_BEFORE_M = 1.5
 _BEFORE_PULLING_OUT_M = 7.0
 """In a row, who pulls out needs this much before it."""
 BLOCKS_AT_M = 45.0
@@ -98,12 +94,8 @@ def blocked_lane_ahead(scene: Setup, draft: DriveDraft) -> bool:
     return any(_place_on_way(scene, draft, stand) is not None for stand in blocking)
 
 
-def go_round_stationary(scene: Setup) -> list[Meeting]:
-    """Who drives in the lane of a vehicle that blocks it goes round.
-
-    Returns the meetings with those who come from behind in the lane that this needs.
-    """
-    meetings: list[Meeting] = []
+def go_round_stationary(scene: Setup) -> None:
+    """Who drives in the lane of a vehicle that blocks it goes round."""
     for stand in scene.stands.values():
         if not stand.standing.in_lane:
             continue
@@ -111,30 +103,6 @@ def go_round_stationary(scene: Setup) -> list[Meeting]:
             place = _place_on_way(scene, draft, stand)
             if place is not None and not draft.lane_changes:
                 pass_standing(scene, draft, place, BODIES[stand.kind])
-                meetings += _in_front_of(scene, draft)
-    return meetings
-
-
-def _in_front_of(scene: Setup, draft: DriveDraft) -> list[Meeting]:
-    """The next from behind in the lane into which one pulls out: it brakes late if it is faster."""
-    out = draft.lane_changes[0]
-    behind = [
-        other
-        for other in scene.drives.values()
-        if same_arm(other, draft)
-        and other.entry_lane == out.lane_after
-        and other.drive.rank >= draft.drive.rank
-        and not other.lane_changes
-    ]
-    if not behind:
-        return []
-    other = min(behind, key=lambda each: each.drive.rank)
-    place = draft.laid.path_s_m(out.position_m + out.length_m)
-    closing = max(0.0, other.cruise_mps - draft.cruise_mps)
-    gap = _PULLS_OUT_BEFORE_M + closing**2 / (2 * LATE_BRAKING_MPS2)
-    met = max(1.0, place - draft.body.rear_m - gap - other.body.front_m)
-    reason = f"pulls out in front of {other.id}"
-    return [Meeting(STRUCTURAL, draft.id, other.id, place, met, 0.0, reason)]
 
 
 def _place_on_way(scene: Setup, draft: DriveDraft, stand: StandDraft) -> float | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import sin, sqrt
 
 from scegen.concretization.asked import contact_wanted
@@ -36,24 +35,13 @@ _BEHIND_SCREEN_M = 0.8
 """The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
 _STOP_SHORT_M = 0.15
 _MOVES_MPS = 0.1
-_LEAST_SETBACK_M = 0.2
 _SPARE_S = 0.1
 _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
 _STEPS_OFF_M = 0.5
-_SETTLE_S = 0.5
 _ABREAST_M = 0.9
 _OF_PEAK = 0.9
 """Of the pace at which one who sets off must begin to stop, the share that is used."""
-
-
-@dataclass(frozen=True, slots=True)
-class Appointment:
-    """A drive must not reach ``s_m`` before ``least_s``, so that the walker can get there."""
-
-    drive: str
-    s_m: float
-    least_s: float
 
 
 def place_walkers(scene: Setup) -> None:
@@ -136,19 +124,6 @@ def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint]
     return None
 
 
-def appointments(scene: Setup) -> list[Appointment]:
-    """What walkers ask of the drivers' schedule."""
-    result = []
-    for walk in scene.walks.values():
-        found = partner_of(scene, walk)
-        if found is not None:
-            draft, point = found
-            place, distance = rendezvous(scene, draft, walk, point)
-            least = walk.runs_s(distance) + _SETTLE_S
-            result.append(Appointment(draft.id, place, least))
-    return result
-
-
 def rendezvous(
     scene: Setup, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
 ) -> tuple[float, float]:
@@ -183,17 +158,6 @@ def _contact(
     aside = (from_left - 0.5) * draft.body.width_m * (1 if sin(turn) > 0 else -1)
     place = first_s - draft.body.front_m - walk.body.width_m / 2
     return max(1.0, place), second_s - walk.body.centre_ahead_m - aside
-
-
-def start_farther_out(scene: Setup) -> None:
-    """Lay those anew who start farther out (or less far) than was usual."""
-    for walk in scene.walks.values():
-        if walk.back_m:
-            least = walk.body.front_m + _LEAST_SETBACK_M
-            setback = max(walk.motion.setback_m + walk.back_m, least)
-            walk.motion = walk.motion.model_copy(update={"setback_m": round(setback, 3)})
-            walk.path = crossing_path(scene.network, walk.motion, walk.id)
-            walk.back_m = 0.0
 
 
 def _crosses(act: Act) -> bool:

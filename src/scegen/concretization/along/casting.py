@@ -38,8 +38,6 @@ _USUAL_MPS = {
 limits have it, cyclists and walkers at their pace."""
 _EDGE_M = 1.5
 """Who walks along the side of the road keeps so far from the middle of its outermost lane."""
-_OF_LIMIT = 0.75
-"""Who goes slower than this share of the limit does not set the pace of the others."""
 _PASSES_BY_MPS = 6.0
 """By so much one who overtakes is faster, where no speeds are said."""
 
@@ -107,10 +105,8 @@ def _speeds(
     """Said, else by the danger that it causes, else the one speed of cruising traffic."""
     said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
     ego = runners[functional.ego.id]
-    cruising = (
-        said[ego.id].middle if ego.id in said else _leader_speed(logical, said, ego.id, limit_mps)
-    )
-    if cruising is None or cruising < 1.0:
+    cruising = said[ego.id].middle if ego.id in said else limit_mps
+    if cruising < 1.0:
         cruising = limit_mps
     ramps = functional.junction.auxiliary is AuxiliaryLane.ON_RAMP
     on_ramp = merging(functional) if ramps else frozenset()
@@ -146,23 +142,6 @@ def _speeds(
 def usual_mps(kind: ParticipantKind, limit_mps: float) -> float:
     """How fast one of a kind goes where nobody says how fast."""
     return _USUAL_MPS.get(kind, limit_mps)
-
-
-def _leader_speed(
-    logical: LogicalScenario, said: Mapping[str, Interval], ego: str, limit_mps: float
-) -> float | None:
-    """Who drives with another of an ordinary stated speed drives as fast, if none is said."""
-    drives = {d.participant: d for d in logical.drives}
-    own = drives.get(ego)
-    if own is None:
-        return None
-    for name, drive in drives.items():
-        interval = said.get(name)
-        middle = 0.0 if interval is None else interval.middle
-        level = drive.entry == own.entry and drive.maneuver is not Maneuver.STAY
-        if level and name != ego and middle >= _OF_LIMIT * limit_mps:
-            return middle
-    return None
 
 
 def _sets_off(functional: FunctionalScenario, name: str) -> bool:

@@ -8,7 +8,7 @@ says how many there are.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import combinations, product
+from itertools import product
 
 from scegen.concretization.along.auxiliary import exiting, merging
 from scegen.concretization.along.runner import Runner
@@ -264,7 +264,6 @@ def _usual(
     """Drive in line with the ego; change lanes where there is one to change into."""
     wishes: list[Wish[int]] = []
     ego = functional.ego.id
-    wishes += _apart(logical, runners)
     leaving = exiting(functional)
     for name in leaving & runners.keys():
         words = f"{name} is in the outermost lane, beside which the exit begins"
@@ -286,21 +285,3 @@ def _usual(
             words = f"{name} has a lane to change into"
             wishes.append(Wish((name,), LIKELY, _room(name, step, count), words))
     return wishes
-
-
-def _apart(logical: LogicalScenario, runners: Mapping[str, Runner]) -> list[Wish[int]]:
-    """Two beside the same one are on either side of it, if there is room."""
-    beside: dict[str, list[str]] = {}
-    for name in runners:
-        other = getattr(logical.assignment(name), "beside", None)
-        if other is not None:
-            beside.setdefault(other, []).append(name)
-    return [
-        Wish((a, b), USUAL, _differ(a, b), f"{a} and {b} are on either side")
-        for names in beside.values()
-        for a, b in combinations(names, 2)
-    ]
-
-
-def _differ(a: str, b: str) -> Met:
-    return lambda lanes: lanes[a] != lanes[b]

@@ -7,7 +7,6 @@ an act by the text does it so; who reverses stops for that.
 from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
-from scegen.concretization.asked import contact_wanted
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import (
@@ -15,7 +14,6 @@ from scegen.concretization.hazards.rule import (
     culprits,
     happens_s_m,
     stops_for_walkers,
-    victims,
 )
 from scegen.concretization.setup import Setup
 from scegen.scenario.acts import Act
@@ -56,8 +54,6 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
             draft.add_speed_change(SpeedChange(max(_FIRST_M, event), target, rate, hazard.kind))
             continue
         late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
-        if late and _runs_into(scene, hazard, draft):
-            continue  # too late for the one it runs into: it comes as fast as it is
         way = before**2 / (2 * rate) * (_LATE if late else 1.0)
         hold = _HOLDS_S.get(hazard.kind, _HOLD_S)
         walkers = stops_for_walkers(scene, draft)
@@ -66,16 +62,6 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
         draft.add_speed_change(
             SpeedChange(max(3.0, event - way - 0.1), 0.0, rate, hazard.kind, hold_s=hold)
         )
-
-
-def _runs_into(scene: Setup, hazard: Hazard, draft: DriveDraft) -> bool:
-    """Whether the text says that it hits one of those who suffer it."""
-    outcome = scene.functional.outcome
-    named = outcome is not None and bool(outcome.between)
-    return named and any(
-        contact_wanted(scene.functional, draft.id, victim.id)
-        for victim in victims(scene, hazard, draft)
-    )
 
 
 CHANGES_SPEED = Rule(act=_change_speed)
