@@ -182,6 +182,11 @@ class ClauseReader:
         """``the path of V2, eastbound on Elm Street``."""
         before = self._chunks[max(0, k - 2) : k]
         noun = before[-1] if before else None
+        last = self._state.events[-1] if self._state.events else None
+        if word.cat == "state" and noun is not None and last is not None and last.object is noun:
+            release(self._state)
+            last.object.mods.append(word.term)  # "approaches a car at standstill"
+            return True
         if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
             release(self._state)
             noun.mods.append(word.term)  # "it is red for the van opposite"

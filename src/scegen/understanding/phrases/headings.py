@@ -189,6 +189,9 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
     mentions = [c for c in title if isinstance(c, Mention)]
     if not _names_ego(rest):
         mentions = [m for m in mentions if not _names_ego([m])]  # "Ego merging: a van …"
+    others = [c for c in rest if isinstance(c, Mention) and c.heads and not _names_ego([c])]
+    if not others:  # "Stationary traffic ahead: the ego brakes": nobody else can be meant
+        mentions = [m for m in mentions if _names_ego([m]) or _in_general(m, title)]
     for mention in mentions:
         kind = mention.head.value if mention.head is not None else ""
         alone = sum(m.head is not None and m.head.value == kind for m in mentions) == 1

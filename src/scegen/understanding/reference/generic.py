@@ -59,5 +59,6 @@ def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
         if isinstance(chunk, Event | Mention):
             return False
         if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
-            return any(isinstance(c, Mention) for c in chunks if c.i > chunk.i)
+            after = [c for c in chunks if c.i > chunk.i and isinstance(c, Mention) and c.heads]
+            return any(not any(h.data.get("ego") for h in c.heads) for c in after)
     return False
