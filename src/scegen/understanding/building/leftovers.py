@@ -13,6 +13,7 @@ _PLACES = {
     "feature": "this shape of road is not built; a level, plain road is",
     "parking": "bays are built only where somebody is parked; this one is not",
 }
+_ONE_RAMP = "one ramp, or lane that ends, is built; this other one is left out"
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
 
@@ -21,6 +22,10 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
     """Adds a note for everything that is not expressed."""
     labels = {c.label_at for c in chunks if isinstance(c, Mention)}
     _unknown(draft, [t for t in terms if t.i not in labels])
+    beside = [t for t in terms if t.cat == "place" and "auxiliary" in t.data]
+    for term in beside:
+        if term.data["auxiliary"] != beside[0].data["auxiliary"]:
+            draft.note(term.i, term.j, _ONE_RAMP)
     for term in terms:
         if term.cat == "noted":
             draft.note(term.i, term.j, term.data["instead"])

@@ -41,7 +41,7 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
         whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
         whose += thing.owner.entities if thing.owner is not None else []
         draft.hazard(HazardKind.OBSTACLE, basis, whose)
-        draft.note(thing.i, thing.j, "doors are not modelled; an obstacle is")
+        draft.note(thing.i, thing.j, "whose door opens is not said here; an obstacle stands in")
     elif thing.kind == "object" and _in_the_way(thing, chunks, draft):
         draft.hazard(HazardKind.OBSTACLE, basis, [])
         draft.lying.append(thing)
