@@ -24,6 +24,7 @@ from scegen.understanding.phrases.each_side import both_sides
 from scegen.understanding.phrases.headings import lead, silence
 from scegen.understanding.phrases.identity import in_brackets
 from scegen.understanding.phrases.lanes_meant import lanes_meant
+from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
@@ -86,7 +87,7 @@ def read(text: str) -> FunctionalScenario:
     chunks = lanes_meant(Chunker(terms, tokens).run())
     chunks = name_roads(name_hiders(chunks), tokens)
     chunks = spell_out(both_sides(in_brackets(chunks), tokens))
-    chunks = repeat(silence(lead(chunks)), tokens)
+    chunks = open_doors(repeat(silence(lead(chunks)), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     own_measures(chunks, events, tokens)

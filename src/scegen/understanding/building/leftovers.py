@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Mention
+from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.draft import Draft
 from scegen.understanding.words.terms import Term
 
@@ -20,8 +20,10 @@ _MOST_NOTES = 200
 
 def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
     """Adds a note for everything that is not expressed."""
-    labels = {c.label_at for c in chunks if isinstance(c, Mention)}
-    _unknown(draft, [t for t in terms if t.i not in labels])
+    known = {c.label_at for c in chunks if isinstance(c, Mention)}
+    events = (c for c in chunks if isinstance(c, Event) and c.name != "unknown")
+    known |= {i for event in events for i in range(event.i, event.j)}
+    _unknown(draft, [t for t in terms if t.i not in known])
     beside = [t for t in terms if t.cat == "place" and "auxiliary" in t.data]
     for term in beside:
         if term.data["auxiliary"] != beside[0].data["auxiliary"]:
