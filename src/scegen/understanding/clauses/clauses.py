@@ -203,6 +203,9 @@ class ClauseReader:
         bracket = isinstance(mark, Word) and mark.value == "("
         if word.cat != "quantity" or not bracket or not isinstance(who, Mention):
             return False
+        beside = self._chunks[k - 3] if k > 2 else None
+        if isinstance(beside, Word) and beside.cat == "locus":
+            return False  # "the van in front of us (70 km/h)"
         release(self._state)
         who.mods.append(word.term)
         return True
