@@ -15,6 +15,7 @@ from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Doing, Happenings, amount_of
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Context
 
 MEASURES = {
@@ -35,6 +36,7 @@ _WHOLE = 100
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
+_SHORT_OF = (" before ", " short ", " in front ")
 
 
 class Spacer(Teller):
@@ -151,13 +153,19 @@ class Spacer(Teller):
         return scene.event.name if scene is not None else ""
 
     def _where_it_stops(self, number: Measured) -> bool:
-        """``stops 1 m before the pedestrian``: how far apart they end up."""
+        """``stops 1 m before the pedestrian``, ``comes to rest 5 m behind it``: how they end up."""
         scene = self._text.scene_at(number.i, number.j)
         name = scene.event.name if scene is not None else ""
-        stops = name in {"stop", "wait"} or (name == "pass" and not (scene and scene.targets))
+        before = self._text.low(number.i - 2, number.i).split()
+        rests = before[-1:] and before[-1] in word_list("at_rest") and before[0] != "from"
+        stops = name in {"stop", "wait"} or bool(rests)
+        stops = stops or (name == "pass" and not (scene and scene.targets))
         who = scene.actors if scene is not None else []
         stops = stops and bool(who) and not any(e.still for e in who)
-        return stops and number.around.after.startswith((" before ", " short ", " in front "))
+        if scene is not None and (rests or scene.event.j == number.i):
+            stops = stops and not number.around.after.startswith(" behind ,")
+            return stops and number.around.after.startswith((*_SHORT_OF, " behind "))
+        return stops and number.around.after.startswith(_SHORT_OF)
 
     def _beside(self, one: Entity, other: Entity) -> bool:
         """``drives alongside the ego, 1 m away``: from side to side."""
