@@ -41,7 +41,7 @@ _ROOM_S: Mapping[AtLight, tuple[float, float]] = {
 _WITHIN_S: Mapping[AtLight, float] = {AtLight.WAITS: 2.5, AtLight.STOPS: 1.5}
 """Who waits goes on so soon after green, who stops brakes so soon after amber.
 
-1 s to react to amber: FHWA, Signal Timing Manual (2008), 5.4.1.
+1 s to react to amber: FHWA, Signal Timing Manual (2008), 5.4.1; quoted from memory.
 """
 _STEP_S = 0.25
 _STARTS_S = 1.0

@@ -25,7 +25,7 @@ from scegen.units import speed_mps
 LEAST_GREEN_S = 10.0
 """Above the 5 s of [RiLSA]: so long that several pass."""
 LEAST_GREEN_AFOOT_S = 5.0
-"""The least of [RiLSA], 2.7.2 (*); [ITE], 6.4, asks for 4 to 7 s."""
+"""The least of [RiLSA], 2.7.2 (*); [ITE], 6.4, asks for 4 to 7 s (*)."""
 _WALKS_MPS = 1.2
 """People on foot clear a road so fast: [RiLSA], 2.5 (*); 3.5 ft/s = 1.07 m/s in [ITE]."""
 _AMBER_S = ((50.0, 3.0), (60.0, 4.0))
