@@ -189,7 +189,7 @@ def _aside(doing: Doing, scene: Clause, text: Sentences, context: Context) -> No
         if named and doing.side is None and place is not None:
             doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
     _into(doing, scene, context)
-    _homewards(doing, context)
+    _homewards(doing, event.name == "return", context)
     if entity.by_ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
         doing.side = _OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
     homeward = doing.into is None or doing.into.ego
@@ -209,19 +209,20 @@ def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
     return None
 
 
-def _homewards(doing: Doing, context: Context) -> None:
+def _homewards(doing: Doing, returns: bool, context: Context) -> None:
     """Who comes from the front goes over the middle; who has overtaken comes back."""
     entity, words = doing.entity, doing.basis
+    returns = returns and Maneuver.OVERTAKE in entity.maneuvers and context.oncoming(entity)
     across = Side(context.across)
     ego = next((e for e in context.draft.entities if e.ego), None)
-    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity):
+    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not returns:
         doing.into, doing.into_basis = doing.into or ego, doing.into_basis or words
         if doing.side is None:
             doing.side = across
             reason = "who comes from the front crosses the middle of the road"
             doing.side_basis = Basis(words.i, words.j, reason)
     back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
-    if back and doing.side is None and entity.beside is None:
+    if (returns or back) and doing.side is None and entity.beside is None:
         doing.side = _OTHER[across]
         reason = "who has overtaken comes back to its lane"
         doing.side_basis = Basis(words.i, words.j, reason)
