@@ -153,7 +153,7 @@ for line in sys.stdin.read().splitlines():
 """
 SENTENCES = (
     "A van whooshes out in front of the ego from the next lane on a motorway.",
-    "A van whooshes past the ego on a straight road",
+    "A child whooshes out from behind a parked van.",
     "The driver of an oncoming truck nods off on a straight road.",
     "The ego follows a truck, hanging back 30 m.",
 )
@@ -183,7 +183,7 @@ def test_the_reader_is_taught(changed):
     after = readings(changed("teach-the-reader"))
     assert [kinds for kinds, _, _ in after] == [
         {"cut_in"},
-        {"overtaking"},
+        {"crossing_pedestrian", "occlusion"},
         {"loss_of_control"},
         set(),
     ]
