@@ -51,15 +51,20 @@ def spread(
     """The scenario with every parameter's range cut down to one of ``count`` equal parts.
 
     Each of the ``count`` concretizations gets every part of every range once (Latin hypercube:
-    McKay, Beckman, Conover, Technometrics 21, 1979), in an order of its own by parameter. Within
-    its part, the search is free.
+    McKay, Beckman, Conover, Technometrics 21, 1979), in an order of its own by parameter; traffic
+    that comes on one arm has one speed. Within its part, the search is free.
     """
     if count == 1:
         return functional, logical
     rng = np.random.Generator(np.random.PCG64(seed))
+    arms = {f"{drive.participant}{_SPEED}": drive.entry for drive in logical.drives}
+    parts: dict[tuple[int | str, float, float], int] = {}
     kept = []
     for parameter in logical.parameters:
-        part = int(rng.permutation(count)[number])
+        drawn = int(rng.permutation(count)[number])
+        arm = None if parameter.reason == "stated" else arms.get(parameter.name)
+        alike = parameter.name if arm is None else arm, parameter.low, parameter.high
+        part = parts.setdefault(alike, drawn)
         width = (parameter.high - parameter.low) / count
         low = parameter.low + part * width
         cut = {"low": low, "high": low + width, "default": low + width / 2}

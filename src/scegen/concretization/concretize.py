@@ -60,8 +60,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
-_GROWTH = 0.5
-"""No attempt makes arms longer by a larger share, unless so much is missing."""
+_SPARE = 0.15
 _AGAIN = 3
 _FAST = frozenset({HazardKind.SPEEDING, HazardKind.SUDDEN_TURN})
 """The dangers of those who go fast through bends."""
@@ -112,7 +111,7 @@ def _on_long_enough_arms(
     *,
     obstacles: bool,
 ) -> ConcreteScenario:
-    arm_m, before = FIRST_ARM_M, (0.0, 0.0)
+    arm_m = FIRST_ARM_M
     for _ in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
@@ -122,9 +121,7 @@ def _on_long_enough_arms(
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
-            longer_m = _longer_m((arm_m, need.metres), before)
-            before = arm_m, need.metres
-            arm_m = ceil((arm_m + longer_m) / _ARM_STEP_M) * _ARM_STEP_M
+            arm_m = _long_enough_m(arm_m, need.metres)
             if road is not None or arm_m > LONGEST_ARM_M:
                 longest = max(arm.length_m for arm in parameters.arms)
                 raise MotionInfeasibleError(
@@ -135,16 +132,11 @@ def _on_long_enough_arms(
     raise MotionInfeasibleError(f"no arm length up to {arm_m:.0f} m lets everybody in and out")
 
 
-def _longer_m(now: tuple[float, float], before: tuple[float, float]) -> float:
-    """How much longer arms are to be, by (length, what is missing) of this and the last attempt.
-
-    Who starts farther out often needs more: what is missing is followed to where nothing would be.
-    """
-    (arm_m, missing_m), (shorter_m, missed_m) = now, before
-    share = (missed_m - missing_m) / (arm_m - shorter_m)
-    if not 0.0 < share < 1.0:
-        return missing_m
-    return max(missing_m, min(missing_m / share, _GROWTH * arm_m, LONGEST_ARM_M - arm_m))
+def _long_enough_m(arm_m: float, missing_m: float) -> float:
+    """How long arms are to be: who starts farther out often needs more than was missing."""
+    more_m = missing_m if arm_m <= FIRST_ARM_M else missing_m + arm_m
+    wanted_m = max(arm_m + missing_m, min(arm_m + missing_m + _SPARE * more_m, LONGEST_ARM_M))
+    return ceil(wanted_m / _ARM_STEP_M) * _ARM_STEP_M
 
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
@@ -193,7 +185,7 @@ def _place(scene: Setup) -> None:
 def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
     others = {each.participant for each in scene.logical.drives}
-    cruise = cruise_speed_mps(scene, participant)
+    cruise = cruise_speed_mps(scene, participant, drive.entry)
     waits_s = waits_for_green_s(participant)
     if scene.sets_off(participant.id) or stands_at_red(participant):
         cruise = usual_speed_mps(scene, participant.id)

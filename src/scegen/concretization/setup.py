@@ -49,6 +49,7 @@ class Setup:
     caused: dict[Hazard, Hazard] = field(default_factory=dict)
     changes: list[Change] = field(default_factory=list)
     signals: SignalPlan | None = None
+    paces: dict[tuple[int, float], float] = field(default_factory=dict)
 
     @property
     def hazards(self) -> tuple[Hazard, ...]:

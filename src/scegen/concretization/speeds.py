@@ -12,8 +12,11 @@ from scegen.scenario.vocabulary import ParticipantKind
 _SLOWEST_MPS = 1.0
 
 
-def cruise_speed_mps(scene: Setup, participant: Participant) -> float:
-    """The parameter's default (or the limit, or a cyclist's pace) with a little jitter."""
+def cruise_speed_mps(scene: Setup, participant: Participant, arm: int) -> float:
+    """The parameter's default (or the limit, or a cyclist's pace) with a little jitter.
+
+    Traffic that comes on one ``arm`` has one speed unless something else is said.
+    """
     name = f"{participant.id}.speed_mps"
     usual = CYCLING_MPS if participant.kind is ParticipantKind.BICYCLE else scene.limit_mps
     hazards = scene.functional.hazards
@@ -28,7 +31,8 @@ def cruise_speed_mps(scene: Setup, participant: Participant) -> float:
                 parameter.reason,
             )
     # Drawn in any case, so that one participant's range does not shift another's draws.
-    factor = 1.0 + float(scene.rng.uniform(-JITTER, JITTER))
+    drawn = 1.0 + float(scene.rng.uniform(-JITTER, JITTER))
+    factor = scene.paces.setdefault((arm, usual), drawn)
     top = BODIES[participant.kind].top_speed_mps
     speed = max(min(max(usual * factor, low), high, top), _SLOWEST_MPS)
     scene.note(name, speed, reason)
