@@ -64,6 +64,8 @@ def test_contradictions_are_refused(changes, words):
         ({"kind": "t", "arms": 3, "lanes": (1, 1)}, "2 numbers for 3 arms"),
         ({"kind": "t", "arms": 3, "lanes": (1, 1, 9)}, "1, 2 or 3"),
         ({"kind": "t", "arms": 3, "crosswalks": {3}}, r"outside 0\.\.2"),
+        ({"kind": "straight", "arms": 2, "crosswalks": {0, 1}}, "one crosswalk at most"),
+        ({"kind": "straight", "arms": 2, "crosswalks": {0}, "auxiliary": "on_ramp"}, "not both"),
         ({"kind": "hexagon", "arms": 6}, "straight"),
     ],
 )

@@ -14,7 +14,7 @@ from scegen.claims.straightened import Axis, axis_of
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.road import build_network
-from scegen.road.cross_section import median_half_m
+from scegen.road.cross_section import CROSSWALK_MIDDLE_M, median_half_m
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, Road
 from scegen.scenario.concrete import RoadParameters
@@ -28,7 +28,8 @@ class Arm:
     ``inner_m`` is where its lanes begin beside the centre line: behind half a median.
     ``inward`` is the side of the traffic towards the junction, as a sign of the offset to the left
     of the centre line; ``edges_m`` are the offsets of the carriageway's right and left edge,
-    ``strips`` how far from the centre line those beside the lanes begin and end, by type.
+    ``strips`` how far from the centre line those beside the lanes begin and end, by type;
+    ``crosswalk_m`` is where the middle of its crosswalk lies, None if it has none.
     """
 
     x_m: float
@@ -42,6 +43,7 @@ class Arm:
     inward: int
     edges_m: tuple[float, float]
     strips: Mapping[LaneType, tuple[float, float]]
+    crosswalk_m: float | None
 
     def place(self, box: Boxes) -> tuple[Floats, Floats]:
         """How far from the outer end, and how far to the left of the centre line (m)."""
@@ -93,6 +95,7 @@ def _built(road: RoadParameters, axis: Axis | None) -> tuple[Arm, ...]:
                 inward,
                 (built.edge_t_m(-1, 0.0), built.edge_t_m(1, 0.0)),
                 _strips(built, inward if described.lanes_in else -inward),
+                length - CROSSWALK_MIDDLE_M if built.crosswalks else None,
             )
         )
     return tuple(made)

@@ -1,17 +1,17 @@
-"""Who may enter where, as the road itself has it: into a bend, on a one-way road, from a ramp."""
+"""Who may enter or cross where, as the road itself has it: a bend, one way, a ramp, a crosswalk."""
 
 from __future__ import annotations
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
-from scegen.scenario.vocabulary import Approach, Maneuver, Side
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver, Side
 
 _IN_AT = frozenset({0})
 
 
 def on_its_road(functional: FunctionalScenario) -> FunctionalScenario:
-    """The description with the entries that its road leaves to who drives.
+    """The description with the entries that its road leaves to who drives, or goes across it.
 
     Raises:
         InfeasibleError: somebody is said to come the other way of a one-way road, the ego to enter
@@ -21,6 +21,8 @@ def on_its_road(functional: FunctionalScenario) -> FunctionalScenario:
         functional = _beside_the_others(functional)
     else:
         _nobody_by_ramp(functional)
+    if functional.junction.kind is JunctionKind.STRAIGHT and functional.junction.crosswalks:
+        functional = _over_the_crosswalk(functional)
     bend = functional.junction.bend
     if functional.junction.carriageway is not Carriageway.ONE_WAY:
         if bend is None or bend.side is None:
@@ -87,6 +89,17 @@ def _refuse_ramp(person: Participant, maneuver: Maneuver, needs: frozenset[Auxil
         where=f"participants.{person.id}.maneuvers",
         hint=f"Let junction.auxiliary be {wanted}, or leave the maneuver out.",
     )
+
+
+def _over_the_crosswalk(functional: FunctionalScenario) -> FunctionalScenario:
+    """Who goes across a road without a junction does so on its crosswalk."""
+    arms = functional.junction.crosswalks
+    crossing = {p.id for p in functional.crossers if p.maneuvers <= {Maneuver.CROSS}}
+    people = tuple(
+        p.model_copy(update={"entries": p.entries or arms}) if p.id in crossing else p
+        for p in functional.participants
+    )
+    return functional.model_copy(update={"participants": people})
 
 
 def _entering(functional: FunctionalScenario, ego: Participant, side: Side) -> FunctionalScenario:

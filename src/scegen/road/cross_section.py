@@ -24,6 +24,7 @@ the border beyond: cross section RQ 28 of the German RAA (2008), whose lanes are
 CROSSWALK_WIDTH_M = 4.0
 CROSSWALK_SETBACK_M = 1.0
 """From the inner edge of a crosswalk to the junction's end of the arm road."""
+CROSSWALK_MIDDLE_M = CROSSWALK_SETBACK_M + CROSSWALK_WIDTH_M / 2
 CONNECTING_ROADS_FROM = 101
 RINGS_FROM = 21
 JUNCTIONS_FROM = 1001
@@ -167,7 +168,7 @@ def crosswalks(
     return (
         Crosswalk(
             id=arm_road_id(arm.id),
-            s_m=length_m - CROSSWALK_SETBACK_M - CROSSWALK_WIDTH_M / 2,
+            s_m=length_m - CROSSWALK_MIDDLE_M,
             width_m=CROSSWALK_WIDTH_M,
             t_min_m=-half_width_m(lanes, -1, CARRIAGEWAY),
             t_max_m=half_width_m(lanes, 1, CARRIAGEWAY),

@@ -73,8 +73,8 @@ class Junction(FrozenModel):
     ``arm_angles_deg`` are the directions of the arms seen from the centre, in degrees
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
     ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
-    ``crosswalks`` are the arms that a marked crosswalk runs across, ``strips`` lie all along the
-    lanes. A road without a junction may have another ``carriageway`` than the usual, a ``bend``,
+    ``crosswalks`` are the arms that a marked crosswalk runs across, on a road without a junction
+    one arm at most: who crosses does so there. ``strips`` lie all along the lanes. A road without a junction may have another ``carriageway`` than the usual, a ``bend``,
     which the ego enters at arm 0 if its side is said, and an ``auxiliary`` lane beside those in the
     direction that enters at arm 0, the ego's; ``lanes`` does not count it.
     """
@@ -127,6 +127,12 @@ class Junction(FrozenModel):
             raise ValueError(msg)
         if any(not 0 <= arm < self.arms for arm in self.crosswalks):
             msg = f"crosswalks names an arm outside 0..{self.arms - 1}"
+            raise ValueError(msg)
+        if self.kind is JunctionKind.STRAIGHT and len(self.crosswalks) > 1:
+            msg = "a road without a junction has one crosswalk at most"
+            raise ValueError(msg)
+        if self.crosswalks and self.auxiliary is not None:
+            msg = "a road has a crosswalk or an auxiliary lane, not both"
             raise ValueError(msg)
         return self
 

@@ -178,3 +178,36 @@ def test_a_cut_in_on_a_one_way_street_in_a_bend():
     concrete = made(functional)
     assert concrete.participant("car").speed_mps == pytest.approx(kmh(45), abs=0.01)
     assert {p.motion.entry for p in concrete.participants} == {0}
+
+
+@pytest.mark.parametrize(
+    "bend", [None, {"side": "left", "radius_m": 60}, {"side": "right", "radius_m": 60}]
+)
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_who_crosses_a_road_with_a_crosswalk_does_so_on_it(bend, side):
+    walkers = [one(f"w{n}", "pedestrian", [side], CROSS) for n in range(3)]
+    hazards = [("crossing_pedestrian", w["id"], "ego") for w in walkers]
+    functional = on(road([ego(40), *walkers], hazards), crosswalks={0}, bend=bend)
+    concrete = made(functional)
+    on_it = {f"maneuver.crosswalk.w{n}" for n in range(3)}
+    assert not on_it & missed(functional, concrete)
+    aside = concrete.participants[1].motion.model_copy(update={"from_junction_m": 5.5})
+    moved = concrete.participants[1].model_copy(update={"motion": aside})
+    people = (concrete.participants[0], moved, *concrete.participants[2:])
+    wrong = concrete.model_copy(update={"participants": people})
+    assert on_it & missed(functional, wrong) == {f"maneuver.crosswalk.{moved.id}"}
+
+
+def test_nobody_starts_beyond_a_crosswalk_whose_arm_ends_there():
+    lead = one("lead", "van", AHEAD, speed=20)
+    walker = one("w", "pedestrian", ["right"], CROSS)
+    functional = on(
+        road(
+            [ego(60), lead, walker],
+            [("crossing_pedestrian", "w", "ego")],
+            spacings=[apart("ego", "w", "gap_m", 60.0), apart("ego", "lead", "gap_m", 90.0)],
+        ),
+        crosswalks={0},
+    )
+    with pytest.raises(MotionInfeasibleError, match="crosswalk"):
+        made(functional)

@@ -18,6 +18,7 @@ from scegen.claims.told import KPH, Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING
+from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
@@ -64,6 +65,10 @@ def claims(told: Told) -> Iterator[Claim]:
                 "m",
                 partial(_crosses, told, crossing),
             )
+        if crossing is not None and crossing.arm in told.functional.junction.crosswalks:
+            does = f"{person.id} crosses on the crosswalk"
+            test = partial(_on_crosswalk, crossing)
+            yield _claim(f"crosswalk.{person.id}", does, "junction.crosswalks", "m", test)
 
 
 def _keeps_lane(told: Told, drive: Drive) -> bool:
@@ -215,6 +220,17 @@ def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
     hit = touched(told, view, crossing.participant)
     margin = np.where(hit & (beyond < 0.0), 0.0, beyond)
     return Judged(margin, end, view.time_of(last))
+
+
+def _on_crosswalk(crossing: Crossing, view: View) -> Judged:
+    """How far from its middle one is, along the road, while one is between the kerbs."""
+    arm = arms_of(view)[crossing.arm]
+    box = boxes(view, crossing.participant)
+    middle = NEVER if arm.crosswalk_m is None else arm.crosswalk_m
+    off = np.where(arm.on_it(box), np.abs(arm.place(box)[0] - middle), 0.0)
+    step = off.argmax(axis=1)
+    most = at(off, step)
+    return Judged(CROSSWALK_WIDTH_M / 2 - most, most, view.time_of(step))
 
 
 def _stands(told: Told, person: Participant, *, pulls_out: bool) -> Claim:

@@ -45,8 +45,8 @@ _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, Hazard
 class Walk(Walker):
     """One who goes across: at ``x_m`` of the road, ``sets_off_s`` after the start.
 
-    ``setback_m`` is how far outside the carriageway it starts, ``stops_after_m`` where its way
-    ends if it does not go across.
+    ``setback_m`` is how far outside the carriageway it starts, ``arrives_s`` when it is in the way
+    of whom it meets, ``stops_after_m`` where its way ends if it does not go across.
     """
 
     from_left: bool
@@ -54,6 +54,7 @@ class Walk(Walker):
     setback_m: float
     sets_off_s: float
     meets: str
+    arrives_s: float = 0.0
     stops_after_m: float | None = None
     timed: bool = False
     act: str | None = None
@@ -70,11 +71,11 @@ def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
     """The walks of all who go across; ``strips`` is how wide those are beside each side's lanes."""
     walks: list[Walk] = []
     for crossing in story.logical.crossings:
-        walks.append(_walk(story, crossing, strips, len(walks)))
+        walks.append(_walk(story, crossing, strips, walks))
     return walks
 
 
-def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: int) -> Walk:
+def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: list[Walk]) -> Walk:
     participant = story.functional.participant(crossing.participant)
     body = BODIES[participant.kind]
     said = participant.speed_mps
@@ -98,7 +99,13 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], number: in
         participant.id, participant.kind, crossing, speed, from_left, 0.0, setback, 0.0, meets.id
     )
     walk.act = None if act is None else act.id
-    _time(story, walk, meets, act, walk.runs_s(to_aim + setback))
+    takes, number = walk.runs_s(to_aim + setback), len(walks)
+    _time(story, walk, meets, act, takes)
+    if walks and crossing.arm in story.functional.junction.crosswalks:
+        walk.x_m = walks[0].x_m
+        if not walk.timed:
+            walk.sets_off_s = max(walks[0].arrives_s - takes, _LEAST_LEAD_S)
+    walk.arrives_s = walk.sets_off_s + takes
     walk.x_m += _ABREAST_M * ((number + 1) // 2) * (1 if number % 2 else -1)
     if _stops(story, walk.id):
         walk.stops_after_m = setback + abs(meets.y_m(0.0, LANE_WIDTH_M) - edge) + _STAYS_M

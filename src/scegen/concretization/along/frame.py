@@ -13,6 +13,7 @@ from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
+from scegen.road.cross_section import CROSSWALK_MIDDLE_M
 from scegen.road.geometry import Pose, Segment
 from scegen.road.straight import Curve, curve_of
 from scegen.scenario.concrete import (
@@ -130,6 +131,13 @@ def frame_of(
     least = max([*own, *forward], default=begin) + _JOINT_CLEAR_M
     most = min([*far, *backward], default=end) - _JOINT_CLEAR_M
     joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
+    marked = [w for w in walks if w.crossing.arm in road.crosswalks]
+    if marked:
+        beyond = CROSSWALK_MIDDLE_M if marked[0].crossing.arm == arm else -CROSSWALK_MIDDLE_M
+        joint = marked[0].x_m + beyond
+        near = [p.x_m for p in parked if p.standing.arm == arm]
+        beyond_it = [p.x_m for p in parked if p.standing.arm != arm]
+        _joined_between(joint, [*near, *forward], [*beyond_it, *backward])
     curve = curve_of(road)
     if curve is None:
         if road.auxiliary is not None:
@@ -146,7 +154,8 @@ def frame_of(
             lasts_s,
             gaps_m=gaps_m(road),
         )
-    joint = max(joint, min(story.ego.x_m(closest_s), max(most, joint)))
+    if not marked:
+        joint = max(joint, min(story.ego.x_m(closest_s), max(most, joint)))
     if arm == 1:
         curve = Curve(-curve.curvature_1pm, curve.half_arc_m)
     axis_y = story.ego.lane_y_m(story.ego.lane)
@@ -155,6 +164,16 @@ def frame_of(
     begin, end = min(begin, joint - arc - _LEAST_ARM_M), max(end, joint + arc + _LEAST_ARM_M)
     met = {name: _met_s(runner, story.ego, closest_s) for name, runner in story.runners.items()}
     return Frame(begin, joint, end, arm, lasts_s, curve, axis_y, met)
+
+
+def _joined_between(joint_m: float, before_m: list[float], beyond_m: list[float]) -> None:
+    """Refuse a crosswalk, beside which the arms meet, with somebody on the wrong side of it."""
+    if max(before_m, default=joint_m) > joint_m or min(beyond_m, default=joint_m) < joint_m:
+        raise MotionInfeasibleError(
+            "somebody who starts on this side of the crosswalk would be beyond it",
+            where="crosswalks",
+            hint="Leave the crosswalk out, or say who is before it.",
+        )
 
 
 def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:

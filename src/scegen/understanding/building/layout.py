@@ -34,6 +34,8 @@ _MOST_LANES = 3
 _AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
 _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
+_AT_ARMS_END = "at a junction, crosswalks lie at the ends of the arms that somebody crosses"
+_NOT_AT_RAMPS = "no crosswalk is built beside a ramp or a lane that ends"
 _FEWEST_TO_NAME = 2
 """There is a left and a right lane only where there are two."""
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
@@ -92,7 +94,8 @@ class Layout:
             carriageway=carriageway,
             strips=strips,
             bend=self._bend(kind, angles),
-            auxiliary=self._auxiliary(kind),
+            auxiliary=(auxiliary := self._auxiliary(kind)),
+            crosswalks=self._crosswalks(kind, auxiliary),
             kind=kind,
             arms=arms,
             arm_angles_deg=angles,
@@ -159,6 +162,21 @@ class Layout:
             return None
         self._proofs.add("junction.auxiliary", found[1])
         return found[0]
+
+    def _crosswalks(self, kind: JunctionKind, auxiliary: AuxiliaryLane | None) -> frozenset[int]:
+        """One over a road without a junction; at junctions they are wherever somebody crosses."""
+        basis = self._along.crosswalk_basis
+        if basis is None:
+            return frozenset()
+        if kind is not JunctionKind.STRAIGHT:
+            if self._draft.tokens[(basis.i or 0) - 1].low in word_list("mid_block"):
+                self._note(basis, _AT_ARMS_END)
+            return frozenset()
+        if auxiliary is not None:
+            self._note(basis, _NOT_AT_RAMPS)
+            return frozenset()
+        self._proofs.add("junction.crosswalks", basis)
+        return frozenset({0})
 
     def _bend(self, kind: JunctionKind, angles: tuple[float, ...]) -> Bend | None:
         basis = self._along.bend_basis

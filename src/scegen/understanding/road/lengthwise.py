@@ -28,6 +28,7 @@ class Lengthwise:
         bend_basis: the words for it.
         auxiliary: a ramp, or a lane that ends.
         auxiliary_basis: the words for it.
+        crosswalk_basis: the words for a marked crosswalk.
     """
 
     carriageway: Carriageway | None = None
@@ -38,6 +39,7 @@ class Lengthwise:
     bend_basis: Basis | None = None
     auxiliary: AuxiliaryLane | None = None
     auxiliary_basis: Basis | None = None
+    crosswalk_basis: Basis | None = None
 
 
 def read_lengthwise(terms: list[Term]) -> Lengthwise:
@@ -57,6 +59,8 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
             found.auxiliary_basis = basis
         if term.value == "bend" and found.bend is None:
             found.bend, found.bend_basis = _bend(term), basis
+        if "marked" in term.data and not absent.away_from(terms, k):
+            found.crosswalk_basis = found.crosswalk_basis or basis
         if "strip" in term.data:
             strip = Strip(term.data["strip"])
             if strip not in found.strips:
