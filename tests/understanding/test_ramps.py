@@ -85,3 +85,11 @@ def test_two_lanes_of_a_highway_are_one_each_way_unless_cars_are_side_by_side():
     text = "On a two-lane highway a car cuts in from the next lane in front of the ego."
     assert read(text).junction.lanes == (2, 2)
     assert read("On a two-lane motorway the ego follows a bus.").junction.lanes == (2, 2)
+
+
+def test_who_merges_beyond_the_lane_next_to_the_egos_is_not_beside_it():
+    text = "The ego drives in the {} lane of a three-lane motorway. A van merges from the on-ramp."
+    _, (beyond,) = others(text.format("middle"))
+    assert not beyond.approaches
+    _, (beside,) = others(text.format("right"))
+    assert beside.approaches == {"right", "adjacent"}

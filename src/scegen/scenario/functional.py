@@ -74,9 +74,10 @@ class Junction(FrozenModel):
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
     ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
     ``crosswalks`` are the arms that a marked crosswalk runs across, on a road without a junction
-    one arm at most: who crosses does so there. ``strips`` lie all along the lanes. A road without a junction may have another ``carriageway`` than the usual, a ``bend``,
-    which the ego enters at arm 0 if its side is said, and an ``auxiliary`` lane beside those in the
-    direction that enters at arm 0, the ego's; ``lanes`` does not count it.
+    one arm at most: who crosses does so there. ``strips`` lie all along the lanes. A road without a
+    junction may have another ``carriageway`` than the usual, a ``bend``, which the ego enters at
+    arm 0 if its side is said, and an ``auxiliary`` lane beside those in the direction that enters
+    at arm 0, the ego's; ``lanes`` does not count it.
     """
 
     kind: JunctionKind

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from playing import play
 from roads import AHEAD, BEHIND, LEFT_LANE, RIGHT_LANE, STRAIGHT, TOWARDS, ego, one, road
+from saying import missed
 from told import apart
 
+from scegen.claims import claims_of
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
@@ -130,3 +132,11 @@ def test_the_lane_is_as_long_as_a_late_merge_needs():
 def test_a_ramp_that_is_not_there_is_refused(kind, people, told):
     with pytest.raises(InfeasibleError, match=told):
         enumerate_scenarios(on(kind, road(people)))
+
+
+def test_who_merges_two_lanes_away_is_not_in_line_with_the_ego():
+    people = [ego(110, lanes={2}), one("car", "car", [], MERGE)]
+    functional = on("on_ramp", road(people), lanes=(3, 3))
+    concrete, _ = first(functional)
+    assert not missed(functional, concrete)
+    assert "order.ego.car" not in {c.id for c in claims_of(functional, concrete.logical)}

@@ -52,7 +52,9 @@ def claims(told: Told) -> Iterator[Claim]:
         if one.entry == other.entry and one.rank != other.rank:
             ahead, behind = sorted((one, other), key=lambda drive: drive.rank)
             moves = Maneuver.STAY not in {ahead.maneuver, behind.maneuver}
-            if moves and ahead.reverses is None and behind.reverses is None:
+            forwards = ahead.reverses is None and behind.reverses is None
+            apart = None not in {one.lane, other.lane} and one.lane != other.lane
+            if moves and forwards and not apart:
                 kind, name = ClaimKind.ORDER, f"{ahead.participant}.{behind.participant}"
                 does = f"{ahead.participant} is on the arm ahead of {behind.participant}"
                 test: Test = partial(_ahead, ahead.participant, behind.participant)

@@ -101,7 +101,9 @@ class Builder:
             settle_along(self._draft, ego)
             relations = past_people(relations)
             if junction.auxiliary is not None:
-                settle_ramp(self._draft, ego, junction.auxiliary)
+                named = lanes_of(ego, junction)
+                beside = not named or junction.through_lanes in named
+                settle_ramp(self._draft, ego, junction.auxiliary, beside_ego=beside)
         else:
             alongside(self._draft, ego, self._draft.tokens)
         self._name(ego)

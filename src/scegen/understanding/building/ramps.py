@@ -26,13 +26,14 @@ def auxiliary_lane(draft: Draft, said: AuxiliaryLane | None) -> tuple[AuxiliaryL
     return None
 
 
-def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane) -> None:
+def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_ego: bool) -> None:
     """Who uses the auxiliary lane merges or exits, from or to the side of the kerb.
 
     Args:
         draft: the scenario in the making; positions are settled.
         ego: the vehicle under test.
         auxiliary: the lane that the road has.
+        beside_ego: it lies beside the ego's lane, as far as that is said.
     """
     kerb = _SIDES[draft.kerb]
     centre = Approach.LEFT if kerb is Approach.RIGHT else Approach.RIGHT
@@ -47,7 +48,7 @@ def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane) -> None:
             continue
         entity.start_lane = None
         if not entity.ego and ego.by_ramp is None:
-            entity.approaches = {Approach.ADJACENT, kerb}
+            entity.approaches = {Approach.ADJACENT, kerb} if beside_ego else set()
             entity.approach_basis = entity.approach_basis or basis
     if ego.by_ramp is None or leaves:
         return
