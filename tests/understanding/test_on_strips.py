@@ -51,3 +51,9 @@ def test_animals_take_part_unless_somebody_leads_them(text, kinds):
     assert {p.kind.value: next(iter(p.maneuvers)).value for p in animals} == kinds
     crossing = {h.kind.value for h in found.hazards if h.kind == "crossing_animal"}
     assert bool(crossing) == ("cross" in kinds.values())
+
+
+def test_who_is_parked_in_a_bay_stands_there_before_it_pulls_out():
+    found = read("A van parked in a parking bay pulls out before the ego.")
+    (van,) = [p for p in found.participants if p.role != "ego"]
+    assert (van.parked, van.strip, van.maneuvers) == (True, "parking", {"straight"})

@@ -93,3 +93,16 @@ def test_who_merges_beyond_the_lane_next_to_the_egos_is_not_beside_it():
     assert not beyond.approaches
     _, (beside,) = others(text.format("right"))
     assert beside.approaches == {"right", "adjacent"}
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("The ego takes the exit while a van enters from the on-ramp.", "takes"),
+        ("A van merges from the on-ramp before the ego and then leaves by the exit.", "leaves"),
+        ("A van merges from the on-ramp; the ego passes the next on-ramp.", "on-ramp"),
+        ("In a bend a van merges from the on-ramp in front of the ego.", "from the on-ramp"),
+    ],
+)
+def test_a_ramp_that_is_not_built_is_told(text, words):
+    assert words in [u.text for u in read(text).unsupported]

@@ -18,6 +18,7 @@ SHOULDER = frozenset({"hard_shoulder"})
         ("The ego follows a bus on a dual carriageway.", "divided", frozenset()),
         ("On a one-way street a cyclist rides ahead of the ego.", "one_way", frozenset()),
         ("The ego drives on a country road behind a bus.", "undivided", frozenset()),
+        ("The ego follows a bus on a road with a grass median.", "divided", frozenset()),
         ("On a two-lane highway the ego follows a bus.", "undivided", frozenset()),
         ("On a highway an oncoming van swerves into the ego's lane.", "undivided", frozenset()),
         ("A van is parked on the shoulder of a rural road.", "undivided", SHOULDER),
@@ -42,6 +43,20 @@ def test_nobody_drives_on_the_shoulder():
     assert [u.text for u in found.unsupported] == ["hard shoulder"]
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("At a crossroads with raised medians the ego turns left.", ["raised medians"]),
+        ("A van drives across the median towards the ego.", ["median"]),
+        ("A man waits on the median of a dual carriageway as the ego comes.", ["median"]),
+    ],
+)
+def test_medians_that_are_not_built_or_not_stood_on_are_told(text, words):
+    found = read(text)
+    assert [u.text for u in found.unsupported] == words
+    assert not [h for h in found.hazards if "ego" in h.by]
+
+
 def test_at_a_junction_it_is_said_that_there_is_none():
     found = read("At a crossroads of two dual carriageways, a van runs a red light.")
     assert found.junction.carriageway == "undivided"
@@ -57,6 +72,8 @@ def test_at_a_junction_it_is_said_that_there_is_none():
         ("The ego drives round a bend (radius 50 m) behind a car.", None, 50),
         ("The ego takes a 200 m radius bend when a cyclist appears ahead.", None, 200),
         ("On a motorway, in a bend to the right of 600 m radius, a bus brakes.", "right", 600),
+        ("On a motorway bend to the right with a radius of 500 m a van stops.", "right", 500),
+        ("The ego drives in a left-hand motorway curve and the bus ahead brakes.", "left", None),
         ("On a bend, an oncoming truck swerves into the ego's lane.", None, None),
     ],
 )

@@ -23,3 +23,10 @@ def test_what_follows_without_being_said(text, who, expected):
 def test_who_has_the_way_goes_straight_on():
     scenario = read("A van emerged from a driveway in front of a moped.")
     assert scenario.participant("motorcycle_1").maneuvers == {"straight"}
+
+
+@pytest.mark.parametrize("verb", ["overtaken", "being followed", "passed", "cut off"])
+def test_what_nobody_is_said_to_do_to_somebody_is_told(verb):
+    found = read(f"On a country road the ego is {verb}.")
+    assert [u.instead for u in found.unsupported] == ["by whom is not said; left out"]
+    assert not read(f"On a country road the ego is {verb} by a bus.").unsupported

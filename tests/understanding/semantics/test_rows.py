@@ -39,7 +39,9 @@ def test_families_that_rows_lead_to_exist():
 def test_every_family_is_reached():
     asked = {f for _, row in rows() for f in row.get("then", ())}
     asked |= {f"{kind}.any" for kind in KINDS}
-    asked |= {f"dangers.{name}" for name in ("onto_the_road", "after_a_thing", "answered")}
+    asked |= {
+        f"dangers.{name}" for name in ("onto_the_road", "after_a_thing", "answered", "unnamed")
+    }
     asked |= {"dangers.drives_on", "dangers.move_off", "movements.past_a_light"}
     known = set(verbs(load().root))
     assert not {

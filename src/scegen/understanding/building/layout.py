@@ -32,6 +32,8 @@ from scegen.understanding.road.surroundings import Surroundings
 _ROUNDABOUT_ARMS = 4
 _MOST_LANES = 3
 _AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
+_DRIVEN_OVER = "no median is built where somebody meets the oncoming, or a direction has one lane"
+_NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
 _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
 _AT_ARMS_END = "at a junction, crosswalks lie at the ends of the arms that somebody crosses"
@@ -129,11 +131,13 @@ class Layout:
         if said is None or basis is None:
             return Carriageway.UNDIVIDED
         if kind is not JunctionKind.STRAIGHT:
-            if not self._along.presumed:
+            if self._along.median or not self._along.presumed:
                 self._note(basis, _AT_JUNCTIONS)
             return Carriageway.UNDIVIDED
         narrow = lanes[:1] == (1,) or self._around.two_lane is not None
         if self._along.presumed and (narrow or self._meets_the_oncoming()):
+            if self._along.median:
+                self._note(basis, _DRIVEN_OVER)
             return Carriageway.UNDIVIDED
         self._proofs.add("junction.carriageway", basis)
         return said
@@ -150,7 +154,8 @@ class Layout:
 
     def _meets_the_oncoming(self) -> bool:
         """Whether somebody comes towards another, or turns back, so that no median can be there."""
-        return any(
+        over = any(d.kind is HazardKind.ONCOMING_LANE for d in self._draft.dangers)
+        return over or any(
             Approach.OPPOSITE in entity.approaches or Maneuver.U_TURN in entity.maneuvers
             for entity in self._draft.entities
         )
@@ -158,7 +163,10 @@ class Layout:
     def _auxiliary(self, kind: JunctionKind) -> AuxiliaryLane | None:
         """The lane for a part of the road that somebody uses; none in a bend or at junctions."""
         found = auxiliary_lane(self._draft, self._along.auxiliary)
-        if found is None or kind is not JunctionKind.STRAIGHT or self._along.bend is not None:
+        if found is None:
+            return None
+        if kind is not JunctionKind.STRAIGHT or self._along.bend is not None:
+            self._note(found[1], _NO_RAMP_HERE)
             return None
         self._proofs.add("junction.auxiliary", found[1])
         return found[0]

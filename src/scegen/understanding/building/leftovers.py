@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.draft import Draft
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 
 _QUALITIES = frozenset({"colour", "quality"})
@@ -13,7 +14,8 @@ _PLACES = {
     "feature": "this shape of road is not built; a level, plain road is",
     "parking": "bays are built only where somebody is parked; this one is not",
 }
-_ONE_RAMP = "one ramp, or lane that ends, is built; this other one is left out"
+ONE_RAMP = "one ramp, or lane that ends, is built; this other one is left out"
+_NOBODY_THERE = "nobody is put on a median; where they are is left open"
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
 
@@ -26,9 +28,13 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
     _unknown(draft, [t for t in terms if t.i not in known])
     beside = [t for t in terms if t.cat == "place" and "auxiliary" in t.data]
     for term in beside:
-        if term.data["auxiliary"] != beside[0].data["auxiliary"]:
-            draft.note(term.i, term.j, _ONE_RAMP)
+        other = term.data["auxiliary"] != beside[0].data["auxiliary"]
+        if other or draft.tokens[max(term.i - 1, 0)].low in word_list("one_more"):
+            draft.note(term.i, term.j, ONE_RAMP)
     for term in terms:
+        before = {t.low for t in draft.tokens[max(term.i - 2, 0) : term.i]}
+        if "median" in term.data and "on" in before:
+            draft.note(term.i, term.j, _NOBODY_THERE)
         if term.cat == "noted":
             draft.note(term.i, term.j, term.data["instead"])
         elif term.cat == "place" and term.value in _PLACES and not _used(draft, term):

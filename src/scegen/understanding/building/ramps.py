@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.understanding.building.leftovers import ONE_RAMP
 from scegen.understanding.draft import Basis, Draft, Entity
 
 _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
@@ -40,6 +41,9 @@ def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_e
     leaves = auxiliary is AuxiliaryLane.OFF_RAMP
     for entity in draft.entities:
         basis = entity.exits if leaves else entity.by_ramp
+        left_out = None if leaves else entity.exits
+        if left_out is not None and left_out.i is not None:
+            draft.note(left_out.i, left_out.j or left_out.i + 1, ONE_RAMP)
         if basis is None or not entity.moving_vehicle:
             continue
         entity.maneuvers = {Maneuver.EXIT if leaves else Maneuver.MERGE}

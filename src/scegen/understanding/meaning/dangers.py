@@ -11,11 +11,12 @@ from scegen.understanding.semantics.ways import against, head_on
 def oncoming_lane(clause: Clause, context: Context) -> None:
     """A movement into or along the lane of oncoming traffic."""
     sources = {id(p.target) for p in clause.event.pps if p.value in {"from", "against"}}
+    had = {id(p.target) for p in clause.event.pps if p.value in {"with", "without"}}
     for place in clause.places():
         if id(place) in sources:
             continue  # "coming from opposite lanes": where one belongs
-        if place.kind == "centerline" and place.owner is not None:
-            continue  # "right of the ego's centre line": no line on the road
+        if place.kind == "centerline" and (place.owner is not None or id(place) in had):
+            continue  # "right of the ego's centre line", "a crossroads with a median"
         lane = place.kind == "lane" and "opposite" in place.dirs and place.owner is None
         lane = lane or head_on(clause, place, context)
         wrong = [e for e in clause.drivers if against(e, place)]

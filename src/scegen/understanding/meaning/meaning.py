@@ -218,6 +218,7 @@ class Interpreter:
         if event.negated or failed or event.name == "overlook":
             say("omissions.any", clause, self._context)
             return
+        say("dangers.unnamed", clause, self._context)
         say("dangers.drives_on", clause, self._context)
         self._manner(clause)
         follow_movement(clause, self._context)

@@ -36,7 +36,8 @@ def on_strips(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
         own = [p for p in event.pps if p.on_mention is None or p.on_mention in event.subject]
         if event.name in _SETTING_OFF:
             _set_off(context, own, clause.actors)
-        if event.name in _ARRIVING and not any(e.still for e in clause.actors):
+        parked = event.name == "park" and any(e.pulls_out for e in clause.actors)
+        if event.name in _ARRIVING and not (parked or any(e.still for e in clause.actors)):
             continue  # "pulls up at a stop": not there at first
         _put(context, own, clause.actors)
         left = event.object if event.name == "leave" else None

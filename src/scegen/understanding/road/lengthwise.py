@@ -23,6 +23,7 @@ class Lengthwise:
         carriageway: how its directions lie to each other.
         carriageway_basis: the words for it.
         presumed: those words only make it likely ("a highway").
+        median: those words name a median.
         strips: what lies beside its lanes, with the words for it.
         bend: the bend that is driven.
         bend_basis: the words for it.
@@ -34,6 +35,7 @@ class Lengthwise:
     carriageway: Carriageway | None = None
     carriageway_basis: Basis | None = None
     presumed: bool = False
+    median: bool = False
     strips: dict[Strip, Basis] = field(default_factory=dict)
     bend: Bend | None = None
     bend_basis: Basis | None = None
@@ -54,6 +56,7 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
         if "carriageway" in term.data and not known:
             found.carriageway = Carriageway(term.data["carriageway"])
             found.carriageway_basis, found.presumed = basis, presumed
+            found.median = "median" in term.data
         if "auxiliary" in term.data and found.auxiliary is None:
             found.auxiliary = AuxiliaryLane(term.data["auxiliary"])
             found.auxiliary_basis = basis

@@ -21,15 +21,19 @@ def whole_bends(terms: Sequence[Term], tokens: list[Token]) -> list[Term]:
     """
     found = list(terms)
     for k in reversed(range(len(terms))):
-        bend = k < len(found) and (found[k].cat, found[k].value) == ("place", "bend")
-        if not bend or "side" in found[k].data:
+        bend = found[k] if k < len(found) else None
+        if bend is None or (bend.cat, bend.value) != ("place", "bend") or "side" in bend.data:
             continue
         i, j = _with_side(found, k, tokens)
         i, j, radius = _with_radius(found, i, j, tokens)
         side = next((t.value for t in found[i : j + 1] if t.value in _SIDES), None)
+        if side is None and i > 1 and found[i - 1].cat == "place" and found[i - 2].value in _SIDES:
+            side = found[i - 2].value  # "a right-hand motorway bend"
+            found[i - 2 : i] = [replace(found[i - 1], i=found[i - 2].i)]
+            i, j = i - 1, j - 1
         data = {"side": side, "radius_m": radius}
         first, last = found[i].i, found[j].j
-        whole = replace(found[k], i=first, j=last, data={**found[k].data, **data})
+        whole = replace(bend, i=first, j=last, data={**bend.data, **data})
         if _elsewhere(tokens, first):
             whole = replace(whole, value="feature")
         found[i : j + 1] = [whole]

@@ -166,7 +166,7 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
         return False
     preposed = previous.cat == "prep" and previous.value != "to"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
-    compound = previous.cat == "place" and match.form == "base" and match.has("inert")
+    compound = previous.cat == "place" and match.form == "base" and match.has("inert", "place")
     compound = compound or tokens[previous.i].low == "whose"
     told = previous.cat == "quantity" and match.form == "s"  # "at t = 4 s brakes"
     return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
