@@ -135,3 +135,20 @@ def test_a_pronoun_is_not_described_further():
 def test_what_lies_in_the_way_hides_nobody_whom_something_else_hides(text, things):
     scenario = read(f"The ego drives on a straight road. {text}")
     assert [(str(o.kind), o.in_way_of, o.hides) for o in scenario.objects] == things
+
+
+@pytest.mark.parametrize(
+    ("text", "whose", "touches"),
+    [
+        ("The ego runs into the open door of a parked van.", "parked_van_1", True),
+        ("A cyclist hits the opening door of a parked car before the ego.", "parked_car_1", True),
+        ("The ego hits the open door of the third of four parked cars.", "parked_car_3", True),
+        ("The door of the second of three parked cars opens.", "parked_car_2", False),
+    ],
+)
+def test_an_open_door_is_opened_by_whom_it_belongs_to(text, whose, touches):
+    found = read(text)
+    assert [(a.participant, a.kind) for a in found.acts] == [(whose, "open_door")]
+    assert [h.by for h in found.hazards] == [(whose,)]
+    assert (found.outcome is not None and whose in found.outcome.between) == touches
+    assert not found.unsupported

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from roads import SCENARIOS
+from roads import SCENARIOS, STAY, ego, one, road
 from saying import missed
+from told import act
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
@@ -89,3 +90,22 @@ def test_at_a_junction_it_is_refused():
     logical = enumerate_scenarios(functional).scenarios[0]
     with pytest.raises(MotionInfeasibleError, match="only on a road without a junction"):
         concretize(functional, logical)
+
+
+@pytest.mark.parametrize("which", [0, 1, 3])
+def test_a_row_is_passed_in_the_order_in_which_it_is_listed(which):
+    kinds = ["car", "truck", "van", "bus"]
+    row = [one(f"p{n}", kind, [], STAY, parked=True) for n, kind in enumerate(kinds)]
+    functional = road(
+        [ego(40), *row],
+        [("obstacle", f"p{which}", "ego")],
+        acts=[act("opens", f"p{which}", "open_door")],
+    )
+    concrete = concretize(functional, enumerate_scenarios(functional).scenarios[0])
+    assert not missed(functional, concrete)
+    paths = build_paths(concrete, build_network(concrete.road))
+    way = np.array([paths["ego"].x_m[-1], paths["ego"].y_m[-1]])
+    ends = np.array([paths["ego"].x_m[0], paths["ego"].y_m[0]])
+    course = (way - ends) / np.hypot(*(way - ends))
+    places = [np.dot([paths[p["id"]].x_m[0], paths[p["id"]].y_m[0]] - ends, course) for p in row]
+    assert places == sorted(places)

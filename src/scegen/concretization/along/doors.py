@@ -79,9 +79,11 @@ def hang_doors(
 
 
 def endangered(functional: FunctionalScenario, name: str) -> set[str]:
-    """Who comes along where somebody opens a door."""
+    """Who comes along where somebody opens a door: who suffers it, or is to touch it."""
     found = {to for hazard in functional.hazards if name in hazard.by for to in hazard.to}
-    return found or {functional.ego.id}
+    between = functional.outcome.between if functional.outcome is not None else ()
+    touching = {*between} - {name} if name in between else set()
+    return found or touching or {functional.ego.id}
 
 
 def door_before(

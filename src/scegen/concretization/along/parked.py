@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from scegen.concretization.along.crossing import Walk
@@ -97,22 +98,19 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
     placed: list[Parked] = []
     ends: dict[tuple[bool, str], float] = {}
     free = 0
-    rows: dict[bool, tuple[float, int]] = {}
-    opening = opens(story.functional)
-    for standing in sorted(standings_beside(story), key=lambda s: s.participant not in opening):
+    rows = _rows(story, hiding)
+    for row in rows:
+        placed += _in_a_row(story, row)
+    for standing in standings_beside(story):
         kind = story.functional.participant(standing.participant).kind
         left, half = on_left(story, standing), BODIES[kind].length_m / 2
-        if (door := story.runners.get(standing.participant)) is not None:
-            there = middle_m(door, BODIES[kind])
-            placed.append(Parked(standing.participant, kind, standing, left, there))
-            rows[left] = there, door.sign
+        if any(standing in row for row in rows):
             continue
         hidden = _hidden(standing, hiding, walks, left)
         if hidden is None:
-            free += 1
-            first, sign = rows.get(left, (story.ego.x_m(_PASSED_AT_S), -1))
-            passed = first - sign * (free - (left not in rows)) * (2 * half + _BETWEEN_M)
+            passed = story.ego.x_m(_PASSED_AT_S) + free * (2 * half + _BETWEEN_M)
             placed.append(Parked(standing.participant, kind, standing, left, passed))
+            free += 1
             continue
         sign = story.runners[hidden.meets].sign
         key = (left, hidden.id)
@@ -121,6 +119,33 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
         placed.append(Parked(standing.participant, kind, standing, left, end - sign * half))
         ends[key] = end - sign * (2 * half + _BETWEEN_M)
     return placed
+
+
+def _rows(story: Story, hiding: set[str]) -> list[list[Standing]]:
+    """Those on a side on which somebody opens a door, as they are listed, but who hide others."""
+    sides: dict[bool, list[Standing]] = {}
+    for standing in standings_beside(story):
+        if standing.participant not in hiding:
+            sides.setdefault(on_left(story, standing), []).append(standing)
+    opening = opens(story.functional).keys() & story.runners.keys()
+    return [row for row in sides.values() if any(s.participant in opening for s in row)]
+
+
+def _in_a_row(story: Story, row: list[Standing]) -> Iterator[Parked]:
+    """In the order in which who is endangered passes them, around the one that opens its door."""
+    opening = opens(story.functional).keys() & story.runners.keys()
+    first = next(n for n, s in enumerate(row) if s.participant in opening)
+    door = story.runners[row[first].participant]
+    bodies = [BODIES[story.functional.participant(s.participant).kind] for s in row]
+    middle = middle_m(door, bodies[first])
+    for n, standing in enumerate(row):
+        between = bodies[min(n, first) + 1 : max(n, first)]
+        away = (bodies[n].length_m + bodies[first].length_m) / 2 + _BETWEEN_M
+        away += sum(body.length_m + _BETWEEN_M for body in between)
+        sense = (n > first) - (n < first)
+        kind = story.functional.participant(standing.participant).kind
+        x = middle + door.sign * sense * away
+        yield Parked(standing.participant, kind, standing, on_left(story, standing), x)
 
 
 def _hidden(standing: Standing, hiding: set[str], walks: list[Walk], left: bool) -> Walk | None:

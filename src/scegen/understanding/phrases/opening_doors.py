@@ -9,6 +9,7 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _HELPS = frozenset({"aux", "copy", "manner"})
+_ENDS = frozenset({".", ";"})
 _REACH = 2
 
 
@@ -23,10 +24,18 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         tokens: its tokens.
     """
     found: list[Chunk] = []
+    ended: list[Chunk] = []
     k = 0
     while k < len(chunks):
-        chunk, owned = chunks[k], _owner_after(chunks, k)
-        verb = k + (3 if owned is not None else 1)
+        chunk, owned = chunks[k], _owners_after(chunks, k)
+        if ended and isinstance(chunk, Word) and chunk.value in _ENDS:
+            found, ended = [*found, *ended], []
+        if owned and isinstance(chunk, Event) and chunk.name == "door" and _called(chunk, found):
+            found += owned
+            ended = _opened_by(owned[0], chunk)
+            k += 1 + 2 * len(owned[::2])
+            continue
+        verb = k + 1 + 2 * len(owned[::2])
         while verb < len(chunks) and getattr(chunks[verb], "cat", "") in _HELPS:
             verb += 1
         door = isinstance(chunk, Thing) and chunk.kind == "door" and verb < len(chunks)
@@ -40,17 +49,34 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if genitive and isinstance(before, Mention):
             before.possessor = False
         else:
-            found.append(owned or _who(chunk, found))
+            found += owned or [_who(chunk, found)]
         found.append(Event("door", chunks[verb].i, end, "s", lemma="open"))
         k = next((m for m in range(verb, len(chunks)) if chunks[m].i >= end), len(chunks))
-    return found
+    return found + ended
 
 
-def _owner_after(chunks: list[Chunk], k: int) -> Mention | None:
-    """``the door of a parked van``."""
-    of, who = [*chunks[k + 1 : k + 3], None, None][:2]
-    told = isinstance(of, Word) and of.value == "of"
-    return who if told and isinstance(who, Mention) else None
+def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
+    """``the door of a parked van``, ``… of the second of five vans``: from the first mention on."""
+    found: list[Chunk] = []
+    for of, who in zip(chunks[k + 1 :: 2], chunks[k + 2 :: 2], strict=False):
+        if not (isinstance(of, Word) and of.value == "of" and isinstance(who, Mention)):
+            break
+        found += [of, who]
+    return found[1:]
+
+
+def _called(door: Event, before: list[Chunk]) -> bool:
+    """``hits the open door``: a name of the door, nobody's doing."""
+    article = any(m.cat in {"det", "possessive"} for m in door.mods)
+    return article or (bool(before) and getattr(before[-1], "cat", "") == "det")
+
+
+def _opened_by(owner: Chunk, door: Event) -> list[Chunk]:
+    """A clause that says that it opens."""
+    if not isinstance(owner, Mention):
+        return []
+    again = replace(owner, pps=[], prep=None, same_as=owner, joined=None)
+    return [Word(Term("punct", ",", door.i, door.i)), again, replace(door, mods=[], form="s")]
 
 
 def _opens(i: int, tokens: list[Token]) -> int | None:
