@@ -19,6 +19,7 @@ import numpy as np
 from scegen.measures.bodies import Body, body_of
 from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.motion.batch.between import before, between
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.batch.touching import Box, boxes_touch
 from scegen.motion.model import Path
@@ -44,6 +45,15 @@ class AreaTable(NamedTuple):
     first: Ints
     enter_m: Floats
     leave_m: Floats
+
+
+class _Way(NamedTuple):
+    """The arrays of a path."""
+
+    s_m: Floats
+    x_m: Floats
+    y_m: Floats
+    heading_rad: Floats
 
 
 class _Sampled(NamedTuple):
@@ -186,6 +196,18 @@ def _near(one: _Sampled, two: _Sampled) -> tuple[int, int, int, int]:
     return (top, bottom, left, right) if bottom > 0 else (0, 0, 0, 0)
 
 
+@inner_kernel
+def _touches_any(box: Box, other: _Sampled) -> bool:
+    """Whether a box touches one of the other's."""
+    for n in range(other.x.shape[0]):
+        b = Box(
+            other.x[n], other.y[n], other.cos[n], other.sin[n], other.half_length, other.half_width
+        )
+        if boxes_touch(box, b):
+            return True
+    return False
+
+
 @kernel
 def touching(one: _Sampled, two: _Sampled) -> Bools:
     """Whether box m of one and box n of the other touch: (m, n)."""
@@ -245,10 +267,24 @@ def _extent(path: Path, body: Body, s: Floats, run: slice, other: _Sampled) -> t
 
 
 def _edge(path: Path, body: Body, free: float, touches: float, other: _Sampled) -> float:
-    """The position between a free and a touching one at which touching begins, by bisection."""
+    """The position between a free and a touching one at which touching begins."""
+    way = _Way(path.s_m, path.x_m, path.y_m, path.heading_rad)
+    return float(_touches_from(way, body, free, touches, other))
+
+
+@kernel
+def _touches_from(way: _Way, body: Body, free: float, touches: float, other: _Sampled) -> float:
+    """By bisection."""
     while abs(touches - free) > PRECISION_M:
         middle = (free + touches) / 2
-        if touching(_at(path, body, np.array([middle])), other).any():
+        n = before(way.s_m, middle)
+        share = (middle - way.s_m[n]) / (way.s_m[n + 1] - way.s_m[n])
+        heading = between(way.heading_rad, n, share)
+        cos, sin = np.cos(heading), np.sin(heading)
+        x = between(way.x_m, n, share) + body.ahead_m * cos
+        y = between(way.y_m, n, share) + body.ahead_m * sin
+        box = Box(x, y, cos, sin, body.half_length_m, body.half_width_m)
+        if _touches_any(box, other):
             touches = middle
         else:
             free = middle

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.motion.batch.arrays import Floats
+from scegen.motion.batch.between import before, between
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.batch.touching import Box
 
@@ -43,29 +44,21 @@ class Timetable(NamedTuple):
 
 
 @inner_kernel
-def _before(values: Floats, value: float) -> int:
-    """The last place, but for the end, at which rising values are not above one; 0 if none is."""
-    place = np.searchsorted(values, value, side="right") - 1
-    return int(min(max(place, 0), values.shape[0] - 2))
-
-
-@inner_kernel
 def _box(table: Timetable, time_s: float) -> Box:
     """The box of a body at a time."""
     own = min(time_s - table.late_s, table.time_s[-1])
     way = table.way_m[0] + own * table.first_mps
     if own > table.time_s[0]:
-        n = _before(table.time_s, own)
+        n = before(table.time_s, own)
         share = (own - table.time_s[n]) / (table.time_s[n + 1] - table.time_s[n])
-        way = table.way_m[n] + share * (table.way_m[n + 1] - table.way_m[n])
+        way = between(table.way_m, n, share)
     on = min(max(way, table.s_m[0]), table.s_m[-1])
-    n = _before(table.s_m, on)
+    n = before(table.s_m, on)
     share = (on - table.s_m[n]) / (table.s_m[n + 1] - table.s_m[n])
-    heading = table.heading_rad[n] + share * (table.heading_rad[n + 1] - table.heading_rad[n])
+    heading = between(table.heading_rad, n, share)
     c, s = np.cos(heading), np.sin(heading)
     ahead = table.ahead_m + way - on
-    x = table.x_m[n] + share * (table.x_m[n + 1] - table.x_m[n])
-    y = table.y_m[n] + share * (table.y_m[n + 1] - table.y_m[n])
+    x, y = between(table.x_m, n, share), between(table.y_m, n, share)
     return Box(x + ahead * c, y + ahead * s, c, s, table.half_length_m, table.half_width_m)
 
 
