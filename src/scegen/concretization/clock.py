@@ -12,6 +12,7 @@ from math import inf
 
 import numpy as np
 
+from scegen.concretization.asked import contact_wanted
 from scegen.concretization.clearance import LONGEST_S, clear_offset
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import lights_of, stands_at_red
@@ -104,9 +105,11 @@ def _arrange_one(
             partner, draft = second, first
             offset = offsets[second.id] - meeting.lag_s + gap
         if meeting.priority >= 0:
-            # Those who meet touch nobody else; who has no part in a danger touches nobody.
+            # Those in danger touch nobody else; who has no part in one touches nobody.
             bystander = meeting.priority >= BYSTANDER
-            spared: set[str] = set() if bystander else {partner.id, *_partners(meetings, draft.id)}
+            spared = set() if bystander else _partners(meetings, draft.id)
+            if not bystander and contact_wanted(scene.functional, partner.id, draft.id):
+                spared.add(partner.id)
             offset = clear_offset(
                 draft,
                 offset,

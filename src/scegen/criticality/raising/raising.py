@@ -21,10 +21,11 @@ from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import SEARCH_DT_S, Problem
 from scegen.criticality.search.proving import PROOF_DT_S, Evidence
 from scegen.criticality.search.rebuild import rebuilt
-from scegen.criticality.target import NEAR_MISS, parse_target
+from scegen.criticality.target import NEAR_MISS, Target, parse_target
 from scegen.errors import InputError
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
+from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, door_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
@@ -81,8 +82,7 @@ def raise_criticality(
     """
     wanted = parse_target(target)
     network = build_network(concrete.road)
-    stage = Stage(functional, concrete, network, wanted, named_pair(functional, concrete))
-    before = stage.examine(concrete)
+    stage, before = _aimed(functional, concrete, network, wanted)
     rng = np.random.Generator(np.random.PCG64(seed))
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     if reason is not None:
@@ -115,6 +115,27 @@ def raise_criticality(
         raised = _without_target(stage, problem, before, rng, blocked)
         return Raised(raised.concrete, _with_advice(raised.proof, advice, led=False))
     return Raised(*found[0], others=tuple(found[1:]))
+
+
+def _aimed(
+    functional: FunctionalScenario | None,
+    concrete: ConcreteScenario,
+    network: RoadNetwork,
+    target: Target,
+) -> tuple[Stage, Evidence]:
+    """Whom it is about: where nobody says who, rather those who stand already."""
+    named = named_pair(functional, concrete)
+    stage = Stage(functional, concrete, network, target, named)
+    before = stage.examine(concrete)
+    if named or concrete.hazards or stage.blocked or stage.stands(before):
+        return stage, before
+    for pair in stage.focus:
+        if before.meets(stage.target, pair):
+            other = Stage(functional, concrete, network, target, pair)
+            shown = other.examine(concrete)
+            if other.blocked is None and other.stands(shown):
+                return other, shown
+    return stage, before
 
 
 def prove_as_it_is(

@@ -26,6 +26,8 @@ ALONE_ROUNDS = 6
 SOME_ROUNDS = 8
 SOME_BATCH = 96
 _MANY = 10
+_VAIN_ROUNDS, _VAIN_GENERATIONS = 3, 12
+"""After so many that were no better, one more is not worth its time."""
 _ALONE_ANYWHERE, _ALONE_NEAR = 4, 2
 _NEAR = 0.15
 _WORTH = 1e-3
@@ -97,7 +99,7 @@ def search(
         # In so many dimensions nothing is found by looking everywhere.
         _one_by_one(problem, best, low, span, rng)
         _some_at_once(problem, best, low, span, rng)
-        rounds, restarts = min(rounds, 1), min(restarts, 1)
+        rounds, restarts = 0, min(restarts, 1)
     for _ in range(0 if best.found else rounds):
         # A fresh look is not drawn to what looked best before and led nowhere.
         fresh = Best(origin, np.inf, {"all": np.inf}, best.least)
@@ -186,16 +188,18 @@ def _some_at_once(
     problem: Problem, best: Best, low: Floats, span: Floats, rng: np.random.Generator
 ) -> None:
     """Change two, three or four variables of the best."""
-    n = len(span)
+    n, vain = len(span), 0
     for _ in range(SOME_ROUNDS):
-        if best.found:
+        if best.found or vain >= _VAIN_ROUNDS:
             return
+        before = best.loss
         u = (best.x - low) / span
         order = rng.random((SOME_BATCH, n)).argsort(axis=1).argsort(axis=1)
         chosen = order < (2 + np.arange(SOME_BATCH) % 3)[:, None]
         near = u + _NEAR * (2.0 * rng.random((SOME_BATCH, n)) - 1.0)
         values = np.where(np.arange(SOME_BATCH)[:, None] % 2, near, rng.random((SOME_BATCH, n)))
         _look(problem, best, low, span, np.where(chosen, values, u))
+        vain = 0 if best.loss < before - _WORTH else vain + 1
 
 
 def _evolve(
@@ -217,6 +221,7 @@ def _evolve(
         seed=int(rng.integers(2**31)),
         n_max_resampling=1,
     )
+    vain, least = 0, np.inf
     for _ in range(GENERATIONS):
         asked = np.array([optimizer.ask() for _ in range(optimizer.population_size)])
         inside = np.clip(asked, 0.0, 1.0)
@@ -226,7 +231,9 @@ def _evolve(
         outside = np.sum((asked - inside) ** 2, axis=1)
         losses = outcome.loss + 10.0 * outside
         optimizer.tell(list(zip(asked, losses.tolist(), strict=True)))
-        if best.found or optimizer.should_stop():
+        vain = 0 if losses.min() < least - _WORTH else vain + 1
+        least = min(least, float(losses.min()))
+        if best.found or vain >= _VAIN_GENERATIONS or optimizer.should_stop():
             return
 
 
