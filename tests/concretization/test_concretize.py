@@ -115,7 +115,7 @@ def test_lateral_acceleration_stays_possible(made):
         ("skewed_overtaking", "car_1", "car_2", 2.0),
         ("tailgated_at_crosswalk", "ego", "car_1", 5.0),
         ("walker_from_behind_parked", "ego", "ped_0", 1.2),
-        ("left_hand", "ego", "car_1", 2.0),
+        ("left_hand", "ego", "car_1", 5.0),
     ],
 )
 def test_those_in_conflict_come_together(cases, name, first, second, closest_m):

@@ -38,7 +38,7 @@ def described(kind, arms, approaches=(), extra=()):
 def first(functional, how):
     for logical in enumerate_scenarios(functional).scenarios:
         if logical.assignment("van").reverses is how:
-            return concretize(functional, logical)
+            return concretize(functional, logical, seed=3)
     raise AssertionError(how)
 
 
