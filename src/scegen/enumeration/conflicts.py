@@ -2,18 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
 from functools import lru_cache
 
 from scegen.enumeration.right_of_way import RoadRules, right_of_way
 from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive, Rule
 from scegen.scenario.vocabulary import Maneuver
 
+_MEET = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 
-def conflict_between(rules: RoadRules, first: Assignment, second: Assignment) -> Conflict | None:
-    """The conflict of two participants and who yields, None if their paths do not meet."""
+
+def conflict_between(
+    rules: RoadRules,
+    first: Assignment,
+    second: Assignment,
+    on_call: AbstractSet[str] = frozenset(),
+) -> Conflict | None:
+    """The conflict of two participants and who yields, None if their paths do not meet.
+
+    To those ``on_call`` everybody else gives way (VC 34.1).
+    """
     kind = _kind(rules, first, second)
     if kind is ConflictKind.NONE:
         return None
+    names = first.participant, second.participant
+    others = [name for name in names if name not in on_call]
+    if kind in _MEET and len(others) == 1:
+        return _met(*names, kind, others[0], Rule.ON_CALL)
     return _met(first.participant, second.participant, kind, *right_of_way(rules, first, second))
 
 

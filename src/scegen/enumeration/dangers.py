@@ -80,6 +80,7 @@ def _owes_way(
     junction = functional.junction
     ring = junction.kind is JunctionKind.ROUNDABOUT
     known = ring or (ranked and junction.control in _RANKED)
+    known = known and not functional.on_call & {*both.to}  # everybody owes them way
     return breach and bool(both.by and both.to) and known
 
 

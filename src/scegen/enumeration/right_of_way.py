@@ -16,7 +16,7 @@ article of each. Where it leaves a choice:
   arriving at once, and then the one to the right goes first (US Uniform Vehicle Code 11-401).
 * Two on one arm: who is behind keeps its distance (VC 13), who changes lane lets the other pass
   (VC 14).
-* An emergency vehicle counts as any other: whether its signals are on is not said.
+* An emergency vehicle counts as any other, unless it is on call (VC 34.1; see `conflicts`).
 """
 
 from __future__ import annotations

@@ -170,7 +170,7 @@ class Sharing:
         """How two participants meet."""
         self._pairs += 1
         self.full = self._pairs > MOST_PAIRS
-        return conflict_between(self._rules, first, second)
+        return conflict_between(self._rules, first, second, self._problem.functional.on_call)
 
     def forget(self) -> None:
         """Let go of all shares: too many are made anew, not piled up."""

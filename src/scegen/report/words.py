@@ -21,6 +21,7 @@ from scegen.scenario.reversing import BacksUp, Reversal
 
 KMH = 3.6
 _RULES: dict[Rule, str] = {
+    Rule.ON_CALL: "siren and blue lights",
     Rule.SIGN: "sign at the minor road",
     Rule.PRIORITY_TO_RIGHT: "priority to the right",
     Rule.ONCOMING: "turns across oncoming traffic",

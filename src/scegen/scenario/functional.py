@@ -174,7 +174,8 @@ class Participant(FrozenModel):
     way of whom it meets, None if either; the ``approaches`` of who crosses are the sides as that
     one sees them on its course where they meet. ``light`` is what the light that stands for it
     shows as it goes, and how it meets that, None if not said; people on foot only go at ``green``
-    or ``red``.
+    or ``red``. An emergency vehicle ``on_call`` has its siren and its lights on: everybody gives
+    way to it where their ways cross or join, and it need not wait for signs and lights.
     """
 
     id: Identifier
@@ -186,6 +187,7 @@ class Participant(FrozenModel):
     entries: ArmSet = frozenset()
     lanes: ArmSet = frozenset()
     circulating: bool = False
+    on_call: bool = False
     strip: Strip | None = None
     crosses: CrossedArm | None = None
     light: AtLight | None = None
@@ -195,6 +197,9 @@ class Participant(FrozenModel):
     def _somebody(self) -> Participant:
         if self.kind is ParticipantKind.DOOR:
             msg = f"{self.id}: a door is no participant; its vehicle has the act open_door"
+            raise ValueError(msg)
+        if self.on_call and self.kind is not ParticipantKind.EMERGENCY_VEHICLE:
+            msg = f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}"
             raise ValueError(msg)
         return self
 
@@ -435,6 +440,11 @@ class FunctionalScenario(FrozenModel):
             for p in self.participants
             if not p.parked and p.kind not in ON_FOOT and p.maneuvers != frozenset({Maneuver.CROSS})
         )
+
+    @property
+    def on_call(self) -> frozenset[str]:
+        """The emergency vehicles to which everybody gives way."""
+        return frozenset(p.id for p in self.participants if p.on_call)
 
     @property
     def crossers(self) -> tuple[Participant, ...]:

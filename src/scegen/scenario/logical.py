@@ -131,6 +131,7 @@ class Rule(StrEnum):
     ``signal`` and ``first_come`` name nobody: the light decides, or who is first on the ring.
     """
 
+    ON_CALL = "on_call"
     SIGN = "sign"
     PRIORITY_TO_RIGHT = "priority_to_right"
     ONCOMING = "oncoming"

@@ -51,6 +51,8 @@ class Entity:
     beside: tuple[str, Basis] | None = None
     """On which side the lane lies in which it drives beside the ego."""
     circulates: Basis | None = None
+    on_call: Basis | None = None
+    """Words that say that its siren and blue lights are on."""
     strip: tuple[Strip, Basis] | None = None
     """The strip beside the lanes on which it is at first."""
     crosses: tuple[CrossedArm, Basis] | None = None

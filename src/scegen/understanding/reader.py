@@ -18,6 +18,7 @@ from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.meaning import Interpreter
+from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.meaning.too_fast import too_fast
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.each_side import both_sides
@@ -105,6 +106,7 @@ def read(text: str) -> FunctionalScenario:
     ego = choose_ego(draft)
     happenings = read_amounts(numbers, chunks, scenes, context)
     too_fast(draft, surroundings.speed_limit_mps)
+    read_calls(terms, draft)
     report(draft, terms, chunks)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise, tokens).build()
     return unattached(scenario, terms, tokens)

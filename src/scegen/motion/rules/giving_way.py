@@ -26,6 +26,7 @@ TOGETHER_S = 0.5
 
 _RULES = frozenset(
     {
+        Rule.ON_CALL,
         Rule.SIGN,
         Rule.PRIORITY_TO_RIGHT,
         Rule.ONCOMING,
@@ -34,6 +35,8 @@ _RULES = frozenset(
         Rule.CROSSWALK,
     }
 )
+_WHOEVER_IS_FIRST = frozenset({Rule.CROSSWALK, Rule.ON_CALL})
+"""Also at an all-way stop the order of arrival is nothing to these."""
 _MEET = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 
 
@@ -72,7 +75,7 @@ def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> t
         if act.kind in LETS_BY and act.into is not None
     )
     return said + tuple(
-        Duty(yields, other, conflict.rule, all_way and conflict.rule is not Rule.CROSSWALK)
+        Duty(yields, other, conflict.rule, all_way and conflict.rule not in _WHOEVER_IS_FIRST)
         for conflict in logical.conflicts
         if conflict.kind in _MEET and conflict.rule in _RULES and conflict.yields is not None
         for yields, other in [_ordered(conflict)]

@@ -62,12 +62,12 @@ def green_phases(functional: FunctionalScenario, logical: LogicalScenario) -> tu
 def must_obey(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[str]:
     """Those who must not go over the line at red.
 
-    Not who runs the light; nor who is said to endanger or to hit one who has green when it has
-    red: what is stated wins over what nobody is said to break.
+    Not who runs the light, or is on call (VC 34.2); nor who is said to endanger or to hit one who
+    has green when it has red: what is stated wins over what nobody is said to break.
     """
     drives = at_lights(functional, logical)
     phases = green_phases(functional, logical) if drives else ()
-    excused = set(light_runners(functional, logical))
+    excused = set(light_runners(functional, logical)) | functional.on_call
     for by, to in (*_endangered(functional, logical), *_struck(functional)):
         pair = {by, to}
         apart = pair <= drives.keys() and phases[drives[by].entry] != phases[drives[to].entry]

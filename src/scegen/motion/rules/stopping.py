@@ -39,9 +39,10 @@ def enters_at_sign(functional: FunctionalScenario, drive: Drive) -> bool:
 def must_stop(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[str]:
     """Those who must stop at the line of a stop sign, whoever else is there.
 
-    Who is said to fail to yield ignores the sign: stopping is part of giving way there.
+    Who is said to fail to yield ignores the sign: stopping is part of giving way there. Who is on
+    call need not (VC 34.2).
     """
     if functional.junction.control not in _STOP_SIGNS:
         return frozenset()
     drivers = frozenset(d.participant for d in logical.drives if enters_at_sign(functional, d))
-    return drivers - breaks(functional, logical, RoadRule.RIGHT_OF_WAY)
+    return drivers - breaks(functional, logical, RoadRule.RIGHT_OF_WAY) - functional.on_call

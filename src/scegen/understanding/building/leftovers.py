@@ -35,7 +35,7 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
         before = {t.low for t in draft.tokens[max(term.i - 2, 0) : term.i]}
         if "median" in term.data and "on" in before:
             draft.note(term.i, term.j, _NOBODY_THERE)
-        if term.cat == "noted":
+        if term.cat == "noted" and not _tells_of_a_call(draft, term):
             draft.note(term.i, term.j, term.data["instead"])
         elif term.cat == "place" and term.value in _PLACES and not _used(draft, term):
             draft.note(term.i, term.j, _PLACES[term.value])
@@ -45,6 +45,12 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
         if isinstance(chunk, Mention):
             _mention(draft, chunk)
     del draft.notes[_MOST_NOTES:]
+
+
+def _tells_of_a_call(draft: Draft, term: Term) -> bool:
+    """Whether it says what an emergency vehicle is on call by, once or again."""
+    calls = [e.on_call for e in draft.entities if e.on_call is not None]
+    return "on_call" in term.data and any((b.i or 0) <= term.i for b in calls)
 
 
 def _used(draft: Draft, term: Term) -> bool:
