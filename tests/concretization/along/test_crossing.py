@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from roads import AHEAD, CROSS, TOWARDS, ego, ends, one, road
+from saying import missed
 from told import act, apart, as_soon_as, at_time, first
 
 from scegen.motion import build_paths, simulate
@@ -126,3 +127,23 @@ def test_it_reaches_the_far_kerb_and_nobody_else_hits_it(side):
         ahead, left = seen(found[name], found["x"])
         close = (np.abs(ahead) < EGO.length_m / 2) & (np.abs(left) < EGO.width_m / 2)
         assert not close.any(), name
+
+
+def test_who_waits_for_somebody_comes_to_rest_though_that_one_is_soon_gone():
+    said = road(
+        [ego(50), one("w", "pedestrian", ["right"], CROSS)],
+        [("crossing_pedestrian", "w", "ego")],
+        acts=[act("waits", "ego", "wait", into="w")],
+        spacings=[apart("w", "ego", "gap_m", 60.0)],
+    )
+    concrete, found = movements(said)
+    assert found["ego"].speed_mps.min() == pytest.approx(0.0, abs=1e-6)
+    assert found["ego"].speed_mps[-1] > 1.0
+    assert not missed(said, concrete)
+    slows = [
+        p.model_copy(update={"target_speed_mps": 3.0}) if p.target_speed_mps == 0.0 else p
+        for p in concrete.ego.speed_program
+    ]
+    rolls = concrete.ego.model_copy(update={"speed_program": tuple(slows)})
+    people = tuple(rolls if p.id == "ego" else p for p in concrete.participants)
+    assert "act.waits.rest" in missed(said, concrete.model_copy(update={"participants": people}))

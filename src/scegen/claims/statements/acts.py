@@ -68,6 +68,8 @@ def claims(told: Told) -> Iterator[Claim]:
             yield from _of_speed(told, act)
         if act.kind in SIDEWAYS:
             yield from _sideways(told, act)
+        if act.kind is ActKind.WAIT:
+            yield _claim(told, act, "rest", f"{act.participant} comes to rest", "km/h", _rests)
         if act.kind is ActKind.WAIT and act.duration_s is not None:
             statement = f"{act.participant} stands for {amount(act.duration_s)} s"
             tolerance = 2 * tolerances.TIME_S
@@ -237,6 +239,15 @@ def _lasts(told: Told, act: Act, view: View) -> Judged:
     wanted = act.duration_s or Interval(low=0.0, high=0.0)
     margin = np.where(run.happens, within(took, wanted, tolerances.TIME_S), np.nan)
     return Judged(margin, took, view.time_of(run.end))
+
+
+def _rests(told: Told, act: Act, view: View) -> Judged:
+    """How slow it becomes once it has begun to slow down."""
+    later = np.arange(view.steps) >= _begins(told, act, view)[:, None]
+    speed = np.where(later, view.speed_mps(act.participant), np.inf)
+    step = speed.argmin(axis=1)
+    slowest = at(speed, step)
+    return Judged((tolerances.STANDS_MPS - slowest) * KPH, slowest * KPH, view.time_of(step))
 
 
 def _stands(told: Told, act: Act, view: View) -> Judged:

@@ -37,6 +37,8 @@ _LEAST_LEAD_S = 1.0
 _ABREAST_M = 1.2
 _STOPS_SHORT_M = 0.8
 _STAYS_M = 0.3
+_STANDS_S = 0.5
+"""Who waits for one who crosses stands at least so long."""
 _LOOK_S, _LATEST_S = 0.05, 40.0
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
 
@@ -246,11 +248,17 @@ def _go_on(story: Story, walk: Walk, meets: Runner) -> None:
     gone_s = walk.sets_off_s + walk.runs_s(across) + _LEAST_LEAD_S
     for n, step in enumerate(meets.steps):
         if step.act is not None and goes_on_when_free(story.act(step.act).when):
-            begins = max(
-                gone_s, *(s.begins_s + _LEAST_LEAD_S for s in meets.steps if s is not step)
-            )
+            before = [s for s in meets.steps if s is not step]
+            begins = max(gone_s, *(s.begins_s + _LEAST_LEAD_S for s in before))
+            rests = [s.begins_s + meets.speed_mps / s.rate_mps2 for s in before if _waits(story, s)]
+            begins = max(begins, *(at_rest + _STANDS_S for at_rest in rests)) if rests else begins
             meets.steps[n] = replace(step, begins_s=begins)
             story.begins_s[step.act] = begins
+
+
+def _waits(story: Story, step: Step) -> bool:
+    """Whether somebody is said to come to rest, and not only to let another go first."""
+    return any(a.id == step.act and a.kind is ActKind.WAIT for a in story.functional.acts)
 
 
 def _touches(walk: Walk, meets: Runner, story: Story) -> bool:
