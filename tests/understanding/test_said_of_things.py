@@ -152,3 +152,9 @@ def test_an_open_door_is_opened_by_whom_it_belongs_to(text, whose, touches):
     assert [h.by for h in found.hazards] == [(whose,)]
     assert (found.outcome is not None and whose in found.outcome.between) == touches
     assert not found.unsupported
+
+
+@pytest.mark.parametrize("whose", ["its left door", "its rear door", "the door"])
+def test_who_opens_a_door_that_is_told_apart_does(whose):
+    found = read(f"A parked van opens {whose} as the ego passes.")
+    assert [(a.participant, a.kind) for a in found.acts] == [("parked_van_1", "open_door")]

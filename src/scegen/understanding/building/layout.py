@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from scegen.scenario.bends import Bend
-from scegen.scenario.functional import ARM_COUNTS, Junction
+from scegen.scenario.functional import ARM_COUNTS, MAX_LANES, Junction
 from scegen.scenario.roadway import (
     NOT_BESIDE_A_SHOULDER,
     PLAIN_ROAD_STRIPS,
@@ -31,6 +31,10 @@ from scegen.understanding.road.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
 _MOST_LANES = 3
+_RING_LANES = 2
+_RING_OF_TWO = "a roundabout's ring has 2 lanes at most, and has 2 here"
+_FEWER_LANES = "at junctions at most 3 lanes a direction are built; as many as it takes"
+_NO_LIGHT_HERE = "lights stand at intersections only: this is read as one, with four ways"
 _AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
 _DRIVEN_OVER = "no median is built where somebody meets the oncoming, or a direction has one lane"
 _NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
@@ -236,12 +240,21 @@ class Layout:
         if access is not None and reading.straight is None:
             reason = "a side road or driveway meets the road like the stem of a T"
             return JunctionKind.T, Basis(access.i, access.j, reason)
-        implied = self._draft.crossing_implied or self._lateral() or self._regulated()
+        implied = self._draft.crossing_implied or self._lateral()
+        if implied is None and (implied := self._regulated()) is not None:
+            self._lit_crosswalk(implied)
         implied = implied or self._side_road()
         if implied is not None:
             reason = f"{implied.reason}: there must be an intersection, read as four-way"
             return JunctionKind.FOUR_WAY, Basis(implied.i, implied.j, reason)
         return JunctionKind.STRAIGHT, reading.straight or reading.road
+
+    def _lit_crosswalk(self, regulated: Basis) -> None:
+        """``a pelican crossing``, ``a signalised mid-block crossing``: no road is built for it."""
+        words = {t.low for t in self._draft.tokens}
+        marked, light = self._along.crosswalk_basis, self._reading.control_basis
+        if (marked is not None and marked == light) or words & word_list("mid_block"):
+            self._note(regulated, _NO_LIGHT_HERE)
 
     def _lateral(self) -> Basis | None:
         lateral = {Approach.LEFT, Approach.RIGHT}
@@ -296,8 +309,11 @@ class Layout:
             reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
             counted = around.lanes_basis or implied
             return (count,) * arms, None, Basis(counted.i, counted.j, reason)
-        if around.lanes is not None and (plain or around.lanes <= _MOST_LANES):
-            doubled = 2 if ring and around.lanes > 1 else None
+        most = MAX_LANES if plain else _MOST_LANES
+        if around.lanes_basis is not None and (around.lanes or 0) > (_RING_LANES if ring else most):
+            self._note(around.lanes_basis, _RING_OF_TWO if ring else _FEWER_LANES)
+        if around.lanes is not None and around.lanes <= most:
+            doubled = _RING_LANES if ring and around.lanes > 1 else None
             return (around.lanes,) * arms, doubled, around.lanes_basis
         if ring and around.two_lane is not None:
             return (2,) * arms, 2, around.two_lane

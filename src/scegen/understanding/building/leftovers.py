@@ -35,8 +35,9 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
         before = {t.low for t in draft.tokens[max(term.i - 2, 0) : term.i]}
         if "median" in term.data and "on" in before:
             draft.note(term.i, term.j, _NOBODY_THERE)
-        if term.cat == "noted" and not _tells_of_a_call(draft, term):
-            draft.note(term.i, term.j, term.data["instead"])
+        if term.cat in {"noted", "place"} and "instead" in term.data:
+            if not _tells_of_a_call(draft, term):
+                draft.note(term.i, term.j, term.data["instead"])
         elif term.cat == "place" and term.value in _PLACES and not _used(draft, term):
             draft.note(term.i, term.j, _PLACES[term.value])
         elif term.cat == "manner" and term.value == "aggressive":

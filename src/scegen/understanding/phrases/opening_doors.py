@@ -35,6 +35,10 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             ended = _opened_by(owned[0], chunk)
             k += 1 + 2 * len(owned[::2])
             continue
+        if _opens_one(chunks[k : k + 2], tokens):
+            found.append(Event("door", chunk.i, chunks[k + 1].j, "s", lemma="open"))
+            k += 2
+            continue
         verb = k + 1 + 2 * len(owned[::2])
         while verb < len(chunks) and getattr(chunks[verb], "cat", "") in _HELPS:
             verb += 1
@@ -63,6 +67,13 @@ def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
             break
         found += [of, who]
     return found[1:]
+
+
+def _opens_one(two: list[Chunk], tokens: list[Token]) -> bool:
+    """``opens its left door``, ``opens the driver's door``."""
+    verb, door = [*two, None, None][:2]
+    opens = isinstance(verb, Event) and tokens[verb.i].low.startswith("open")
+    return opens and isinstance(door, Thing) and door.kind == "door"
 
 
 def _called(door: Event, before: list[Chunk]) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from scegen.errors import InfeasibleError
 from scegen.scenario.functional import MAX_LANES, Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
@@ -72,7 +73,11 @@ class Surroundings:
 
 
 def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
-    """The conditions that a text names."""
+    """The conditions that a text names.
+
+    Raises:
+        InfeasibleError: it names more lanes than are built.
+    """
     found = Surroundings()
     for k, term in enumerate(terms):
         basis = Basis(term.i, term.j)
@@ -191,10 +196,14 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     count = int(min(number.data["number"], 99))
     if count == 1 and {t.low for t in tokens[noun.j : noun.j + 3]} & word_list("lanes_aside"):
         return  # "moves one lane to the left"
-    each_way = each_way or noun.form == "s" or _one_way(terms[k + 1 : k + 4], count, tokens)
+    likely = count <= MAX_LANES and _one_way(terms[k + 1 : k + 4], count, tokens)
+    each_way = each_way or noun.form == "s" or likely
     lanes = count if each_way else max(1, count // 2)
-    if not 1 <= lanes <= MAX_LANES:
+    if lanes < 1:
         return
+    if lanes > MAX_LANES:
+        msg = f"a road with {lanes} lanes a direction is not built: at most {MAX_LANES}"
+        raise InfeasibleError(msg, where="junction.lanes", hint="Say fewer, or no number.")
     basis = Basis(number.i, noun.j)
     if not each_way:
         basis = Basis(basis.i, basis.j, f"{count} lanes in both directions together")

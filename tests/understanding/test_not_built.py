@@ -1,0 +1,36 @@
+"""Roads that are not built as they are told of: refused, or told what stands for them."""
+
+import pytest
+
+from scegen.errors import InfeasibleError
+from scegen.understanding.reader import read
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("A bus in the bus lane pulls into the ego's lane.", "bus lane"),
+        ("On a cycle street the ego follows a cyclist.", "cycle street"),
+        ("At a roundabout with a bypass lane the ego takes the first exit.", "bypass lane"),
+        ("At a roundabout with three lanes the ego takes the first exit.", "three lanes"),
+        ("At a crossroads with four lanes per direction the car ahead brakes.", "four lanes"),
+        ("The ego stops at a pelican crossing for a man.", "pelican crossing"),
+        ("At a signalised mid-block crossing a man walks over the road.", "signalised"),
+    ],
+)
+def test_what_stands_for_it_is_told(text, words):
+    assert words in [u.text for u in read(text).unsupported]
+
+
+@pytest.mark.parametrize(
+    ("text", "lanes"),
+    [("An eight-lane motorway; the car ahead brakes.", 4), ("A three-lane motorway.", 3)],
+)
+def test_as_many_lanes_as_can_be_had_are(text, lanes):
+    assert read(text).junction.lanes == (lanes, lanes)
+
+
+@pytest.mark.parametrize("lanes", ["five lanes per direction", "12 lanes"])
+def test_more_lanes_than_are_built_are_refused(lanes):
+    with pytest.raises(InfeasibleError, match="at most 4"):
+        read(f"On a motorway with {lanes} the car ahead of the ego brakes.")
