@@ -260,7 +260,9 @@ def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
     for draft in scene.drives.values():
         if draft.waits_s is None or draft.lets_by is not None:
             continue
-        again = next(phase for phase in draft.course.phases if phase.resumes)
+        again = next((phase for phase in draft.course.phases if phase.resumes), None)
+        if again is None:
+            continue  # it stays
         draft.goes_at = AtTime(time_s=round(draft.offset_s + again.begins_s, 3))
         draft.course_ = None
         scene.note(f"{draft.id}.goes_at_s", draft.goes_at.time_s, "its light is green")

@@ -367,6 +367,12 @@ class FunctionalScenario(FrozenModel):
         if participant in self.crossers and participant.light not in {AtLight.GREEN, AtLight.RED}:
             msg = f"{participant.id} crosses: its light is green or red, not {participant.light}"
             raise ValueError(msg)
+        if participant.light is AtLight.WAITS and participant.maneuvers == {Maneuver.STAY}:
+            msg = (
+                f"{participant.id} waits at its light, so it goes on at green: it does not `stay`. "
+                "Leave the maneuver out; who stands there at first has speed_mps 0"
+            )
+            raise ValueError(msg)
 
     def _names_known(self, known: Collection[str]) -> None:
         """Whoever is named takes part (or is an object), and every act that is named happens."""

@@ -157,6 +157,24 @@ def test_a_stated_speed_of_all_wins_for_all(differ):
     assert {d.kept for d in result.disagreements} == {Kept.READER}
 
 
+def test_a_stated_speed_that_the_agents_give_to_others_is_not_taken_from_them(differ):
+    text = "A car waits for a pedestrian who crosses, and who walks at 4 km/h, at an intersection."
+    words = "at 4 km/h"
+    people = [
+        {"id": "car_1", "role": "ego"},
+        {
+            "id": "pedestrian_1",
+            "kind": "pedestrian",
+            "speed_mps": {"low": 1.111, "high": 1.111},
+            "maneuvers": ["cross"],
+        },
+    ]
+    stated = {"field": "participants.pedestrian_1.speed_mps", "words": words}
+    result = differ(text, participants={"participants": people, "basis": [stated]})
+    assert result.functional.participant("car_1").speed_mps is None
+    assert result.functional.participant("pedestrian_1").speed_mps.low == pytest.approx(1.111)
+
+
 def test_a_stated_speed_of_one_of_several_is_shown(differ):
     people = [{"id": f"bus_{k}", "kind": "bus", "role": "other" if k else "ego"} for k in range(3)]
     people[2]["speed_mps"] = {"low": 5, "high": 5}

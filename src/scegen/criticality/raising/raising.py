@@ -200,13 +200,13 @@ def _without_target(
     reason: str | None,
 ) -> Raised:
     """What holds every claim that can be held, where the target cannot be reached."""
+    shown = before
     if not before.holds(stage.given_up):
         problem.untargeted = stage.untargeted = True
         made, _ = _solve(stage, problem, rng, None)
-        if made is not None:
-            proof = stage.proof(before, made.evidence, problem.evaluations, reason)
-            return Raised(made.evidence.concrete, proof)
-    return Raised(stage.concrete, stage.proof(before, before, problem.evaluations, reason))
+        shown = before if made is None else made.evidence
+    shown = stage.ended(shown)
+    return Raised(shown.concrete, stage.proof(before, shown, problem.evaluations, reason))
 
 
 def _fill(

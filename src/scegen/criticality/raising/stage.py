@@ -182,11 +182,17 @@ class Stage:
 
         made = bind_to_ego(found.concrete, self.network, self.meetings_s(found), proved)
         bound = next(evidence for evidence in shown if evidence.concrete is made)
-        over = halted(bound.concrete, bound.view)
-        if over is bound.concrete:
-            return bound
+        return self.ended(bound)
+
+    def ended(self, found: Evidence) -> Evidence:
+        """With collisions that halt, where all that holds then still does."""
+        over = halted(found.concrete, found.view)
+        if over is found.concrete:
+            return found
         after = self.examine(over)
-        return after if self.stands(after) else bound
+        met = after.meets(self.target, self.pair) or not found.meets(self.target, self.pair)
+        held = {claim.id for claim in after.claims if claim.holds}
+        return after if met and held >= {c.id for c in found.claims if c.holds} else found
 
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
         """Whose danger with the ego it is, the target's partner first, and when it happens.

@@ -29,7 +29,7 @@ class Decider:
     """
 
     def __init__(self, agents: FunctionalScenario, reader: FunctionalScenario) -> None:
-        self.scenario = agents
+        self.scenario = self._agents = agents
         self.reader = reader
         self.disagreements: list[Disagreement] = []
 
@@ -59,6 +59,11 @@ class Decider:
             self.scenario = self.updated(update) or self.scenario  # the same, not rounded
             return
         quoted = words_of(self.scenario, path)
+        taken = None if quoted is not None or not number else self._used_for(path, words)
+        if taken is not None:
+            reason = f"the agents take these words for {taken}"
+            self.note(path, words, theirs, ours, Kept.AGENTS, reason)
+            return
         if quoted is not None and not number and not quoted.within(words):
             reason = f'the agents rest it on the words "{quoted.text}"'
             self.note(path, words, theirs, ours, Kept.AGENTS, reason)
@@ -71,6 +76,17 @@ class Decider:
         self.scenario = combined
         reason = _NUMBERS_WIN if number else _LEXICON_WINS
         self.note(path, words, theirs, ours, Kept.READER, reason)
+
+    def _used_for(self, path: str, words: Words) -> str | None:
+        """The other field of the same name that the agents rest on these words, if any."""
+        name = path.rpartition(".")[2]
+        for item in self._agents.evidence:
+            if item.field == path or item.field.rpartition(".")[2] != name:
+                continue
+            own = words_of(self._agents, item.field)
+            if own is not None and words.within(own):
+                return item.field
+        return None
 
     def updated(
         self, update: Mapping[str, Any], path: str | None = None, proof: str | None = None
