@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import box_at, boxes, offset, seen
+from scegen.claims.boxes import box_at, boxes, contact, offset, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always, within
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
@@ -29,7 +29,7 @@ from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.doors import WAY_M
 from scegen.scenario.acts import (
     Act,
@@ -307,7 +307,17 @@ def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
     moved = np.where(later, moved - at(moved, begins)[:, None], 0.0)
     step = moved.argmax(axis=1)
     most = at(moved, step)
-    return Judged(most - far, most, view.time_of(step))
+    # Who hits the one beside it comes no farther.
+    far_m = np.where(_hits(told, act, view), min(far, _SWERVES_M), far)
+    return Judged(most - far_m, most, view.time_of(step))
+
+
+def _hits(told: Told, act: Act, view: View) -> Bools:
+    """Whether it touches the one into whose lane it goes, as is said (c,)."""
+    who, other = act.participant, act.into or told.ego
+    if who == other or not told.may_touch(who, other):
+        return np.zeros(view.count, dtype=np.bool_)
+    return contact(view, who, other).happens
 
 
 def _passes_there(told: Told, act: Act, view: View) -> Judged:
@@ -352,7 +362,9 @@ def _into(told: Told, act: Act, view: View) -> Judged:
     away = np.abs(offset(boxes(view, act.into or told.ego), boxes(view, act.participant))[1])
     away = np.where(np.arange(view.steps) >= step[:, None], away, np.inf)
     nearest = away.min(axis=1)
-    return Judged(tolerances.SAME_LANE_M - nearest, nearest, away.argmin(axis=1) * view.dt_s)
+    margin = tolerances.SAME_LANE_M - nearest
+    margin = np.where(_hits(told, act, view), np.maximum(margin, 0.0), margin)
+    return Judged(margin, nearest, away.argmin(axis=1) * view.dt_s)
 
 
 def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:

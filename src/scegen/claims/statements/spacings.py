@@ -36,7 +36,9 @@ def claims(told: Told) -> Iterator[Claim]:
     acts = {act.id: act for act in told.functional.acts}
     for number, spacing in enumerate(told.functional.spacings):
         unit = tolerances.UNITS[spacing.measure]
-        when = {START: "at the start", CONTACT: "at the contact"}.get(spacing.at)
+        beside = spacing.measure is Measure.LATERAL_GAP_M
+        first = "as they are first level" if beside else "at the start"
+        when = {START: first, CONTACT: "at the contact"}.get(spacing.at)
         if when is None:
             act = acts[spacing.at]
             when = f"when {act.participant} begins to {plain(act.kind)}"

@@ -178,7 +178,8 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
             fast.moves.append(Move(past_s, lasts, slow.lane, 0.0, back.id, hazard))
             story.begins_s[back.id], story.ends_s[back.id] = past_s, past_s + lasts
         return
-    if not any(spacing.at == act.id for spacing in story.functional.spacings):
+    at_once = any(spacing.at == act.id for spacing in story.functional.spacings)
+    if not at_once and _free_width_m(story, fast, slow) is None:
         begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
     clear_m = _CLEAR_M if back is None else _gap_at(story, back)
     clear = _when(partial(_is_past, fast, foremost, clear_m), begins + lasts)
@@ -207,18 +208,26 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
 
     As far beside the other as the text says; else in the next lane.
     """
-    for spacing in story.functional.spacings:
-        pair = {spacing.participant, spacing.reference}
-        if spacing.measure is Measure.LATERAL_GAP_M and pair == {fast.id, slow.id}:
-            apart = spacing.value.middle + (fast.body.width_m + slow.body.width_m) / 2
-            kerb = -1 if not fast.keeps_left else 1
-            wanted = slow.y_m(0.0, LANE_WIDTH_M) - kerb * fast.sign * apart
-            return fast.lane, fast.sign * (wanted - fast.y_m(0.0, LANE_WIDTH_M)) + fast.offset_m
+    width_m = _free_width_m(story, fast, slow)
+    if width_m is not None:
+        apart = width_m + (fast.body.width_m + slow.body.width_m) / 2
+        kerb = -1 if not fast.keeps_left else 1
+        wanted = slow.y_m(0.0, LANE_WIDTH_M) - kerb * fast.sign * apart
+        return fast.lane, fast.sign * (wanted - fast.y_m(0.0, LANE_WIDTH_M)) + fast.offset_m
     if act.side is not None:
         return max(0, fast.lane + outward(story.functional, act.side)), 0.0
     if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
         return 2, 0.0
     return max(0, fast.lane - 1), 0.0
+
+
+def _free_width_m(story: Story, one: Runner, other: Runner) -> float | None:
+    """How much room is said to be between the two as one passes the other."""
+    for spacing in story.functional.spacings:
+        pair = {spacing.participant, spacing.reference}
+        if spacing.measure is Measure.LATERAL_GAP_M and pair == {one.id, other.id}:
+            return spacing.value.middle
+    return None
 
 
 def _return_of(story: Story, act: Act, fast: Runner, slow: Runner) -> Act | None:

@@ -13,7 +13,7 @@ from scegen.concretization.amounts import CLOSEST_M
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.scenario.acts import ActKind, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START, Measure
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
 
 _FOLLOWING_S = 1.8
 """The time gap of ordinary following: a little below the two seconds of driving schools."""
@@ -219,6 +219,14 @@ def _neighbours(story: Story, first: str, second: str, order: dict[str, int]) ->
     )
 
 
+def _side_on(story: Story, front: Runner, back: Runner) -> bool:
+    """Whether one who comes over is to touch the other's side: it neither cuts in nor is hit so."""
+    if not contact_wanted(story, front.id, back.id) or story.functional.outcome is None:
+        return False
+    cuts = any(h.kind is HazardKind.CUT_IN and front.id in h.by for h in story.hazards)
+    return not cuts and story.functional.outcome.struck not in {BodySide.FRONT, BodySide.REAR}
+
+
 def _usual(
     story: Story, runner: Runner, other: Runner, wider: float
 ) -> tuple[Measure, float, float] | None:
@@ -231,6 +239,8 @@ def _usual(
     if backing is not None:
         return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M, 0.0
     comes_in = next((m for m in front.moves if m.lane == back.lane != front.lane), None)
+    if comes_in is not None and _side_on(story, front, back):
+        return None
     if comes_in is not None:
         closing = back.speed_mps - front.speed_at_mps(comes_in.begins_s)
         gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)

@@ -7,15 +7,23 @@ stand-in for what players do not compute.
 
 from __future__ import annotations
 
-from math import isfinite
+from math import isfinite, sqrt
 
 import numpy as np
 
-from scegen.claims.boxes import contact
+from scegen.claims.boxes import boxes, contact, seen
 from scegen.claims.view import View
 from scegen.measures.bodies import MASS_KG
 from scegen.motion.batch.arrays import COS, SIN
-from scegen.scenario.concrete import Change, ConcreteParticipant, ConcreteScenario, OnContact
+from scegen.road.defaults import LANE_WIDTH_M
+from scegen.scenario.concrete import (
+    Change,
+    ConcreteParticipant,
+    ConcreteScenario,
+    DriveMotion,
+    Motion,
+    OnContact,
+)
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 
@@ -27,10 +35,12 @@ _HEAVY = 0.2
 _BRAKES_MPS2 = 6.0
 _FALLS_S = 0.5
 _MOVES_MPS = 0.3
+_SCRAPED_M = 0.05
+"""So deep one lies against the other's side."""
 _UNPROTECTED = ON_FOOT | {ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE}
 
 
-def halted(concrete: ConcreteScenario, view: View) -> ConcreteScenario:
+def halted(concrete: ConcreteScenario, view: View, *, scraping: bool) -> ConcreteScenario:
     """The scenario in which all who touch somebody come to rest from their first contact on.
 
     What they would do after it is left out. The same one if nobody touches anybody.
@@ -38,6 +48,7 @@ def halted(concrete: ConcreteScenario, view: View) -> ConcreteScenario:
     Args:
         concrete: the scenario.
         view: its movement, one candidate.
+        scraping: whether one who moves sideways into another goes no farther that way.
     """
     met = _first_contacts(view)
     people = []
@@ -51,12 +62,13 @@ def halted(concrete: ConcreteScenario, view: View) -> ConcreteScenario:
             fired = view.traces.fired_step[0, first : first + count]
             until = view.step_of(np.array([found[1]]))[0]
             done = int(((fired >= 0) & (fired < until)).sum())
-            made = person.model_copy(
-                update={
-                    "speed_program": person.speed_program[:done],
-                    "on_contact": OnContact(participant=found[0], rate_mps2=rate),
-                }
-            )
+            update = {
+                "speed_program": person.speed_program[:done],
+                "on_contact": OnContact(participant=found[0], rate_mps2=rate),
+            }
+            if scraping:
+                update["motion"] = _stopped_aside(view, person, *found)
+            made = person.model_copy(update=update)
             reason = f"comes to rest where it touches {found[0]}"
             name = f"{person.id}.on_contact.rate_mps2"
             changes.append(Change(parameter=name, by="aftermath", after=rate, reason=reason))
@@ -97,6 +109,39 @@ def _rate_mps2(
         return _BRAKES_MPS2
     crash = closing**2 / (2 * _CRUSHED_M)
     return round(min(max(crash, _BRAKES_MPS2), _MOST_MPS2), 3)
+
+
+def _stopped_aside(view: View, who: ConcreteParticipant, other: str, time_s: float) -> Motion:
+    """Its way, which leads no farther sideways from where its side lies against the other's."""
+    motion, laid = who.motion, view.ways[who.id].laid
+    if not isinstance(motion, DriveMotion) or laid is None:
+        return motion
+    own, far = boxes(view, who.id), boxes(view, other)
+    aside_m = np.abs(seen(far, own).y[0])
+    beside_m = own.half_width + far.half_width - _SCRAPED_M
+    against = (aside_m < beside_m) & (view.traces.time_s >= time_s)
+    if not against.any():
+        return motion
+    stations_m = np.array([laid.station_m(float(s)) for s in view.place_m(who.id)[0]])
+    here_m = stations_m[against.argmax()]
+    lane, offset_m = motion.entry_lane, motion.offset_m
+    for number, change in enumerate(motion.lane_changes):
+        if 0.0 < here_m - change.position_m < change.length_m:
+            over_m = change.offset_m - offset_m - (change.lane_after - lane) * LANE_WIDTH_M
+            first_m = float(aside_m[(stations_m >= change.position_m).argmax()])
+            part_m = float(np.sign(over_m)) * (first_m - beside_m)
+            # As sharply as before.
+            length_m = change.length_m * sqrt(min(part_m / over_m, 1.0))
+            stays = {"length_m": length_m, "lane_after": lane, "offset_m": offset_m + part_m}
+            kept = (*motion.lane_changes[:number], change.model_copy(update=stays))
+            ends = motion.exit_lane if motion.exit_lane != _last_lane(motion) else lane
+            return motion.model_copy(update={"lane_changes": kept, "exit_lane": ends})
+        lane, offset_m = change.lane_after, change.offset_m
+    return motion
+
+
+def _last_lane(motion: DriveMotion) -> int:
+    return motion.lane_changes[-1].lane_after
 
 
 def _along_mps(view: View, who: str, other: str, step: int) -> float:

@@ -186,13 +186,16 @@ class Stage:
 
     def ended(self, found: Evidence) -> Evidence:
         """With collisions that halt, where all that holds then still does."""
-        over = halted(found.concrete, found.view)
-        if over is found.concrete:
-            return found
-        after = self.examine(over)
-        met = after.meets(self.target, self.pair) or not found.meets(self.target, self.pair)
-        held = {claim.id for claim in after.claims if claim.holds}
-        return after if met and held >= {c.id for c in found.claims if c.holds} else found
+        held = {claim.id for claim in found.claims if claim.holds}
+        for scraping in (True, False):
+            over = halted(found.concrete, found.view, scraping=scraping)
+            if over is found.concrete:
+                return found
+            after = self.examine(over)
+            met = after.meets(self.target, self.pair) or not found.meets(self.target, self.pair)
+            if met and held <= {c.id for c in after.claims if c.holds}:
+                return after
+        return found
 
     def meetings_s(self, found: Evidence) -> dict[str, list[float]]:
         """Whose danger with the ego it is, the target's partner first, and when it happens.
