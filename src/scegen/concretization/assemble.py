@@ -29,6 +29,8 @@ from scegen.scenario.functional import Participant
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
+_SOONER_S = 0.1
+"""By so much sooner may one be at the end of its road in a player that takes other steps."""
 _TURNS_MPS = 0.6
 """One that is to stand where it changes direction comes to rest some centimetres short of it."""
 
@@ -176,7 +178,7 @@ def _duration_s(scene: Setup, concrete: ConcreteScenario, paths: dict[str, Path]
         trace = traces[name]
         stopped = trace.s_m >= paths[name].length_m - 1e-6
         if stopped.any():
-            early = duration - float(trace.time_s[stopped.argmax()])
+            early = duration + _SOONER_S - float(trace.time_s[stopped.argmax()])
             if early > 0:
                 # One who waits at the end of the road would be run over by the next.
                 speed = float(trace.speed_mps[max(0, int(stopped.argmax()) - 1)])

@@ -105,3 +105,9 @@ def test_the_judge_sees_who_does_not_stop(rule, kind):
             assert (kind, person.id, None) in found
             return
     pytest.fail("nobody had to stop")
+
+
+def test_the_road_does_not_end_as_the_scenario_does():
+    """A simulator with finer steps comes to the end a little sooner."""
+    _, raised = made("all_way_stop", 21, breach=False)
+    assert not raised.proof.missed
