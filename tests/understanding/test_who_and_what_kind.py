@@ -101,3 +101,10 @@ def test_what_stands_after_a_colon_is_what_the_one_before_it_does(what):
     text = f"Signalised crossroads. Ego: {what}. Other party: oncoming bus, going straight."
     going = {p.role == "ego": p.maneuvers for p in read(text).participants}
     assert going == {True: {Maneuver.RIGHT}, False: {Maneuver.STRAIGHT}}
+
+
+def test_so_many_who_come_are_not_the_ego_and_another():
+    found = read("The ego turns left across oncoming traffic; two cars come from the other side.")
+    assert len([p for p in found.participants if p.role != "ego"]) >= 2
+    found = read("The ego follows a car; two cars come towards them.")
+    assert sorted(p.id for p in found.participants) == ["car_1", "car_2", "car_3", "ego"]

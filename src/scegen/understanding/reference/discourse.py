@@ -288,7 +288,8 @@ class Discourse:
                 return [*fitting, self.observer(mention.i, mention.j)]  # "between the vehicles"
         if reading.det == "bare" and not reading.vague:
             counted = len(fitting) == reading.count
-            return fitting if counted and not any("speaks" in e.named_by for e in fitting) else []
+            told = any(e.ego and e.named_by & {"speaks", "ego"} for e in fitting)
+            return fitting if counted and not told else []
         return fitting if len(fitting) > 1 else []
 
     def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
