@@ -47,7 +47,7 @@ class Strip(Word):
         "parking",
         "a strip with bays along the kerb, in which vehicles are parked",
         "`bus_stop`; `hard_shoulder`; one that blocks a lane",
-        "in a parking bay; a row of parked cars",
+        "in a parking bay; a parked car; a row of parked cars",
     )
     BUS_STOP = (
         "bus_stop",

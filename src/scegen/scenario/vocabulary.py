@@ -71,9 +71,9 @@ class Control(Word):
     )
     YIELD = (
         "yield",
-        "the road that ends or is said to be minor has a give-way sign",
-        "`stop`; somebody who yields without a sign",
-        "a give-way junction",
+        "the road that ends or is said to be minor gives way, by a sign or as it is said",
+        "`stop`; somebody who just lets another go",
+        "a give-way junction; the ego is on the main road; the ego has priority",
     )
     STOP = (
         "stop",
@@ -117,19 +117,19 @@ class ParticipantKind(Word):
         "car",
         "a passenger car, and any vehicle of which no more is said",
         "`van`, `truck`",
-        "a vehicle; a taxi; an SUV",
+        "a vehicle; a taxi; an SUV; a car with a caravan",
     )
-    VAN = "van", "a light goods or transit vehicle", "`truck`", "a delivery van"
+    VAN = "van", "a light goods vehicle, or one of its size", "`truck`", "a delivery van; a camper"
     TRUCK = (
         "truck",
         "a heavy goods vehicle, also an agricultural one",
         "`van`",
         "a lorry; a tractor",
     )
-    BUS = "bus", "a bus or coach", "`van`, for a minibus", "a school bus"
+    BUS = "bus", "a bus or coach of any size", "`van`", "a school bus; a minibus"
     MOTORCYCLE = (
         "motorcycle",
-        "a motorcycle or scooter with its rider",
+        "a motorcycle, scooter, quad or trike with its rider",
         "`bicycle`",
         "a motorcyclist",
     )
@@ -249,7 +249,7 @@ class AtLight(Word):
 class BodySide(Word):
     """A side of a vehicle's body."""
 
-    FRONT = "front", "the front of the body", "", "hit head-on"
+    FRONT = "front", "the front of the body", "", "hit head-on; the ego runs into it"
     REAR = "rear", "the rear of the body", "", "hit from behind"
     LEFT = (
         "left",
@@ -342,13 +342,13 @@ class Maneuver(Word):
     U_TURN = "u_turn", "turns back the way that it came", "`left`", "makes a U-turn"
     LANE_CHANGE = (
         "lane_change",
-        "goes over to another lane and stays there",
-        "`overtake`, which ends before somebody; a forced reaction",
+        "goes over to another lane, to stay there or until it hits somebody",
+        "`overtake`, which ends before somebody; one broken off (`straight`); a forced reaction",
         "merges into the ego's lane",
     )
     OVERTAKE = (
         "overtake",
-        "passes somebody that moves, or bypasses somebody that stands in its lane",
+        "passes somebody that moves, at the edge too, or bypasses one that stands in its lane",
         "`lane_change` without getting past",
         "overtakes the truck",
     )
@@ -373,8 +373,8 @@ class Maneuver(Word):
     STAY = (
         "stay",
         "stands all the time",
-        "one that stops or sets off (an act)",
-        "a stationary car; somebody who waits",
+        "one that stops or sets off (an act); who waits at its light (`light`)",
+        "a stationary car; somebody who waits and does not go on",
     )
     EXIT_1 = (
         "exit_1",
