@@ -211,3 +211,25 @@ def test_nobody_starts_beyond_a_crosswalk_whose_arm_ends_there():
     )
     with pytest.raises(MotionInfeasibleError, match="crosswalk"):
         made(functional)
+
+
+def test_who_stops_for_somebody_on_a_crosswalk_does_so_before_it():
+    walker = one("w", "pedestrian", ["right"], CROSS)
+    functional = on(
+        road(
+            [ego(50), walker],
+            [("crossing_pedestrian", "w", "ego")],
+            acts=[act("waits", "ego", "wait", into="w")],
+        ),
+        crosswalks={0},
+    )
+    concrete = made(functional)
+    paths = build_paths(concrete, build_network(concrete.road))
+    trace = simulate(concrete, paths, dt_s=0.05)["ego"]
+    rests = int(np.argmax(trace.speed_mps < 0.01))
+    walked = paths["w"]
+    front = np.array([trace.x_m[rests], trace.y_m[rests]])
+    away = np.hypot(*(front - [walked.x_m[0], walked.y_m[0]]))
+    body = concrete.ego.body
+    aside = abs(walked.y_m[0] - trace.y_m[rests])
+    assert np.sqrt(away**2 - aside**2) - body.front_m >= 2.0

@@ -19,6 +19,7 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.others import Walker
 from scegen.concretization.profile import NEVER_S
+from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import BODIES, Body
@@ -37,6 +38,7 @@ _LEAST_LEAD_S = 1.0
 _ABREAST_M = 1.2
 _STOPS_SHORT_M = 0.8
 _STAYS_M = 0.3
+_BEFORE_CROSSWALK_M = 0.3
 _STANDS_S = 0.5
 """Who waits for one who crosses stands at least so long."""
 _LOOK_S, _LATEST_S = 0.05, 40.0
@@ -224,7 +226,10 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     rate = own.rate_mps2 if own is not None else min(HARD_BRAKING_MPS2[0], most)
     target = own.target_mps if own is not None else 0.0
     meets.steps = [s for s in meets.steps if s is not own]
-    stop = walk.x_m - meets.towards * (walk.body.width_m / 2 + _STOPS_SHORT_M + meets.leading_m)
+    short = walk.body.width_m / 2 + _STOPS_SHORT_M
+    if walk.crossing.arm in story.functional.junction.crosswalks:
+        short = max(short, CROSSWALK_WIDTH_M / 2 + _BEFORE_CROSSWALK_M)
+    stop = walk.x_m - meets.towards * (short + meets.leading_m)
     room = abs(stop - (meets.at_m or 0.0))
     if not said:
         seen = room - meets.profile.way_m(walk.sets_off_s + REACTION_S)
