@@ -73,7 +73,6 @@ def test_who_is_there(text, number):
         ("The ego moves into the middle lane.", {"lane_change"}),
         ("The ego steers into a gap in the next lane.", {"lane_change"}),
         ("The ego pulls out around a stalled lorry.", {"overtake"}),
-        ("The ego leaves a sluggish tractor behind on a country road.", {"overtake"}),
         ("A stalled bus blocks the lane, so the ego detours through the opposite lane.",
          {"overtake"}),
         ("The ego reaches a spot where two vans block the road, and must change lane.",

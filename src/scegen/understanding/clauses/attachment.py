@@ -82,15 +82,6 @@ def attach(prep: Prep, state: State) -> None:
     if prep.fronted:
         state.fronted += [] if counted else [prep]
         return
-    verb = state.events[-1] if state.events else None
-    left = prep.target is None and prep.value == "behind" and verb is not None
-    if left and verb is not None and verb.name == "leave" and verb.object is prep.on_mention:
-        verb.name = "overtake" if prep.on_mention is not None else verb.name
-        return  # "leaves the slow lorry behind"
-    measured = _measured(prep, state)
-    if measured is not None:
-        measured.pps.append(prep)
-        return
     part = prep.on_mention
     if part is not None and part.whole is not None and part.whole.j == prep.word.i:
         prep.on_mention = part.whole  # "one of the two cars ahead": both are
@@ -113,16 +104,6 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
-
-
-def _measured(prep: Prep, state: State) -> Mention | None:
-    """``the ego, 15 m behind it``: of whom the length is told right before."""
-    lengths = (
-        m
-        for m in state.mentions
-        if any((x.cat, x.value, x.j) == ("quantity", "length", prep.word.i) for x in m.mods)
-    )
-    return next(lengths, None) if prep.word.cat == "locus" else None
 
 
 def _names_it_again(target: object, mention: Mention) -> bool:

@@ -19,7 +19,6 @@ from scegen.understanding.phrases.lookahead import (
     ADVERBS,
     BOUNDARIES,
     GOVERNING,
-    after_a_comma,
     by_follows,
     event_follows,
     main_verb_follows,
@@ -179,23 +178,13 @@ class ClauseReader:
         return denied
 
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
-        """``the path of V2, eastbound on Elm Street``."""
-        before = self._chunks[max(0, k - 2) : k]
-        noun = before[-1] if before else None
-        last = self._state.events[-1] if self._state.events else None
-        if word.cat == "state" and noun is not None and last is not None and last.object is noun:
-            release(self._state)
-            last.object.mods.append(word.term)  # "approaches a car at standstill"
-            return True
+        """``it is red for the van opposite``."""
+        noun = self._chunks[k - 1] if k else None
         if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
             release(self._state)
-            noun.mods.append(word.term)  # "it is red for the van opposite"
+            noun.mods.append(word.term)
             return True
-        after = "bound" in word.term.data and after_a_comma(before)
-        if after and isinstance(before[0], Mention):
-            release(self._state)
-            before[0].mods.append(word.term)
-        return after
+        return False
 
     def _in_brackets_after(self, word: Word, k: int) -> bool:
         """``the path of a van (45 km/h)``: the van's."""

@@ -7,8 +7,6 @@ from scegen.understanding.clauses.state import State
 
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
-_GOING = frozenset({"enter", "turn", "move", "approach", "cross", "merge", "leave", "use",
-                    "sharp_turn"})  # fmt: skip
 _REACH = 4
 _FARTHEST = 8
 

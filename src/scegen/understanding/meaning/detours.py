@@ -15,8 +15,6 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 _THERE = frozenset({"in", "into", "to", "for"})
-_TAKEN = frozenset({"use", "enter", "cross", "unknown", "move", "leave", "try"})
-_LEFT_OPEN = frozenset({"leave", "use", "enter"})
 _MOVED = frozenset({"cause", "send", "prevent"})
 _SETTLED = frozenset(
     {Maneuver.OVERTAKE, Maneuver.LANE_CHANGE, Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN}

@@ -27,7 +27,6 @@ from scegen.understanding.meaning import (
     screens,
     side_roads,
     standing,
-    titled,
 )
 from scegen.understanding.meaning.light_states import read_states
 from scegen.understanding.meaning.movements import follow_movement
@@ -135,7 +134,6 @@ class Interpreter:
         rows.line_up(chunks, events, self._draft)
         for event in events:
             self._event(event)
-        titled.by_the_only_one(self._clauses, self._context)
         red_lights.on_red(chunks, events, self._context)
         read_states(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.semantics.context import Clause, Context
 
 _SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _BESIDE = frozenset({"side", "sidewalk", "shoulder", "leg"})
-_AT = frozenset({"in", "to", "by", "of"})
 _HIDING = frozenset({"behind", "between"})
-_OPAQUE = frozenset({"bus_stop", "feature", "parking"})
-_REACH = 7
 
 
 def share(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
@@ -28,25 +25,13 @@ def share(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
             if locus or by or out:
                 _place(prep.target, clause.actors, chunks, context, prep.word.i)
         if hides and not event.passive:
-            hiders = [c for c in (*event.subject, _thing_before(event, chunks)) if c is not None]
-            for hider in hiders[:1]:
+            for hider in event.subject[:1]:
                 _place(hider, clause.targets, chunks, context)
     for chunk in chunks:
         if isinstance(chunk, Mention):
             for prep in chunk.pps:
                 if prep.word.cat == "locus" and prep.value in _HIDING:
                     _place(prep.target, chunk.entities, chunks, context, prep.word.i)
-
-
-def _thing_before(event: Event, chunks: list[Chunk]) -> NounPhrase | None:
-    """``a hedge on the right screens a man``: what stands before the verb."""
-    k = next((k for k, c in enumerate(chunks) if c is event), 0)
-    for chunk in reversed(chunks[max(0, k - _REACH) : k]):
-        if isinstance(chunk, Thing) or (isinstance(chunk, Place) and chunk.kind in _OPAQUE):
-            return chunk
-        if isinstance(chunk, Event | Mention):
-            return None
-    return None
 
 
 def _place(
@@ -82,25 +67,7 @@ def _sides_of(
     own = {_SIDES[d] for d in hider.dirs if d in _SIDES}
     k = next((k for k, c in enumerate(chunks) if c is hider), len(chunks))
     ends = [c.j for c in chunks[k + 1 : k + 3] if isinstance(c, Place) and c.kind in _BESIDE]
-    return (own, max([hider.j, *ends])) if own else _named_after(hider, chunks)
-
-
-def _named_after(hider: NounPhrase, chunks: list[Chunk]) -> tuple[set[Approach], int]:
-    """``a kiosk at the left kerb``, ``a shelter to the ego's right``."""
-    k = next((k for k, c in enumerate(chunks) if c is hider), len(chunks))
-    opened = False
-    for chunk in chunks[k + 1 : k + _REACH]:
-        if isinstance(chunk, Word):
-            if chunk.cat != "prep" or chunk.value not in _AT:
-                return set(), hider.j
-            opened = True
-        elif isinstance(chunk, Place) and opened:
-            sides = {_SIDES[d] for d in chunk.dirs if d in _SIDES}
-            if sides and chunk.kind in _BESIDE:
-                return sides, chunk.j
-        elif not (isinstance(chunk, Thing) or (isinstance(chunk, Mention) and chunk.possessor)):
-            return set(), hider.j
-    return set(), hider.j
+    return own, max([hider.j, *ends]) if own else hider.j
 
 
 def _standing(entity: Entity, draft: Draft) -> set[Approach]:

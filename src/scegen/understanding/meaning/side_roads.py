@@ -13,9 +13,6 @@ _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter", "cross"})
 
 
-_REACH = 8
-
-
 def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) -> None:
     """``a bus comes from the left``: there must be a road on the left.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Word
 from scegen.understanding.phrases.lookahead import ADVERBS
 
 _REACH = 3
@@ -20,11 +20,6 @@ def absolute(event: Event, k: int, chunks: list[Chunk]) -> bool:
         return False
     for m in range(k - 1, max(-1, k - 1 - _REACH), -1):
         chunk = chunks[m]
-        if isinstance(chunk, Place):
-            before = chunks[m - 1] if m else None
-            with_it = isinstance(before, Word) and before.value in {"with", "despite"}
-            known = any((t.cat, t.value) == ("det", "def") for t in chunk.mods)
-            return with_it and known and chunk.kind == "signal"
         if not isinstance(chunk, Word) or chunk.cat not in ADVERBS:
             return False
         if (chunk.cat, chunk.value) == ("aux", "be"):

@@ -59,38 +59,12 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
 
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Ego: left turn.``, ``Hard-braking coach: 0.55 g from 26 m/s``: of who is named before."""
-    if _amount_first(rest) and _of_what_one_does(title):
-        return True
     who = title[0] if title and (len(title) == 1 or _goes_on(title, rest)) else None
     if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
         return False
     if isinstance(rest[0], Word) and rest[0].cat == "quantity":
         return True  # "Lead car: 100 km/h, ego …"
-    for before, chunk in pairwise(rest):
-        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
-            return True
-        if isinstance(before, Event) and before is rest[0] and not before.nominal:
-            return True  # "Truck: follows the ego."
     return True
-
-
-def _amount_first(rest: list[Chunk]) -> bool:
-    """``: 0.55 g …``, ``: from 80 km/h …``."""
-    words = [c for c in rest[:2] if isinstance(c, Word)]
-    first = words[1:] if words and words[0].cat == "prep" else words
-    return bool(first) and first[0].cat == "quantity"
-
-
-def _of_what_one_does(title: list[Chunk]) -> bool:
-    """``Late braking of a van``, ``Emergency stop, lead car``: one, and what that one does."""
-    named = [c for c in title if isinstance(c, Mention)]
-    bare = all(isinstance(c, Event | Mention) or _beside(c) for c in title)
-    told = any(isinstance(c, Event) and not _finite(c) for c in title)
-    return len(named) == 1 and bare and told
-
-
-def _beside(chunk: Chunk) -> bool:
-    return isinstance(chunk, Word) and (chunk.cat in {"prep", "manner"} or chunk.value == ",")
 
 
 def _goes_on(title: list[Chunk], rest: list[Chunk]) -> bool:
@@ -137,12 +111,6 @@ def _telling(mention: Mention) -> bool:
     return any(h.value != "pedestrian" for h in mention.heads)
 
 
-def _several(mention: Mention) -> bool:
-    """``three stopped cars``."""
-    plural = mention.head is not None and mention.head.form == "s"
-    return plural and mention.mod("num", "quant") is not None and mention.head is not None
-
-
 def _resume(title: list[Chunk], rest: list[Chunk]) -> None:
     """``A drifting vehicle. The adversary …``, ``End of a queue: three cars …``: the same ones."""
     mentions = [c for c in title if isinstance(c, Mention)]
@@ -187,8 +155,6 @@ def _stands_for(named: Mention, mention: Mention) -> bool:
 def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
     """Those of whom a heading says more are the same as those of their kind after it."""
     mentions = [c for c in title if isinstance(c, Mention)]
-    if not _names_ego(rest):
-        mentions = [m for m in mentions if not _names_ego([m])]  # "Ego merging: a van …"
     others = [c for c in rest if isinstance(c, Mention) and c.heads and not _names_ego([c])]
     if not others:  # "Stationary traffic ahead: the ego brakes": nobody else can be meant
         mentions = [m for m in mentions if _names_ego([m]) or _in_general(m, title)]

@@ -9,7 +9,6 @@ ADVERBS = frozenset(
     {"manner", "dir", "compass", "noted", "quantity", "locus", "neg", "aux", "control", "cue"}
 )
 GOVERNING = frozenset({"prep", "locus"})
-_COMMA_REACH = 2
 _VIEW_OF = 3
 
 
@@ -153,17 +152,6 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
         if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
     return False
-
-
-def after_a_comma(before: list[Chunk]) -> bool:
-    """Whether a noun and a comma stand before.
-
-    Args:
-        before: the last two chunks.
-    """
-    if len(before) < _COMMA_REACH or not isinstance(before[0], Mention):
-        return False
-    return isinstance(before[1], Word) and before[1].value == ","
 
 
 def view_of(before: list[Chunk]) -> Thing | None:

@@ -37,7 +37,7 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
         elif isinstance(chunk, Word) and _predicative(chunks, k) and not _has_verb(chunk, found):
             subject = _whose(chunks, k, found)
             if subject:
-                found.append(_going(chunk.term, subject, chunks, found))
+                found.append(_going(chunk.term, subject, found))
     return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
 
 
@@ -79,20 +79,8 @@ def _by_the_other(chunks: list[Chunk], events: list[Event], tokens: list[Token])
         if opens and led and "out" in {t.low for t in tokens[event.i : event.j]}:
             event.subject = [] if acts else led[:1]  # "Cut-out: lead 60 km/h, ego 80 km/h"
             continue
-        if (
-            event.name in {"lane_change", "merge"}
-            and opens
-            and egos
-            and all(map(_has_place, others))
-        ):
-            event.subject = egos[:1]  # the others keep where they are
-            continue
         if opens and others and not (told and any(c.mods for c in others if _premod(c, event))):
             event.subject = others[:1]
-
-
-def _has_place(mention: Mention) -> bool:
-    return bool(mention.pps) or bool(mention.dirs) or any(m.value == "def" for m in mention.mods)
 
 
 def _premod(mention: Mention, event: Event) -> bool:
@@ -152,11 +140,8 @@ def _opens(chunks: list[Chunk], m: int) -> bool:
     return before is None or (isinstance(before, Word) and before.value in _OPENERS | BOUNDARIES)
 
 
-def _going(term: Term, subject: list[Mention], chunks: list[Chunk], events: list[Event]) -> Event:
+def _going(term: Term, subject: list[Mention], events: list[Event]) -> Event:
     """A verb of motion made of a direction, which no longer belongs to other words."""
-    for chunk in (*chunks, *events):
-        if isinstance(chunk, Mention | Event):
-            chunk.mods = [m for m in chunk.mods if m is not term]
     sentence = max((e.sentence for e in events if e.i < term.i), default=0)
     event = Event("move", term.i, term.j, "s", finite=True, mods=[term], subject=subject)
     event.sentence = sentence

@@ -138,9 +138,6 @@ def _titled(title: list[Chunk]) -> Place | None:
     if isinstance(first, Place) and first.kind in {"access", "lane", "side", "leg"}:
         simple = all(isinstance(c, Word | Place) for c in title)
         return first if simple and first.prep is None else None
-    if len(title) == 1 and isinstance(first, Word) and first.cat in {"dir", "compass"}:
-        sided = first.cat == "compass" or first.value in {"left", "right"}
-        return Place(first.i, first.j, [first.term], None) if sided else None
     return None
 
 
@@ -154,19 +151,11 @@ def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
     following = _at(chunks, chunks.index(verb) + 1)
     undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)
-    undergone = undergone and (verb.name != "stop" or _subject_later(chunks))
+    undergone = undergone and verb.name != "stop"
     if not past or (undergone and not auxiliary) or _is(following, "by"):
         return chunks
     term = Term("actor", "ego", verb.i, verb.i, data={"ego": True, "speaks": True})
     return [Mention(verb.i, verb.i, [], term, heads=[term]), *chunks]
-
-
-def _subject_later(chunks: list[Chunk]) -> bool:
-    """``Stopped at the lights, the car …``: who it was comes after the comma."""
-    for k, chunk in enumerate(chunks):
-        if _ends(chunk) or (k and isinstance(chunk, Event)):
-            return False
-    return False
 
 
 def _leaving(chunks: list[Chunk], k: int) -> Event | None:

@@ -31,10 +31,7 @@ def entitle(chunks: list[Chunk], events: list[Event]) -> None:
     told = [e for e in events if e.i > close and e.subject and not e.nominal]
     if any(e.name == doing.name for e in told):
         return
-    if doing.name in _BREACHES:
-        who = _first_other(chunks[end:])
-    else:
-        who = _who(doing, [e for e in told if e.premod_of is None])
+    who = _who(doing, [e for e in told if e.premod_of is None])
     if who:
         doing.subject, doing.nominal = who, True
 
@@ -53,13 +50,6 @@ def _of_nobody(doing: Event, title: list[Chunk]) -> bool:
     """Whether nobody in particular does it: "Vehicle changing lanes", "Loss of control"."""
     named = [c for c in title if isinstance(c, Mention) and not c.negated]
     return not named and (not doing.subject or all(m.negated for m in doing.subject))
-
-
-def _first_other(rest: list[Chunk]) -> list[Mention]:
-    """``Failure to obey a red light: pickup from the left, ego straight``: the pickup fails."""
-    named = (c for c in rest if isinstance(c, Mention) and c.heads)
-    who = next((c for c in named if not any(h.data.get("ego") for h in c.heads)), None)
-    return [who] if who is not None else []
 
 
 def _who(doing: Event, told: list[Event]) -> list[Mention]:

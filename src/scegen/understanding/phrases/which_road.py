@@ -217,7 +217,6 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             end = _end_of_turn(chunks, k)
             tells = isinstance(more := _at(chunks, end), Word) and more.cat in {"dir", "prep"}
             end = k if tells else end
-            end = _moment(chunks, k, tokens) if end == k else end
         if end is not None and end > k:
             k = end
             continue
@@ -242,12 +241,3 @@ def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:
     m = clause[1]
     m += 1 if isinstance(_at(chunks, m), Mention) else 0
     return _end_of_turn(chunks, m)
-
-
-def _moment(chunks: list[Chunk], k: int, tokens: list[Token]) -> int:
-    """After ``at the moment of the collision``."""
-    m = k
-    while isinstance(word := _at(chunks, m), Word) and word.cat in {"prep", "sub"}:
-        m += 1
-    last = _text(word, tokens).split()[-1:]
-    return m + 1 if m > k and last and last[0] in load_ways()["moments"] else k

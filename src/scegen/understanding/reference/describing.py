@@ -39,7 +39,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
     _drivers(events, tokens)
-    _ridden(chunks, events, tokens)
+    _ridden(chunks, tokens)
     _towed(events)
     _left_standing(events, tokens)
     put_there(chunks, tokens)
@@ -49,7 +49,6 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.seated = mention.seated or event.name == "door"
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
-    across = across or (event.name == "swerve" and _over_the_road(event, tokens))
     alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
@@ -78,15 +77,6 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
 def _person(mention: Mention) -> bool:
     return bool(mention.heads) and all(
         h.value == "pedestrian" and "vague" not in h.data for h in mention.heads
-    )
-
-
-def _over_the_road(event: Event, tokens: list[Token]) -> bool:
-    """``two tourists drift over the road``: on foot, although vehicles drift more often."""
-    return any(
-        tokens[p.word.i].low in {"over", "across", "between"}
-        and not (isinstance(p.target, Place) and p.target.kind in {"centerline", "lane"})
-        for p in event.pps
     )
 
 
@@ -175,12 +165,8 @@ def _chases(events: list[Event]) -> None:
             event.name = "cross" if afoot and not event.passive else "follow"
 
 
-def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
     """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
-    for event in events:
-        for prep in event.pps if event.subject else []:
-            if tokens[prep.word.i].low in word_list("aboard") and tells(event.subject[-1]):
-                _stands_for(event.subject[-1], prep.target)
     tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
     for teller in tellers:
         for prep in teller.pps:
@@ -221,18 +207,8 @@ def _vehicle(noun: object) -> bool:
     return head is not None and head.value in _BY_TRADE and head.form != "s"
 
 
-def _out_of_a_road(event: Event) -> bool:
-    """``he came out of the side road``: whoever drives does."""
-    return any(
-        isinstance(p.target, Place) and p.target.kind in {"access", "junction", "parking"}
-        for p in event.pps
-        if p.value in {"in", "from", "of"}
-    )
-
-
 def _on_foot(event: Event) -> bool:
     against = any(p.value == "into" and isinstance(p.target, Mention) for p in event.pps)
-    against = against or (event.name == "appear" and _out_of_a_road(event))
     return event.name in {"cross", "walk", "appear"} and not against
 
 

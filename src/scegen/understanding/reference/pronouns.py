@@ -80,8 +80,6 @@ class Pronouns:
             return self.roster.landmark
         subject, recent = self.roster.subject, self.roster.recent
         word = self.tokens[mention.i].low
-        if word in word_list("personal") and self._told_in_the_first_person():
-            return self._somebody(mention, exclude, subject)
         if word == "it":
             recent = [e for e in recent if e.is_vehicle] or recent
             others = [e for e in recent if "speaks" not in e.named_by]
@@ -133,9 +131,6 @@ class Pronouns:
         if self.tokens[mention.i].low != "they" or not mention.drives:
             return self.roster.together([])
         return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
-
-    def _told_in_the_first_person(self) -> bool:
-        return any(t.low in word_list("first_person") and t.text != "i" for t in self.tokens)
 
     def _somebody(
         self, mention: Mention, exclude: list[Entity], subject: list[Entity]

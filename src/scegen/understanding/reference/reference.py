@@ -79,8 +79,6 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     if person and (mention.pps or mention.narrowed) and entity.is_vehicle:
         return not reading.called & entity.named_by  # "the bloke behind me"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
-    if bare and reading.called and entity.named_by and not reading.called & entity.named_by:
-        return bool(mention.pps)  # "bus from the left, tram from the right"
     return bare and bool(mention.pps) and bool(entity.dirs)
 
 

@@ -256,11 +256,6 @@ class Roster:
             kind = entity.kind in _MOTOR and (not rides or reading.kind is _RIDDEN)
         else:
             kind = entity.kind is reading.kind or self._motorbike(entity, reading)
-        adversary = reading.labels == {"adversary"} and not reading.plural
-        if adversary:
-            if entity.ego or (reading.generic is False and not kind):
-                return False
-            return "adversary" in entity.labels
         if reading.labels and not reading.labels <= entity.labels:
             return False
         if contradict(entity.named_by, reading.called):

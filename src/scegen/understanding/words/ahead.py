@@ -45,14 +45,3 @@ def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
 
 def _letter(token: Token) -> bool:
     return len(token.text) == 1 and token.text.isupper() and token.text != "I"
-
-
-def of_a_doing(match: Match, tokens: list[Token]) -> bool:
-    """``its slow turn``: how it is done, although "slow" is a verb, too.
-
-    Args:
-        match: a word with its meanings.
-        tokens: the tokens of the text.
-    """
-    doing = longest_match(tokens, match.j) if match.j < len(tokens) else None
-    return match.has("manner") and doing is not None and doing.has("verb") and doing.form == "base"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry
-from scegen.understanding.words.ahead import noun_follows, of_a_doing
+from scegen.understanding.words.ahead import noun_follows
 from scegen.understanding.words.measures import names_a_measure
 from scegen.understanding.words.nominal import ORDINALS
 from scegen.understanding.words.sidewords import across_from, creeps, left_or_gone
@@ -24,9 +24,6 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
-    owned = previous is not None and previous.cat in {"det", "possessive"}
-    if owned and match.form == "base" and of_a_doing(match, tokens):
-        return True
     if not (_may_describe(previous) and noun_follows(tokens, match.j)):
         return False
     following = longest_match(tokens, match.j)

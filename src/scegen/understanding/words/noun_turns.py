@@ -23,7 +23,6 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     if not _bare(tokens, term):
         return False
     k = len(terms) - 1
-    qualified = terms[k].cat == "manner" and terms[k].i == terms[k].j - 1
     if terms[k].value == "unprotected" or tokens[terms[k].i].low in {"protected", "permitted"}:
         return True
     while k > 0 and (terms[k].cat == "manner" or tokens[terms[k].i].low.endswith("ed")):
@@ -32,9 +31,6 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         return False
     before = tokens[terms[k - 1].j - 1]
     definite = tokens[terms[k].i].low not in {"a", "an", "another"}
-    if terms[k].value == "genitive":
-        before = tokens[terms[k].i - 1]
-        return qualified
     if before.low in {"to", "on"} and _of_a_lane(terms, k - 2):
         return False  # "in the lane to its left"
     if before.low in word_list("during"):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
@@ -233,10 +231,10 @@ def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> 
         previous: the term before it.
     """
     sided = previous is not None and previous.cat in {"dir", "det", "compass"}
-    if not sided or not match.has("verb") or match.get("verb").value != "lane_change":
+    if not sided or match.form != "s":
         return False
-    if match.form != "s":
-        return _in_the_lane(tokens, match)
+    if not match.has("verb") or match.get("verb").value != "lane_change":
+        return False
     after = tokens[match.j].low if match.j < len(tokens) else ""
     return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
 
@@ -252,15 +250,6 @@ def of_so_much(tokens: list[Token], match: Match) -> bool:
     after = tokens[match.j].low if match.j < len(tokens) else ""
     bare = match.j >= 2 and words[0] == "at" and words[1] in {"speed", "speeds"}
     return bare and after in word_list("measuring")
-
-
-def _in_the_lane(tokens: list[Token], match: Match) -> bool:
-    """``two cars in the next lane change into mine``: in that lane, not in a change of lane."""
-    after = tokens[match.j].low if match.j < len(tokens) else ""
-    if tokens[match.j - 1].low != "change" or after not in {"to", "into", "onto", "lanes"}:
-        return False
-    before = [t.low for t in tokens[max(0, match.j - 6) : match.j - 2]]
-    return any(pair in {("in", "the"), ("from", "the")} for pair in pairwise(before))
 
 
 def suffix_form(token: Token) -> str | None:
