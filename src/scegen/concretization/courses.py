@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 
 import numpy as np
 
@@ -99,6 +100,16 @@ class Course:
 
     def time_at(self, s_m: float) -> float:
         """When it first reaches ``s_m``; before its start and behind its end at steady speed."""
+        if s_m not in self._reached_s:
+            self._reached_s[s_m] = self._reaches_s(s_m)
+        return self._reached_s[s_m]
+
+    @cached_property
+    def _reached_s(self) -> dict[float, float]:
+        """When it reaches the places that were asked for: the same are asked for again and again."""
+        return {}
+
+    def _reaches_s(self, s_m: float) -> float:
         last = float(self.s_m[-1])
         if s_m > last:
             return float(self.time_s[-1]) + (s_m - last) / max(float(self.speed_mps[-1]), 0.5)
