@@ -106,7 +106,7 @@ class Course:
 
     @cached_property
     def _reached_s(self) -> dict[float, float]:
-        """When it reaches the places that were asked for: the same are asked for again and again."""
+        """When it reaches the places asked for: the same are asked for again and again."""
         return {}
 
     def _reaches_s(self, s_m: float) -> float:
