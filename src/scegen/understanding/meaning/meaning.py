@@ -231,6 +231,7 @@ class Interpreter:
     def _places(self, clause: Clause) -> None:
         """Where the phrases of a verb put those who act, or on whom it is done."""
         event = clause.event
+        side_roads.met_from_the_side(clause, self._context)
         for prep in event.pps if not self._ended(event) else []:
             if from_everywhere(prep):
                 side_roads.spread(prep, clause.actors, self._context)

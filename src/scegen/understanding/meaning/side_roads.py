@@ -11,7 +11,8 @@ from scegen.understanding.semantics.context import Clause, Context
 
 _LEAVING = frozenset({"reverse", "pull_out", "leave", "unpark"})
 _COMING = frozenset({"move", "approach", "appear", "enter", "cross"})
-
+_MEETING = frozenset({"collide", "overlook"})
+"""What tells nothing of the ways that meet: they are as who takes part comes."""
 
 def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) -> None:
     """``a bus comes from the left``: there must be a road on the left.
@@ -22,14 +23,33 @@ def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) ->
         whom: whom it places.
         context: the scenario in the making.
     """
-    place = prep.target
-    side = isinstance(place, Place) and place.kind == "side" and bool(place.dirs)
-    side = side and set(place.dirs) <= {"left", "right"} if place is not None else False
     motor = [e for e in whom if e.moving_vehicle and not context.is_cyclist(e)]
-    if prep.value == "from" and side and motor and event.name in _COMING:
+    if event.name in _COMING:
+        _from_the_side(prep, motor, context)
+
+
+def met_from_the_side(clause: Clause, context: Context) -> None:
+    """``a car from the left hits the ego``: so who is named after where it comes from."""
+    event = clause.event
+    along = event.lemma in word_list("along_the_side")
+    if event.name not in _MEETING or event.passive or along:
+        return
+    for mention in event.subject:
+        for prep in mention.pps:
+            _from_the_side(prep, [e for e in clause.actors if e.moving_vehicle], context)
+    for prep in event.pps:
+        named = [] if prep.on_mention is None else prep.on_mention.entities
+        whom = [e for e in named if e in clause.targets and e.moving_vehicle]
+        _from_the_side(prep, whom, context)
+
+
+def _from_the_side(prep: Prep, whom: list[Entity], context: Context) -> None:
+    place = prep.target
+    if not isinstance(place, Place) or place.kind != "side" or not place.dirs:
+        return
+    if prep.value == "from" and set(place.dirs) <= {"left", "right"} and whom:
         reason = "a vehicle comes from the side"
-        end = place.j if place is not None else prep.word.j
-        context.draft.side_road = context.draft.side_road or Basis(prep.word.i, end, reason)
+        context.draft.side_road = context.draft.side_road or Basis(prep.word.i, place.j, reason)
 
 
 def access(clause: Clause, context: Context) -> None:
