@@ -14,6 +14,7 @@ _COMING = frozenset({"move", "approach", "appear", "enter", "cross"})
 _MEETING = frozenset({"collide", "overlook"})
 """What tells nothing of the ways that meet: they are as who takes part comes."""
 
+
 def side_road(prep: Prep, event: Event, whom: list[Entity], context: Context) -> None:
     """``a bus comes from the left``: there must be a road on the left.
 
