@@ -82,7 +82,7 @@ def test_generate_says_who_spoke(scegen, chat_server, all_answers, story, tmp_pa
 
 def test_one_budget_bounds_both_stages(scegen, chat_server, all_answers, story, tmp_path):
     chat_server.answers = all_answers
-    limit = ("--llm-budget", "19k")
+    limit = ("--llm-budget", "20k")
     done = generate(scegen, story, "out", *llm(chat_server), *limit)
     assert done.returncode == 0, done.stderr
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())

@@ -45,9 +45,9 @@ class Strip(Word):
     )
     PARKING = (
         "parking",
-        "a strip with bays along the kerb, in which vehicles are parked",
+        "a strip with bays along the kerb, in which one or more vehicles are parked",
         "`bus_stop`; `hard_shoulder`; one that blocks a lane",
-        "in a parking bay; a parked car; a row of parked cars",
+        "in a parking bay; a row of parked cars",
     )
     BUS_STOP = (
         "bus_stop",

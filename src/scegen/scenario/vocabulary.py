@@ -71,9 +71,9 @@ class Control(Word):
     )
     YIELD = (
         "yield",
-        "the road that ends or is said to be minor gives way, by a sign or as it is said",
+        "the road that ends, is minor or has no priority as is said gives way, with a sign",
         "`stop`; somebody who just lets another go",
-        "a give-way junction; the ego is on the main road; the ego has priority",
+        "a give-way junction",
     )
     STOP = (
         "stop",
@@ -249,7 +249,7 @@ class AtLight(Word):
 class BodySide(Word):
     """A side of a vehicle's body."""
 
-    FRONT = "front", "the front of the body", "", "hit head-on; the ego runs into it"
+    FRONT = "front", "the front of the body", "", "hit head-on"
     REAR = "rear", "the rear of the body", "", "hit from behind"
     LEFT = (
         "left",
