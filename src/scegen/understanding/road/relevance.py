@@ -48,7 +48,8 @@ def _about_traffic(term: Term, tokens: list[Token]) -> bool:
     if "pace" in term.data:
         return True
     if term.cat == "verb":
-        return term.value in _DRIVING or tokens[term.i].forms[-1][0] == "drive"
+        road = {t.low for t in tokens[term.i : term.j]} & word_list("roads")  # "runs into the road"
+        return term.value in _DRIVING or bool(road) or tokens[term.i].forms[-1][0] == "drive"
     return term.cat == "quantity" and term.value == "speed"
 
 
