@@ -153,6 +153,18 @@ def act_begins(
     return view.once(("begins", act.id), make)
 
 
+def comes_to_rest(
+    view: View, functional: FunctionalScenario, logical: LogicalScenario, act: Act, other: str
+) -> Ints:
+    """The step in which who acts stands, the other too if it stops before that one goes on."""
+    since = np.arange(view.steps) >= act_begins(view, functional, logical, act)[:, None]
+    stands = since & (view.speed_mps(act.participant) <= STANDS_MPS)
+    rests = first(stands)
+    goes_on = first(since & ~stands & (np.arange(view.steps) > rests[:, None]))
+    both = first(stands & (view.speed_mps(other) <= STANDS_MPS))
+    return np.where(both < goes_on, both, rests)
+
+
 def rest(view: View, functional: FunctionalScenario, act: Act) -> tuple[Ints, Ints]:
     """The first and the last step of the rest after which one goes on (c,) each."""
     leaves = sets_off(view, act.participant, _rests_before(functional, act))

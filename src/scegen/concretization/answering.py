@@ -190,7 +190,7 @@ def _loose(scene: Setup, who: DriveDraft) -> SpeedChange | None:
     for mark in who.deeds:
         slows = mark.act is not None and scene.act(mark.act).kind in SLOWING
         if slows and mark.then_s is None and scene.is_loose(mark.act):
-            said = {spacing.at for spacing in scene.functional.spacings}
+            said = {s.at for s in scene.functional.spacings if not s.at_rest}
             return None if mark.act in said else mark
     return None
 

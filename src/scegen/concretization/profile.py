@@ -79,6 +79,11 @@ class Profile:
             return begins + (sqrt(max(root, 0.0)) - speed) / rate
         return NEVER_S
 
+    def rests_s(self, after_s: float) -> float:
+        """When it first stands from a time on; ``NEVER_S`` if it never does."""
+        standing = (t for t, _, speed, rate in self._phases if abs(speed) + abs(rate) < 1e-9)
+        return next((t for t in standing if t > after_s), NEVER_S)
+
     def settles_s(self, after_s: float) -> float:
         """When the change of speed under way at a time is over."""
         n = max(0, bisect_right(self._times, after_s + 1e-9) - 1)

@@ -64,9 +64,10 @@ class Measure(Word):
 class Spacing(FrozenModel):
     """The ``measure`` of ``participant`` to ``reference`` is ``value``.
 
-    ``at`` says when: ``start``, ``contact``, or the id of an act (when it begins). Where an
-    overlap is said to be on a ``side``, it is that side of the reference's width. Only a lateral
-    offset may be one to itself: from the middle of its lane.
+    ``at`` says when: ``start``, ``contact``, or the id of an act: when it begins, or ``at_rest``,
+    when who does it has come to rest by it, the other too if that one stops ("stops 3 m behind the
+    truck"; gaps only). Where an overlap is said to be on a ``side``, it is that side of the
+    reference's width. Only a lateral offset may be one to itself: from the middle of its lane.
     """
 
     participant: Identifier
@@ -74,6 +75,7 @@ class Spacing(FrozenModel):
     measure: Measure
     value: Interval
     at: str = Field(default=START, pattern=r"^[a-z][a-z0-9_]*$")
+    at_rest: bool = False
     side: Side | None = None
 
     @model_validator(mode="after")
@@ -82,4 +84,7 @@ class Spacing(FrozenModel):
         if alone and self.measure is not Measure.LATERAL_OFFSET_M:
             msg = f"{self.participant} has a {self.measure} to itself; name another as reference"
             raise ValueError(msg)
+        if self.at_rest and (self.at in {START, CONTACT} or self.measure is not Measure.GAP_M):
+            msg = f"at rest there is a gap_m, `at` the act that ends there; not {self.measure} at "
+            raise ValueError(f"{msg}{self.at!r}")
         return self

@@ -73,6 +73,13 @@ class Doing:
     """Where the text tells of it again."""
     name: str = ""
 
+    @property
+    def ends_at_rest(self) -> bool:
+        """Whether who does it stands in the end, for a while or for good."""
+        target = self.amounts.get("target_speed_mps")
+        rests = self.kind in {ActKind.STOP, ActKind.WAIT}
+        return rests or (target is not None and target.value == STILL)
+
 
 @dataclass(slots=True, eq=False)
 class Apart:
@@ -84,6 +91,7 @@ class Apart:
     amount: Amount
     at: Doing | str = START
     side: Side | None = None
+    at_rest: bool = False
 
 
 @dataclass(slots=True, eq=False)

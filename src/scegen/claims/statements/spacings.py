@@ -11,7 +11,7 @@ from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, same_way, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import act_begins, at
+from scegen.claims.moments import act_begins, at, comes_to_rest
 from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
@@ -42,6 +42,7 @@ def claims(told: Told) -> Iterator[Claim]:
         if when is None:
             act = acts[spacing.at]
             when = f"when {act.participant} begins to {plain(act.kind)}"
+            when = f"when {act.participant} has come to rest" if spacing.at_rest else when
         on = f" on the {spacing.side}" if spacing.side else ""
         yield Claim(
             id=f"spacing.{number}",
@@ -93,6 +94,9 @@ def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
     else:
         act = next(act for act in told.functional.acts if act.id == spacing.at)
         step = act_begins(view, told.functional, told.logical, act)
+        if spacing.at_rest:
+            other = reference if who == act.participant else who
+            step = comes_to_rest(view, told.functional, told.logical, act, other)
     if who == reference:
         value = _off_its_lane(told, who, view, step)
         margin = within(value, spacing.value, tolerance)

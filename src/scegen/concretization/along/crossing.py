@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import ceil
+from math import ceil, floor
 
 from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
@@ -199,10 +199,8 @@ def _spacing(
 ) -> tuple[Measure, float, bool] | None:
     """A distance along the road that is said between the two; whether as it sets off, or first."""
     for spacing in story.functional.spacings:
-        if spacing.measure in LENGTHWISE and {spacing.participant, spacing.reference} == {
-            name,
-            other,
-        }:
+        pair = {spacing.participant, spacing.reference}
+        if spacing.measure in LENGTHWISE and pair == {name, other} and not spacing.at_rest:
             own = act is not None and spacing.at == act.id
             return spacing.measure, spacing.value.middle, own
     return None
@@ -226,8 +224,9 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     rate = own.rate_mps2 if own is not None else min(HARD_BRAKING_MPS2[0], most)
     target = own.target_mps if own is not None else 0.0
     meets.steps = [s for s in meets.steps if s is not own]
-    short = walk.body.width_m / 2 + _STOPS_SHORT_M
-    if walk.crossing.arm in story.functional.junction.crosswalks:
+    said_m = story.rests_at(story.act(own.act)) if own is not None and own.act else None
+    short = walk.body.width_m / 2 + (_STOPS_SHORT_M if said_m is None else said_m.value.middle)
+    if said_m is None and walk.crossing.arm in story.functional.junction.crosswalks:
         short = max(short, CROSSWALK_WIDTH_M / 2 + _BEFORE_CROSSWALK_M)
     stop = walk.x_m - meets.towards * (short + meets.leading_m)
     room = abs(stop - (meets.at_m or 0.0))
@@ -237,6 +236,10 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     begins = meets.profile.time_s(max(room - meets.speed_mps**2 / (2 * rate), 0.0))
     if begins >= NEVER_S:
         return
+    if said_m is not None:  # to the metre: players begin in the middle of a step before
+        begins = floor(begins / _LOOK_S) * _LOOK_S
+        gone = meets.profile.way_m(begins - _LOOK_S / 2)
+        rate = meets.speed_at_mps(begins) ** 2 / (2 * (room - gone))
     hazard = next((h.kind for h in story.hazards if h.kind in _BRAKES and meets.id in h.by),
                   None)  # fmt: skip
     act = own.act if own is not None else None

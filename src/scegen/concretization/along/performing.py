@@ -18,6 +18,7 @@ from scegen.concretization.asked import outward
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     LANE_CHANGE_S,
+    REACTION_S,
 )
 from scegen.errors import MotionInfeasibleError
 from scegen.road.defaults import LANE_WIDTH_M
@@ -35,6 +36,8 @@ _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.LOSS_OF_
 def perform(story: Story, act: Act, begins_s: float) -> None:
     """Add an act's steps and moves to who does it."""
     runner = story.runners[act.participant]
+    answered = story.stopped_before(act) if act.when is None else None
+    begins_s = begins_s if answered is None else answered.begins_s + REACTION_S
     story.begins_s[act.id] = begins_s
     if act.kind is ActKind.OPEN_DOOR:
         runner.appears_s, story.ends_s[act.id] = begins_s, begins_s + opening_s(act)
@@ -62,6 +65,9 @@ def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> Step:
     before = runner.speed_at_mps(begins_s)
     target, rate = change_of_speed(act, before, runner.body, story.grip_mps2, hazard, usual)
     timed = isinstance(act.when, AfterStart)
+    answered = story.stopped_before(act)
+    if answered is not None and act.rate_mps2 is None:
+        rate = min(answered.rate_mps2, runner.body.max_deceleration_mps2)
     return Step(begins_s, target, rate, act.id, hazard, timed=timed)
 
 

@@ -11,6 +11,7 @@ from scegen.concretization.along.spacing import LENGTHWISE, GapAt, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
 from scegen.concretization.amounts import CLOSEST_M
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
+from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import ActKind, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
@@ -76,6 +77,8 @@ def _said(story: Story) -> Iterator[GapAt]:
         known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
         if known and spacing.at != CONTACT:
             time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
+            if spacing.at_rest:
+                time_s = _at_rest_s(story, pair, time_s)
             yield _gap_at(story, spacing.participant, spacing.reference, spacing.measure,
                        spacing.value.middle, time_s)  # fmt: skip
     for act in story.acts:
@@ -85,6 +88,12 @@ def _said(story: Story) -> Iterator[GapAt]:
         if {when.participant, when.reference} <= story.runners.keys() and act.id in story.begins_s:
             yield _gap_at(story, when.participant, when.reference, when.measure,
                        when.value.middle, story.begins_s[act.id])  # fmt: skip
+
+
+def _at_rest_s(story: Story, pair: set[str], since_s: float) -> float:
+    """When the last of two who come to rest from a moment on does so."""
+    rests = [story.runners[name].profile.rests_s(since_s) for name in pair]
+    return max((r for r in rests if r < NEVER_S), default=since_s)
 
 
 def _gap_at(

@@ -104,7 +104,7 @@ def _loose_step(story: Story, who: Runner) -> Step | None:
     """The braking of an act of which nothing says when it begins: the answer to who is ahead."""
     for step in who.steps:
         slows = step.act is not None and step.target_mps < who.speed_mps and not step.timed
-        if slows and story.is_loose(story.act(step.act or "")):
+        if slows and story.is_loose(act := story.act(step.act or "")) and not story.rests_at(act):
             return step
     return None
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.asked import contact_wanted as said_to_touch
 from scegen.concretization.asked import dangers, hazard_of
 from scegen.motion.following import Driver, driver_of
@@ -14,6 +14,7 @@ from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Carriageway
+from scegen.scenario.spacings import Spacing
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind
 
@@ -97,6 +98,18 @@ class Story:
         if isinstance(when, AfterAct):
             return all(other.id != when.act for other in self.acts)
         return when is None
+
+    def rests_at(self, act: Act) -> Spacing | None:
+        """How far from another one is said to be once the act has brought it to rest."""
+        said = (s for s in self.functional.spacings if s.at_rest and s.at == act.id)
+        return next(said, None)
+
+    def stopped_before(self, act: Act) -> Step | None:
+        """The stopping of another before whom one is said to stop, and so answers it."""
+        said = self.rests_at(act)
+        names = {said.participant, said.reference} - {act.participant} if said else set()
+        steps = [s for n in names & self.runners.keys() for s in self.runners[n].steps]
+        return next((s for s in steps if s.target_mps == 0.0), None)
 
     def comes_back(self, act: Act) -> bool:
         """Whether a change of lane is how one who overtakes comes back."""

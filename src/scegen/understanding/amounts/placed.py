@@ -60,7 +60,9 @@ class Spacer(Teller):
         place = after[1] if after is not None else None
         if isinstance(place, Place) and place.kind in JUNCTION | _PLACES:
             return False  # so far from the junction: between no two
-        if self._where_it_stops(number) or self._releaser.until(number):
+        if self._where_it_stops(number):
+            return self._at_rest(number, measure)
+        if self._releaser.until(number):
             return False
         if measure is Measure.GAP_M and self._to_a_thing(number):
             return True
@@ -77,6 +79,24 @@ class Spacer(Teller):
             self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
         else:
             self._happenings.spacings.append(self._between(number, measure, *pair, at))
+        return True
+
+    def _at_rest(self, number: Measured, measure: Measure) -> bool:
+        """``stops 3 m behind the truck``: how far apart they are once it stands."""
+        pair = pair_of(number, self._text, self._context)
+        start, _ = self._text.bounds(number.i)
+        stops = [
+            a
+            for a in self._happenings.acts
+            if start <= a.i < number.i and a.entity in (pair or ())
+            if a.always and a.ends_at_rest  # "must stop 2 m before": what is asked of it
+        ]
+        if pair is None or not stops or measure is not Measure.GAP_M:
+            return False
+        if number.around.after.startswith(" behind "):
+            behind_or_ahead(number, *pair, self._context)
+        amount = self._with_place(amount_of(number), number)
+        self._happenings.spacings.append(Apart(measure, *pair, amount, stops[-1], at_rest=True))
         return True
 
     def _sideways(self, measure: Measure, number: Measured, one: Entity, other: Entity) -> Measure:

@@ -51,7 +51,7 @@ class Releaser(Teller):
         doing = self._main(clause if opened else None, number, start, end)
         if doing is None and opened:
             doing = self._starts_crossing(start, number.i)
-        if doing is None or (before and not opened and doing.kind is ActKind.STOP):
+        if doing is None or (before and not opened and doing.ends_at_rest):
             return False
         if doing.when is not None:
             return opened and self._also(number, measure, doing)
@@ -60,8 +60,9 @@ class Releaser(Teller):
             return False  # "when the truck moves over 30 m in front of it"
         if junction:
             amount = amount_of(number)
+            subject = subject if opened else self._text.said_of(number.i) or subject
             moved = subject if subject is not doing.entity else None
-            if moved is not None and not moved.is_vehicle:
+            if moved is not None and (not moved.is_vehicle or self._waits(number, moved)):
                 return False
             doing.when = Trigger("junction", amount.basis, amount, entity=moved)
             return True
@@ -79,6 +80,12 @@ class Releaser(Teller):
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
+
+    def _waits(self, number: Measured, entity: Entity) -> bool:
+        """``where a van waits 5 m before the line``: so far it stays, which sets nothing off."""
+        scene = self._text.scene_at(number.i, number.j)
+        rests = scene is not None and scene.event.name in {"wait", "stop", "park"}
+        return entity.still or (rests and scene is not None and entity in scene.actors)
 
     def _nears(self, number: Measured) -> bool:
         """``as the ego comes within 30 m``: so near is a moment; "as it follows" lasts."""

@@ -120,6 +120,28 @@ class Sentences:
         free = [m for m in inside if m.prep is None and not m.possessor]
         return list(free[0].entities) if free else []
 
+    def said_of(self, i: int) -> Entity | None:
+        """Whom a clause is about that says how far off one is: "a van that is still 60 m away".
+
+        Args:
+            i: index of the first token of the distance.
+        """
+        start, _ = self.bounds(i)
+        verbs = [s.event.i for s in self.within(start, i)]
+        opened = [
+            c
+            for c in self.chunks
+            if isinstance(c, Word) and c.cat in {"rel", "sub"} and start <= c.i < i
+        ]
+        if not opened:
+            return None
+        if opened[-1].cat == "rel":
+            if any(opened[-1].i < v for v in verbs):
+                return None
+            named = [m for m in self.mentions if m.i < opened[-1].i and not m.possessor]
+            return named[-1].entities[0] if named and named[-1].entities else None
+        return next(iter(self.own_subject(i)), None)
+
     def _closes(self, k: int) -> bool:
         """Whether a clause ends at a token: a comma, "and then"."""
         pair = [t.low for t in self.tokens[k : k + 2]]

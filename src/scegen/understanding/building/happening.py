@@ -103,6 +103,7 @@ class Writer:
                     measure=apart.measure,
                     value=apart.amount.value,
                     at=apart.at if isinstance(apart.at, str) else apart.at.name,
+                    at_rest=apart.at_rest,
                     side=apart.side,
                 )
             )

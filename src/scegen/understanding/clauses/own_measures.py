@@ -22,7 +22,7 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):
             continue
-        owner = _possessor(chunks, k) or _likewise(chunks, k, tokens)
+        owner = _possessor(chunks, k) or _likewise(chunks, k, tokens) or _bracketed(chunks, k)
         told_by = [e for e in events if any(m is chunk.term for m in e.mods)]
         owner = owner or _awaited(chunks, k, told_by)
         if owner is None:
@@ -52,6 +52,18 @@ def _likewise(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | Non
     comma = next((m for m in range(k - 1, max(0, k - 4), -1) if _is_comma(chunks[m])), None)
     before = chunks[comma - 1] if comma else None
     return before if said and isinstance(before, Mention) else None
+
+
+def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
+    """``a bus (length 12 m, speed 45 km/h)``: the noun that the brackets follow."""
+    for m in range(k - 1, max(0, k - _FARTHEST), -1):
+        if isinstance(chunks[m], Mention | Event) or getattr(chunks[m], "value", "") == ")":
+            return None
+        if getattr(chunks[m], "value", "") == "(":
+            before = chunks[m - 1]
+            own = isinstance(before, Mention) and before.prep is None and not before.possessor
+            return before if own and isinstance(before, Mention) else None
+    return None
 
 
 def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | None:

@@ -10,6 +10,7 @@ from scegen.understanding.words.noun_turns import names_a_turn
 from scegen.understanding.words.other_classes import other_class
 from scegen.understanding.words.paces import doing
 from scegen.understanding.words.particles import measured
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 from scegen.understanding.words.unnamed_roles import role_alone
@@ -50,11 +51,13 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     return term
 
 
+_SOON = 3
+"""So many words may stand before an amount ("to less than 12 m")."""
 _NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far", "further": "far"}
 
 
 def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
-    if _changes_colour(tokens, term):
+    if _changes_colour(tokens, term) or _comes_down(tokens, term):
         return replace(term, value="inert", data={})
     return Term("inert", "noun", term.i, term.j) if _moment(tokens, term) else term
 
@@ -63,6 +66,14 @@ def _changes_colour(tokens: list[Token], term: Term) -> bool:
     """``when it turns green``: the light does."""
     lit = (term.cat, term.value) == ("verb", "turn") and term.j < len(tokens)
     return lit and tokens[term.j].low in word_list("colours")
+
+
+def _comes_down(tokens: list[Token], term: Term) -> bool:
+    """``when the gap to the car ahead drops to 12 m``: what is measured does, not who is named."""
+    slows = (term.cat, term.value) == ("verb", "slow") and tokens[term.j - 1].low == "to"
+    after = (quantity_at(tokens, k) for k in range(term.j, min(term.j + _SOON, len(tokens))))
+    amount = next((q for q in after if q is not None), None) if slows else None
+    return amount is not None and amount.dimension in {"length", "time"}
 
 
 def _word_at(tokens: list[Token], j: int) -> bool:
