@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Entity
 from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing
@@ -26,7 +27,7 @@ def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     """
     event = clause.event
     if event.name == "yield":
-        return clause.targets
+        return clause.targets or _coming_across(clause, scenes)
     if event.lemma == "let":
         return clause.targets if any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
@@ -36,7 +37,7 @@ def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     if given and not named:  # "waits for a gap in the oncoming traffic"
         named = [p.target for p in event.pps if isinstance(p.target, Mention)]
     if not named and event.name == "wait":
-        return _passing_meanwhile(clause, scenes)
+        return _passing_meanwhile(clause, scenes) or _coming_across(clause, scenes)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
 
 
@@ -51,6 +52,24 @@ def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
         return []
     others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
     return [] if any(t in clause.actors for t in following.targets) else others
+
+
+def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
+    """``a pedestrian crosses, the ego waits``: whoever comes across its way just before."""
+    event = clause.event
+    if not all(e.is_vehicle and not e.parked for e in clause.actors) or event.pps or event.object:
+        return []
+    before = [s for s in scenes if s.event.i < event.i and event.sentence - s.event.sentence <= 1]
+    for told in reversed(before):
+        if told.event.negated or told.actors == clause.actors:
+            continue
+        from_side = any(
+            p.value == "from" and isinstance(p.target, Place) and p.target.kind == "side"
+            for p in told.event.pps
+        )
+        others = [e for e in told.actors if e not in clause.actors]
+        return [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
+    return []
 
 
 def go_on(acts: list[Doing], text: Sentences) -> list[Doing]:
