@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.lexicon import Entry
+from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.ahead import noun_follows
 from scegen.understanding.words.measures import names_a_measure
 from scegen.understanding.words.nominal import ORDINALS
@@ -144,6 +144,9 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     sided = sided and match.has("inert", "thing")  # "from the left barrels through"
     if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
         return True  # "a car from the front signals right"
+    bare = match.has("thing") and previous.cat not in {"det", "possessive", "num", "quant"}
+    if bare and tokens[min(match.j, len(tokens) - 1)].low in word_list("where"):
+        return True  # "a car without lights stands in the lane"
     return one or sided
 
 
