@@ -8,6 +8,7 @@ from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.happenings import Item
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 _MOST = 5
@@ -70,6 +71,8 @@ def _who_reacts(thing: Thing, text: Sentences) -> Entity | None:
     """``a van brakes for a fallen tree``: who does something about it."""
     for scene in text.within(*text.bounds(thing.i)):
         about = [scene.event.object, *(p.target for p in scene.event.pps)]
+        if scene.event.object is thing and scene.event.lemma in word_list("shedding"):
+            return None  # it lies in the way of who comes behind
         if scene.drivers and any(each is thing for each in about):
             return scene.drivers[0]
     return None

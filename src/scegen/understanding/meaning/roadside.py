@@ -88,9 +88,10 @@ def _open(thing: Thing, draft: Draft) -> bool:
 
 
 def _comes_off(thing: Thing, draft: Draft) -> bool:
-    """``the truck's cargo falls onto the road``: no longer a part of it."""
+    """``the truck's cargo falls onto the road``, ``sheds its load``: no longer a part of it."""
     words = [t.forms[-1][0] for t in draft.tokens[thing.j : thing.j + _REACH]]
-    return bool(word_list("falling") & set(words))
+    before = [t.forms[-1][0] for t in draft.tokens[max(0, thing.i - 2) : thing.j]]
+    return bool(word_list("falling") & set(words) or word_list("shedding") & set(before))
 
 
 def _part(thing: Thing, draft: Draft) -> bool:

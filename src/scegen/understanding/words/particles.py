@@ -60,7 +60,8 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
     if match.j < len(tokens) and tokens[match.j].low == "of":
         return all(e.cat == "manner" and e.value == "row" for e in match.entries)
     if tokens[match.j - 1].low == "across" and any(e.value == "encounter" for e in match.entries):
-        return _place_at(tokens, match.j)  # "comes across the median"
+        # "comes across the median"
+        return _named_at(tokens, match.j, ("place",), ("actor", "thing"))
     if tokens[match.j - 1].low not in {"on", "through"} or match.j >= len(tokens):
         return False
     if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
@@ -72,16 +73,26 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
     return noun is not None and noun.has(*_OPENS_A_NOUN)
 
 
-def _place_at(tokens: list[Token], j: int) -> bool:
-    """Whether a place is named at token ``j``, articles and the like skipped."""
+def _named_at(
+    tokens: list[Token], j: int, wanted: tuple[str, ...], others: tuple[str, ...]
+) -> bool:
+    """Whether a noun of a class is named at token ``j``, articles and the like skipped."""
     for _ in range(3):
         found = longest_match(tokens, j) if j < len(tokens) else None
-        if found is None or found.has("actor", "thing"):
+        if found is None or found.has(*others):
             return False
-        if found.has("place"):
+        if found.has(*wanted):
             return True
         j = found.j
     return False
+
+
+def nothing_shed(tokens: list[Token], match: Match) -> bool:
+    """``loses patience``, ``a lost pallet``: no thing that it carried is let fall."""
+    shed = match.only("verb") and match.get("verb").value == "shed"
+    opened = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    bare = match.form == "ed" and not (opened is not None and opened.has("det", "possessive"))
+    return shed and (bare or not _named_at(tokens, match.j, ("thing",), ("actor", "place")))
 
 
 def over_a_place(tokens: list[Token], match: Match) -> bool:

@@ -20,6 +20,7 @@ from scegen.understanding.words.particles import (
     just_right,
     lane_then_verb,
     no_way,
+    nothing_shed,
     of_so_much,
     over_a_place,
     sends_back,
@@ -249,7 +250,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
     if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
         match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
     verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
-    return None if verbal else match  # "boxed in"
+    no_verb = match is not None and nothing_shed(tokens, match)
+    return None if verbal or no_verb else match  # "boxed in"
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
