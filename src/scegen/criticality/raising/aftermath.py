@@ -129,6 +129,8 @@ def _stopped_aside(view: View, who: ConcreteParticipant, other: str, time_s: flo
         if 0.0 < here_m - change.position_m < change.length_m:
             over_m = change.offset_m - offset_m - (change.lane_after - lane) * LANE_WIDTH_M
             first_m = float(aside_m[(stations_m >= change.position_m).argmax()])
+            if first_m <= beside_m or over_m == 0.0:
+                return motion  # it is before the other, not beside it
             part_m = float(np.sign(over_m)) * (first_m - beside_m)
             # As sharply as before.
             length_m = change.length_m * sqrt(min(part_m / over_m, 1.0))
