@@ -7,7 +7,7 @@ stand-in for what players do not compute.
 
 from __future__ import annotations
 
-from math import isfinite, sqrt
+from math import isfinite
 
 import numpy as np
 
@@ -37,6 +37,8 @@ _FALLS_S = 0.5
 _MOVES_MPS = 0.3
 _SCRAPED_M = 0.05
 """So deep one lies against the other's side."""
+_SHARPLY = 0.65
+"""Between the same acceleration sideways (0.5) and the same speed (1)."""
 _UNPROTECTED = ON_FOOT | {ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE}
 
 
@@ -132,8 +134,8 @@ def _stopped_aside(view: View, who: ConcreteParticipant, other: str, time_s: flo
             if first_m <= beside_m or over_m == 0.0:
                 return motion  # it is before the other, not beside it
             part_m = float(np.sign(over_m)) * (first_m - beside_m)
-            # As sharply as before.
-            length_m = change.length_m * sqrt(min(part_m / over_m, 1.0))
+            # About as sharply as before.
+            length_m = change.length_m * min(part_m / over_m, 1.0) ** _SHARPLY
             stays = {"length_m": length_m, "lane_after": lane, "offset_m": offset_m + part_m}
             kept = (*motion.lane_changes[:number], change.model_copy(update=stays))
             ends = motion.exit_lane if motion.exit_lane != _last_lane(motion) else lane

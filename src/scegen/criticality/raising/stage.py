@@ -25,6 +25,7 @@ from scegen.criticality.search.problem import Problem, lateral_limits
 from scegen.criticality.search.proving import Evidence, examine, proof_of
 from scegen.criticality.search.stated import Stated
 from scegen.criticality.target import NEAR_MISS, Target, asks_for_measure
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
@@ -191,7 +192,10 @@ class Stage:
             over = halted(found.concrete, found.view, scraping=scraping)
             if over is found.concrete:
                 return found
-            after = self.examine(over)
+            try:
+                after = self.examine(over)
+            except MotionInfeasibleError:
+                continue  # the lane in which it would stay ends
             met = after.meets(self.target, self.pair) or not found.meets(self.target, self.pair)
             if met and held <= {c.id for c in after.claims if c.holds}:
                 return after
