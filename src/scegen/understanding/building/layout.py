@@ -38,6 +38,7 @@ _NO_LIGHT_HERE = "lights stand at intersections only: this is read as one, with 
 _AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
 _DRIVEN_OVER = "no median is built where somebody meets the oncoming, or a direction has one lane"
 _NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
+_INNER_SHOULDER = "no shoulder is built along the median; here it is on the outer one"
 _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
 _AT_ARMS_END = "at a junction, crosswalks lie at the ends of the arms that somebody crosses"
@@ -221,6 +222,10 @@ class Layout:
             plain = kind is JunctionKind.STRAIGHT
             built = plain or (entity.parked and strip_ not in PLAIN_ROAD_STRIPS)
             beside = Strip.HARD_SHOULDER in found and strip_ in NOT_BESIDE_A_SHOULDER
+            kerb, sides = Approach(self._draft.kerb), {Approach.LEFT, Approach.RIGHT}
+            if strip_ is Strip.HARD_SHOULDER and entity.approaches & sides == sides - {kerb}:
+                self._note(basis_, _INNER_SHOULDER)
+                entity.approaches = {kerb}
             if built and not beside:
                 self._proofs.add("junction.strips", basis_)
                 found.add(strip_)

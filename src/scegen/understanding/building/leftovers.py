@@ -15,6 +15,7 @@ _PLACES = {
     "parking": "bays are built only where somebody is parked; this one is not",
 }
 ONE_RAMP = "one ramp, or lane that ends, is built; this other one is left out"
+_NOT_DRIVEN_OVER = "nobody is driven over one; who comes over it is on this side from the start"
 _NOBODY_THERE = "nobody is put on a median; where they are is left open"
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
@@ -35,6 +36,8 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
         before = {t.low for t in draft.tokens[max(term.i - 2, 0) : term.i]}
         if "median" in term.data and "on" in before:
             draft.note(term.i, term.j, _NOBODY_THERE)
+        elif "median" in term.data and _gone_over(draft, term):
+            draft.note(term.i, term.j, _NOT_DRIVEN_OVER)
         if term.cat in {"noted", "place"} and "instead" in term.data:
             if not _tells_of_a_call(draft, term):
                 draft.note(term.i, term.j, term.data["instead"])
@@ -46,6 +49,13 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
         if isinstance(chunk, Mention):
             _mention(draft, chunk)
     del draft.notes[_MOST_NOTES:]
+
+
+def _gone_over(draft: Draft, median: Term) -> bool:
+    """``crosses the median``, ``drives over the median``."""
+    before = draft.tokens[max(median.i - 3, 0) : median.i]
+    driven = any(e.moving_vehicle and not e.ego for e in draft.entities)
+    return driven and any({t.low, t.forms[-1][0]} & word_list("going_over") for t in before)
 
 
 def _tells_of_a_call(draft: Draft, term: Term) -> bool:
