@@ -141,7 +141,8 @@ class Layout:
             return Carriageway.UNDIVIDED
         narrow = lanes[:1] == (1,) or self._around.two_lane is not None
         if self._along.presumed and (narrow or self._meets_the_oncoming()):
-            if self._along.median:
+            told = any(note.i == basis.i for note in self._draft.notes)
+            if self._along.median and not told:
                 self._note(basis, _DRIVEN_OVER)
             return Carriageway.UNDIVIDED
         self._proofs.add("junction.carriageway", basis)

@@ -18,6 +18,7 @@ _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SEEN_BACK = _ALONG | {Approach.ADJACENT}
 _SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
+_DRIVES = "an ego that stands beside the road at first is not built; it drives from the start"
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
 
@@ -26,6 +27,9 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     """The ego with the reason for the choice; adds one if no vehicle moves."""
     named = next((e for e in draft.entities if e.ego), None)
     if named is not None:
+        stood = named.was_parked or (named.parked_basis if named.parked else None)
+        if stood is not None and stood.i is not None and stood.j is not None:
+            draft.note(stood.i, stood.j, _DRIVES)
         named.parked = False
         words = named.basis.i is not None
         return named, Basis(named.basis.i, named.basis.j) if words else named.basis
