@@ -57,6 +57,32 @@ def test_medians_that_are_not_built_or_not_stood_on_are_told(text, words):
     assert not [h for h in found.hazards if "ego" in h.by]
 
 
+@pytest.mark.parametrize(
+    ("text", "words", "instead"),
+    [
+        (
+            "A car stands on the left shoulder of the motorway.",
+            "on the left shoulder",
+            "no shoulder is built along the median",
+        ),
+        (
+            "An oncoming car crosses the median and hits the ego on a motorway.",
+            "median",
+            "nobody is driven over one",
+        ),
+        (
+            "The ego exits the motorway while a queue stands in the exit lane.",
+            "exit lane",
+            "no lane of its own is built for the exit",
+        ),
+    ],
+)
+def test_what_is_not_built_as_told_is_told(text, words, instead):
+    (note,) = read(text).unsupported
+    assert note.text == words
+    assert note.instead.startswith(instead)
+
+
 def test_at_a_junction_it_is_said_that_there_is_none():
     found = read("At a crossroads of two dual carriageways, a van runs a red light.")
     assert found.junction.carriageway == "undivided"
