@@ -3,17 +3,28 @@
 from __future__ import annotations
 
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, X, Y
+from scegen.motion.batch.between import before, between
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.batch.touching import Box
 
 CX, CY, DX, DY, VX, VY = range(6)
 """Rows of a frame: centre (m, world), direction (cosine and sine of heading), velocity (m/s)."""
 FRAME_ROWS = 6
+
+
+class Way(NamedTuple):
+    """The arrays of a path (see ``motion.model.Path``)."""
+
+    s_m: Floats
+    x_m: Floats
+    y_m: Floats
+    heading_rad: Floats
 
 
 @kernel
@@ -53,6 +64,18 @@ def write_separations(a: Floats, b: Floats, squared_m2: Floats) -> None:
 def box_at(frame: Floats, half_length_m: float, half_width_m: float, t: int) -> Box:
     """The box of a frame (row, step) at step t."""
     return Box(frame[CX, t], frame[CY, t], frame[DX, t], frame[DY, t], half_length_m, half_width_m)
+
+
+@inner_kernel
+def way_box(way: Way, s_m: float, ahead_m: float, half_length_m: float, half_width_m: float) -> Box:
+    """The box of a body whose reference point is at ``s_m`` of a way, its centre ahead of that."""
+    n = before(way.s_m, s_m)
+    share = (s_m - way.s_m[n]) / (way.s_m[n + 1] - way.s_m[n])
+    heading = between(way.heading_rad, n, share)
+    c, s = np.cos(heading), np.sin(heading)
+    x = between(way.x_m, n, share) + ahead_m * c
+    y = between(way.y_m, n, share) + ahead_m * s
+    return Box(x, y, c, s, half_length_m, half_width_m)
 
 
 @inner_kernel

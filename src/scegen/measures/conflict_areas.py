@@ -17,9 +17,9 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
+from scegen.measures.boxes import Way, way_box
 from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Bools, Floats, Ints
-from scegen.motion.batch.between import before, between
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.batch.touching import Box, boxes_touch
 from scegen.motion.model import Path
@@ -45,15 +45,6 @@ class AreaTable(NamedTuple):
     first: Ints
     enter_m: Floats
     leave_m: Floats
-
-
-class _Way(NamedTuple):
-    """The arrays of a path."""
-
-    s_m: Floats
-    x_m: Floats
-    y_m: Floats
-    heading_rad: Floats
 
 
 class _Sampled(NamedTuple):
@@ -268,22 +259,16 @@ def _extent(path: Path, body: Body, s: Floats, run: slice, other: _Sampled) -> t
 
 def _edge(path: Path, body: Body, free: float, touches: float, other: _Sampled) -> float:
     """The position between a free and a touching one at which touching begins."""
-    way = _Way(path.s_m, path.x_m, path.y_m, path.heading_rad)
+    way = Way(path.s_m, path.x_m, path.y_m, path.heading_rad)
     return float(_touches_from(way, body, free, touches, other))
 
 
 @kernel
-def _touches_from(way: _Way, body: Body, free: float, touches: float, other: _Sampled) -> float:
+def _touches_from(way: Way, body: Body, free: float, touches: float, other: _Sampled) -> float:
     """By bisection."""
     while abs(touches - free) > PRECISION_M:
         middle = (free + touches) / 2
-        n = before(way.s_m, middle)
-        share = (middle - way.s_m[n]) / (way.s_m[n + 1] - way.s_m[n])
-        heading = between(way.heading_rad, n, share)
-        cos, sin = np.cos(heading), np.sin(heading)
-        x = between(way.x_m, n, share) + body.ahead_m * cos
-        y = between(way.y_m, n, share) + body.ahead_m * sin
-        box = Box(x, y, cos, sin, body.half_length_m, body.half_width_m)
+        box = way_box(way, middle, body.ahead_m, body.half_length_m, body.half_width_m)
         if _touches_any(box, other):
             touches = middle
         else:

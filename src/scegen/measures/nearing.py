@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scegen.measures.boxes import Way, way_box
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.between import before, between
 from scegen.motion.batch.kernels import inner_kernel, kernel
@@ -53,13 +54,9 @@ def _box(table: Timetable, time_s: float) -> Box:
         share = (own - table.time_s[n]) / (table.time_s[n + 1] - table.time_s[n])
         way = between(table.way_m, n, share)
     on = min(max(way, table.s_m[0]), table.s_m[-1])
-    n = before(table.s_m, on)
-    share = (on - table.s_m[n]) / (table.s_m[n + 1] - table.s_m[n])
-    heading = between(table.heading_rad, n, share)
-    c, s = np.cos(heading), np.sin(heading)
+    path = Way(table.s_m, table.x_m, table.y_m, table.heading_rad)
     ahead = table.ahead_m + way - on
-    x, y = between(table.x_m, n, share), between(table.y_m, n, share)
-    return Box(x + ahead * c, y + ahead * s, c, s, table.half_length_m, table.half_width_m)
+    return way_box(path, on, ahead, table.half_length_m, table.half_width_m)
 
 
 @inner_kernel

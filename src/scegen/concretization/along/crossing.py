@@ -257,9 +257,9 @@ def _go_on(story: Story, walk: Walk, meets: Runner) -> None:
     for n, step in enumerate(meets.steps):
         if step.act is not None and goes_on_when_free(story.act(step.act).when):
             before = [s for s in meets.steps if s is not step]
-            begins = max(gone_s, *(s.begins_s + _LEAST_LEAD_S for s in before))
+            free = [gone_s, *(s.begins_s + _LEAST_LEAD_S for s in before)]
             rests = [s.begins_s + meets.speed_mps / s.rate_mps2 for s in before if _waits(story, s)]
-            begins = max(begins, *(at_rest + _STANDS_S for at_rest in rests)) if rests else begins
+            begins = max([*free, *(at_rest + _STANDS_S for at_rest in rests)])
             meets.steps[n] = replace(step, begins_s=begins)
             story.begins_s[step.act] = begins
 

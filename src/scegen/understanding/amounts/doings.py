@@ -14,8 +14,6 @@ from scegen.understanding.happenings import STILL, Amount, Doing, Trigger, amoun
 
 _SOON = 3
 """So near after a time, a noun tells what takes it ("needs 6 s for its lane change")."""
-_WITHIN_M = 1.5
-"""Who goes no farther aside stays in its lane."""
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _ANY = frozenset(ActKind)

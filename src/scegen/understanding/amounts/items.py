@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.things import ThingKind
-from scegen.scenario.vocabulary import Approach, HazardKind, Side
+from scegen.scenario.vocabulary import HazardKind, Side
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Danger, Entity
@@ -14,7 +14,6 @@ from scegen.understanding.semantics.context import Clause, Context
 _MOST = 5
 _NEAR = 4
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
-_SEEN = {Approach.LEFT: Side.LEFT, Approach.RIGHT: Side.RIGHT}
 _HIDING = frozenset({"behind", "between", "by", "from", "due"})
 _VERBS = frozenset({"hide", "block", "cross", "walk", "appear", "move", "enter", "wait", "locate",
                     "pull_out", "stop", "dash", "encounter", "overlook"})  # fmt: skip
