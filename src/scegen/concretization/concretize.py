@@ -38,7 +38,7 @@ from scegen.concretization.obstacles import (
 from scegen.concretization.occluders import hide
 from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import pull_out
-from scegen.concretization.roads import FIRST_ARM_M, LONGEST_ARM_M, plan
+from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
 from scegen.concretization.speeds import cruise_speed_mps
@@ -111,7 +111,7 @@ def _on_long_enough_arms(
     *,
     obstacles: bool,
 ) -> ConcreteScenario:
-    arm_m = FIRST_ARM_M
+    arm_m = first_m = first_arm_m(logical)
     for _ in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
@@ -121,7 +121,7 @@ def _on_long_enough_arms(
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
-            arm_m = _long_enough_m(arm_m, need.metres)
+            arm_m = _long_enough_m(arm_m, need.metres, first_m)
             if road is not None or arm_m > LONGEST_ARM_M:
                 longest = max(arm.length_m for arm in parameters.arms)
                 raise MotionInfeasibleError(
@@ -132,9 +132,9 @@ def _on_long_enough_arms(
     raise MotionInfeasibleError(f"no arm length up to {arm_m:.0f} m lets everybody in and out")
 
 
-def _long_enough_m(arm_m: float, missing_m: float) -> float:
+def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
     """How long arms are to be: who starts farther out often needs more than was missing."""
-    more_m = missing_m if arm_m <= FIRST_ARM_M else missing_m + arm_m
+    more_m = missing_m if arm_m <= first_m else missing_m + arm_m
     wanted_m = max(arm_m + missing_m, min(arm_m + missing_m + _SPARE * more_m, LONGEST_ARM_M))
     return ceil(wanted_m / _ARM_STEP_M) * _ARM_STEP_M
 

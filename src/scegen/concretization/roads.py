@@ -17,6 +17,8 @@ from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 FIRST_ARM_M = 100.0
+_PER_FURTHER_DRIVE_M, _FEW_DRIVES = 35.0, 3
+"""Where many take part, most start so far out that the first arms would be too short."""
 LONGEST_ARM_M = 1500.0
 _RING_CHANGE_ROOM_M = 16.0
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
@@ -49,6 +51,11 @@ def plan(
     if functional.junction.kind is not JunctionKind.ROUNDABOUT or HazardKind.CUT_IN not in kinds:
         return parameters
     return _with_wide_ring(parameters)
+
+
+def first_arm_m(logical: LogicalScenario) -> float:
+    """How long the arms are tried to be first: laying everything again costs more than road."""
+    return FIRST_ARM_M + _PER_FURTHER_DRIVE_M * max(0, len(logical.drives) - _FEW_DRIVES)
 
 
 def standing_in_bays(functional: FunctionalScenario, logical: LogicalScenario) -> list[Standing]:
