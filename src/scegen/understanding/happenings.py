@@ -96,7 +96,7 @@ class Apart:
 
 @dataclass(slots=True, eq=False)
 class Ending:
-    """The outcome in the making."""
+    """The outcome in the making; ``half`` of the ego's front is the part that is touched."""
 
     kind: OutcomeKind
     basis: Basis
@@ -104,6 +104,8 @@ class Ending:
     impact: Amount | None = None
     struck: BodySide | None = None
     struck_basis: Basis | None = None
+    half: Side | None = None
+    half_basis: Basis | None = None
 
 
 @dataclass(slots=True, eq=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
-from scegen.scenario.vocabulary import Approach, BodySide, Maneuver
+from scegen.scenario.vocabulary import Approach, BodySide, Maneuver, ParticipantKind, Side
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place
@@ -16,7 +16,7 @@ from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE = 4
-_WHOLE, _HALF = 100.0, 50.0
+_WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
 _PARTS = {"front": BodySide.FRONT, "rear": BodySide.REAR, "left": BodySide.LEFT,
           "right": BodySide.RIGHT}  # fmt: skip
 _OPPOSED = {BodySide.FRONT: BodySide.REAR, BodySide.REAR: BodySide.FRONT}
@@ -159,6 +159,8 @@ class Judge(Teller):
         start, end = self._text.bounds(i)
         ego = ego_of(self._context)
         for place in self._text.places(start, end, {"side", "front", "flank"}):
+            if self._is_portion(place) or self._text.tokens[place.i - 2].low == "overlap":
+                continue
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
             whose = self._owner(place, i)
             flank = part is not None and part not in _OPPOSED
@@ -173,6 +175,10 @@ class Judge(Teller):
             if part is None or whose is None or (flank and not (hit_by and whose is ego)):
                 continue
             basis = Basis(place.i, place.j)
+            half = self._portion(place) if whose is ego and part is BodySide.FRONT else None
+            if half is not None:
+                ending.half = Side.LEFT if "left" in half.dirs else Side.RIGHT
+                ending.half_basis = basis = Basis(half.i, place.j)
             if whose is ego and ending.struck is None:
                 ending.struck, ending.struck_basis = part, basis
                 self._middle(ending, place, start)
@@ -184,6 +190,43 @@ class Judge(Teller):
             ):
                 ending.struck, ending.struck_basis = BodySide.FRONT, basis
         self._by_the_bonnet(ending, start, end)
+
+    def _portion(self, place: Place) -> NounPhrase | None:
+        """``the left half`` of its front, ``the right corner`` of the ego's front."""
+        of = (place.i if place.owner is None else place.owner.i) - 1
+        for part in self._text.chunks:
+            named = isinstance(part, NounPhrase) and part.j in {of - 1, of} and part.i < of
+            if named and self._text.tokens[of].low == "of" and {"left", "right"} & set(part.dirs):
+                return part
+        return None
+
+    def _is_portion(self, place: Place) -> bool:
+        """Whether it is the side of a part that is named behind it."""
+        following = self._text.places(place.j, place.j + _REACH, {"side", "front"})
+        return any(self._portion(other) is place for other in following if "front" in other.dirs)
+
+    def settle(self) -> None:
+        """What half of the front is touched, by the numbers if any: by whom it is narrow, where."""
+        ending, ego = self._happenings.ending, ego_of(self._context)
+        if ending is None or ending.half is None or ending.impact is not None:
+            return
+        basis, left = ending.half_basis or ending.basis, ending.half is Side.LEFT
+        other = next((e for e in ending.between if e is not ego), None)
+        told = [s for s in self._happenings.spacings if s.measure is Measure.OVERLAP_PERCENT]
+        for overlap in told:
+            known = overlap.amount.basis
+            words_ = (min(known.i or 0, basis.i or 0), max(known.j, basis.j))
+            overlap.amount = Amount(overlap.amount.value, Basis(*words_, known.reason))
+            overlap.side = overlap.side or ending.half
+        if told:
+            return
+        if other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE:
+            amount = Amount(Interval(low=_LITTLE, high=_HALF), basis)
+            apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT, ending.half)
+            self._happenings.spacings.append(apart)
+        else:
+            value = Interval(low=0.0 if left else _HALF, high=_HALF if left else _WHOLE)
+            ending.impact = Amount(value, basis)
 
     def _by_the_bonnet(self, ending: Ending, start: int, end: int) -> None:
         """``by the centre of the bonnet``: a part that only the ego can mean."""
@@ -257,24 +300,26 @@ class Judge(Teller):
             ending = Ending(OutcomeKind.COLLISION, amount_of(number).basis, who)
             self._happenings.ending = ending
         _, end = self._text.bounds(number.i)
-        left = self._edge("left_edge", number.j, end)
-        right = self._edge("right_edge", number.j, end)
+        left = self._phrase("left_edge", number.j, end)
+        right = self._phrase("right_edge", number.j, end)
         value, basis = number.quantity.exact, amount_of(number).basis
-        if not left and not right:
+        edge = left or right
+        if edge is not None:
+            basis = Basis(basis.i, edge[1], basis.reason)
+        if edge is None:
             other = next((e for e in ending.between if e is not ego), None)
-            right = other is not None and self._from_the_right(other)
+            mirrored = other is not None and self._from_the_right(other)
             if value.low != value.high or value.low != _HALF:
-                side = "right" if right else "left"
+                side = "right" if mirrored else "left"
                 reason = f"counted from the {side}, from where the other comes"
                 basis = Basis(basis.i, basis.j, reason)
-        if right and not left:
+        else:
+            mirrored = left is None
+        if mirrored:
             value = Interval(low=_WHOLE - value.high, high=_WHOLE - value.low)
         if ending.impact is None or basis.reason is None:
             ending.impact = Amount(value, basis)
         return True
-
-    def _edge(self, name: str, start: int, end: int) -> bool:
-        return self._phrase(name, start, end) is not None
 
     def _from_the_right(self, entity: Entity) -> bool:
         crosses = Maneuver.CROSS in entity.maneuvers or not entity.is_vehicle

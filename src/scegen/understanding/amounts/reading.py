@@ -71,6 +71,7 @@ def read_amounts(
             done = role in FIELDS or role == "speed"
         if not done:
             _note(number, context)
+    judge.settle()
     clock.order()
     found.acts = go_on(found.acts, text)
     kept_apart(found, context)

@@ -22,6 +22,8 @@ CONTRADICTS = "contradicts "
 """How the remark on words begins that say otherwise than words before them."""
 _EMPTY = frozenset({"mild", "same", "respectively"})
 """Words that stress or order what other words say."""
+_PORTION = ("place", "portion")
+"""The left half of something: only that of a front has a field."""
 _WHO = (".kind", ".role")
 """Fields that rest on a whole noun phrase, whatever adjectives stand in it."""
 _MOST = 200
@@ -47,7 +49,8 @@ def unattached(
     found = list(scenario.unsupported)
     for before, term in zip([None, *terms], terms, strict=False):
         start, end = tokens[term.i].start, tokens[term.j - 1].end
-        if term.cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
+        cat = "dir" if (term.cat, term.value) == _PORTION else term.cat
+        if cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
             continue
         dark = scenario.junction.control is Control.SIGNALS_OFF
         if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
@@ -57,7 +60,7 @@ def unattached(
         if any(a <= start and b is not None and end <= b for a, b in spans):
             continue
         text = scenario.description[start:end]
-        instead = _otherwise(term, scenario) or _INSTEAD[term.cat]
+        instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
