@@ -8,7 +8,7 @@ from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import Approach, BodySide, Maneuver, ParticipantKind, Side
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import counterpart, ego_of
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
@@ -194,11 +194,11 @@ class Judge(Teller):
     def _portion(self, place: Place) -> NounPhrase | None:
         """``the left half`` of its front, ``the right corner`` of the ego's front."""
         of = (place.i if place.owner is None else place.owner.i) - 1
-        for part in self._text.chunks:
-            named = isinstance(part, NounPhrase) and part.j in {of - 1, of} and part.i < of
-            if named and self._text.tokens[of].low == "of" and {"left", "right"} & set(part.dirs):
-                return part
-        return None
+        if self._text.tokens[of].low != "of":
+            return None
+        named = [c for c in self._text.chunks if isinstance(c, Place | Thing) and c.i < of]
+        ends = (p for p in named if p.j in {of - 1, of} and {"left", "right"} & set(p.dirs))
+        return next(ends, None)
 
     def _is_portion(self, place: Place) -> bool:
         """Whether it is the side of a part that is named behind it."""
@@ -215,8 +215,8 @@ class Judge(Teller):
         told = [s for s in self._happenings.spacings if s.measure is Measure.OVERLAP_PERCENT]
         for overlap in told:
             known = overlap.amount.basis
-            words_ = (min(known.i or 0, basis.i or 0), max(known.j, basis.j))
-            overlap.amount = Amount(overlap.amount.value, Basis(*words_, known.reason))
+            begins, ends = min(known.i or 0, basis.i or 0), max(known.j or 0, basis.j or 0)
+            overlap.amount = Amount(overlap.amount.value, Basis(begins, ends, known.reason))
             overlap.side = overlap.side or ending.half
         if told:
             return
