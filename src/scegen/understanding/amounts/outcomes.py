@@ -5,10 +5,11 @@ from __future__ import annotations
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
-from scegen.scenario.vocabulary import Approach, BodySide, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.understanding.amounts.struck import Struck
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import counterpart, ego_of
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
@@ -16,11 +17,7 @@ from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE = 4
-_WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
-_PARTS = {"front": BodySide.FRONT, "rear": BodySide.REAR, "left": BodySide.LEFT,
-          "right": BodySide.RIGHT}  # fmt: skip
-_OPPOSED = {BodySide.FRONT: BodySide.REAR, BodySide.REAR: BodySide.FRONT}
-_REACH = 7
+_WHOLE, _HALF = 100.0, 50.0
 _NOBODY = frozenset({"neither", "nobody"})
 
 
@@ -38,7 +35,7 @@ class Judge(Teller):
                 break
         ending = self._happenings.ending
         if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
-            self._where(ending)
+            Struck(self._text, self._context, self._happenings).read(ending)
         self._overlaps()
 
     def _of_verb(self, scene: Clause) -> Ending | None:
@@ -152,140 +149,6 @@ class Judge(Teller):
             other = counterpart(chosen[0], self._context, near)
             chosen += [other] if other is not None else []
         return chosen if len(chosen) == 2 else []
-
-    def _where(self, ending: Ending) -> None:
-        """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
-        i = ending.basis.i or 0
-        start, end = self._text.bounds(i)
-        ego = ego_of(self._context)
-        for place in self._text.places(start, end, {"side", "front", "flank"}):
-            if self._is_portion(place) or self._text.tokens[place.i - 2].low == "overlap":
-                continue
-            part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
-            whose = self._owner(place, i)
-            flank = part is not None and part not in _OPPOSED
-            hit_by = place.prep is not None and place.prep.value in {"by", "with"}
-            on = place.prep is not None and place.prep.value == "in" and place.head is not None
-            hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
-            into = place.prep is not None and place.prep.value in {"in", "into"}
-            told = place.owner is not None or any(m.cat == "possessive" for m in place.mods)
-            hit_by = hit_by or (into and told and whose is ego)
-            direct = any(s.event.i == i and s.event.object is place for s in self._text.scenes)
-            hit_by = hit_by or (direct and whose is ego)
-            if part is None or whose is None or (flank and not (hit_by and whose is ego)):
-                continue
-            basis = Basis(place.i, place.j)
-            half = self._portion(place) if whose is ego and part is BodySide.FRONT else None
-            if half is not None:
-                ending.half = Side.LEFT if "left" in half.dirs else Side.RIGHT
-                ending.half_basis = basis = Basis(half.i, place.j)
-            if whose is ego and ending.struck is None:
-                ending.struck, ending.struck_basis = part, basis
-                self._middle(ending, place, start)
-            elif (
-                ending.struck is None
-                and not flank
-                and ego in ending.between
-                and part is BodySide.REAR
-            ):
-                ending.struck, ending.struck_basis = BodySide.FRONT, basis
-        self._by_the_bonnet(ending, start, end)
-
-    def _portion(self, place: Place) -> NounPhrase | None:
-        """``the left half`` of its front, ``the right corner`` of the ego's front."""
-        of = (place.i if place.owner is None else place.owner.i) - 1
-        if self._text.tokens[of].low != "of":
-            return None
-        named = [c for c in self._text.chunks if isinstance(c, Place | Thing) and c.i < of]
-        ends = (p for p in named if p.j in {of - 1, of} and {"left", "right"} & set(p.dirs))
-        return next(ends, None)
-
-    def _is_portion(self, place: Place) -> bool:
-        """Whether it is the side of a part that is named behind it."""
-        following = self._text.places(place.j, place.j + _REACH, {"side", "front"})
-        return any(self._portion(other) is place for other in following if "front" in other.dirs)
-
-    def settle(self) -> None:
-        """What half of the front is touched, by the numbers if any: by whom it is narrow, where."""
-        ending, ego = self._happenings.ending, ego_of(self._context)
-        if ending is None or ending.half is None or ending.impact is not None:
-            return
-        basis, left = ending.half_basis or ending.basis, ending.half is Side.LEFT
-        other = next((e for e in ending.between if e is not ego), None)
-        told = [s for s in self._happenings.spacings if s.measure is Measure.OVERLAP_PERCENT]
-        for overlap in told:
-            known = overlap.amount.basis
-            begins, ends = min(known.i or 0, basis.i or 0), max(known.j or 0, basis.j or 0)
-            overlap.amount = Amount(overlap.amount.value, Basis(begins, ends, known.reason))
-            overlap.side = overlap.side or ending.half
-        if told:
-            return
-        if other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE:
-            amount = Amount(Interval(low=_LITTLE, high=_HALF), basis)
-            apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT, ending.half)
-            self._happenings.spacings.append(apart)
-        else:
-            value = Interval(low=0.0 if left else _HALF, high=_HALF if left else _WHOLE)
-            ending.impact = Amount(value, basis)
-
-    def _by_the_bonnet(self, ending: Ending, start: int, end: int) -> None:
-        """``by the centre of the bonnet``: a part that only the ego can mean."""
-        tokens = self._text.tokens
-        for k in range(start, end):
-            if tokens[k].low not in words()["middle"] or ending.impact is not None:
-                continue
-            after = [t.low for t in tokens[k + 1 : min(k + _REACH, end)]]
-            part = next((n for n, low in enumerate(after) if low in words()["parts"]), None)
-            owners = [
-                e
-                for m in self._text.mentions
-                if part is not None and k < m.i <= k + 1 + part
-                for e in m.entities
-            ]
-            if part is not None and after[:1] == ["of"] and all(e.ego for e in owners):
-                value = Interval(low=_HALF, high=_HALF)
-                ending.impact = Amount(value, Basis(k, k + 2 + part))
-
-    def _is_hit(self, ego: Entity, i: int) -> bool:
-        return any(
-            ego in s.targets and ego not in s.actors for s in self._text.scenes if s.event.i == i
-        )
-
-    def _owner(self, place: Place, i: int) -> Entity | None:
-        """Whose part it is: "the ego's front", "the rear of the car", "its rear"."""
-        if place.owner is not None and place.owner.entities:
-            return place.owner.entities[0]  # type: ignore[no-any-return]
-        if any((m.cat, m.value) == ("possessive", "first_person") for m in place.mods):
-            return ego_of(self._context)
-        own = any(m.cat == "possessive" and m.value == "its" for m in place.mods)
-        done = [s for s in self._text.scenes if s.event.object is place]
-        scene = next((s for s in (*done, *self._text.scenes) if s in done or s.event.i == i), None)
-        if scene is None:
-            return None
-        direct = scene.event.object is place
-        flank = bool({"left", "right"} & set(place.dirs))
-        at = place.prep is not None and place.prep.value == "in"
-        if at and not own and scene.event.name == "collide" and scene.targets:
-            return scene.targets[0]  # "hits us in the side"
-        met = direct or (flank and place.prep is not None and place.prep.value == "into")
-        if met and own and scene.actors:  # "a car behind hits its rear"
-            return None if scene.actors[0].ego else ego_of(self._context)
-        if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
-            return scene.targets[0] if scene.targets else None  # "is hit on its right side"
-        if own or not direct:
-            doer = scene.actors[0] if scene.actors else None
-            hit_by = scene.event.passive and place.prep is not None and place.prep.value == "by"
-            return ego_of(self._context) if hit_by or doer is None else doer
-        return None
-
-    def _middle(self, ending: Ending, place: NounPhrase, start: int) -> None:
-        """``with the middle of its front``."""
-        tokens = self._text.tokens
-        for k in range(max(start, place.i - _REACH), place.i):
-            part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
-            if part and tokens[k].low in words()["middle"]:
-                value = Interval(low=_HALF, high=_HALF)
-                ending.impact = Amount(value, Basis(k, place.j))
 
     def impact(self, number: Measured) -> bool:
         """``at 25 % of its width counted from its right side``.

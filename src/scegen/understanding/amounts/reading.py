@@ -16,6 +16,7 @@ from scegen.understanding.amounts.placed import MEASURES, Spacer
 from scegen.understanding.amounts.releasing import Releaser
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.speeds import held, relative
+from scegen.understanding.amounts.struck import Struck
 from scegen.understanding.amounts.timing import Clock
 from scegen.understanding.chunks import Chunk
 from scegen.understanding.frames import Measured, Numbers, amounts
@@ -71,7 +72,7 @@ def read_amounts(
             done = role in FIELDS or role == "speed"
         if not done:
             _note(number, context)
-    judge.settle()
+    Struck(text, context, found).settle()
     clock.order()
     found.acts = go_on(found.acts, text)
     kept_apart(found, context)
