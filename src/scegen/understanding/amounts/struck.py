@@ -31,7 +31,7 @@ class Struck(Teller):
             if self._is_portion(place) or self._text.tokens[place.i - 2].low == "overlap":
                 continue
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
-            whose = self._owner(place, i)
+            whose = self._owner(place, i, ending)
             flank = part is not None and part not in _OPPOSED
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
             on = place.prep is not None and place.prep.value == "in" and place.head is not None
@@ -120,7 +120,7 @@ class Struck(Teller):
             ego in s.targets and ego not in s.actors for s in self._text.scenes if s.event.i == i
         )
 
-    def _owner(self, place: Place, i: int) -> Entity | None:
+    def _owner(self, place: Place, i: int, ending: Ending) -> Entity | None:
         """Whose part it is: "the ego's front", "the rear of the car", "its rear"."""
         if place.owner is not None and place.owner.entities:
             return place.owner.entities[0]  # type: ignore[no-any-return]
@@ -136,9 +136,13 @@ class Struck(Teller):
         at = place.prep is not None and place.prep.value == "in"
         if at and not own and scene.event.name == "collide" and scene.targets:
             return scene.targets[0]  # "hits us in the side"
-        met = direct or (flank and place.prep is not None and place.prep.value == "into")
+        into = place.prep is not None and place.prep.value == "into"
+        met = direct or (into and (flank or not scene.event.passive))
         if met and own and scene.actors:  # "a car behind hits its rear"
-            return None if scene.actors[0].ego else ego_of(self._context)
+            ego = ego_of(self._context)
+            return (
+                next((e for e in ending.between if not e.ego), None) if scene.actors[0].ego else ego
+            )
         if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
             return scene.targets[0] if scene.targets else None  # "is hit on its right side"
         if own or not direct:

@@ -36,6 +36,7 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
     """
     auxiliary = False
     preposed = False
+    k = _behind_insertion(chunks, k)
     for chunk in chunks[k + 1 : k + 9]:
         if isinstance(chunk, Event):
             return auxiliary or chunk.form != "ing"
@@ -51,6 +52,24 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         elif isinstance(chunk, Mention) and not chunk.possessor and not preposed:
             return False
     return False
+
+
+def _behind_insertion(chunks: list[Chunk], k: int) -> int:
+    """``the ego, driving at 45 km/h, brakes``: the second comma if the verb comes behind it."""
+    words = [c.value if isinstance(c, Word) else None for c in chunks[k + 1 : k + 10]]
+    if words[:1] != [","] or "," not in words[1:]:
+        return k
+    end = k + 2 + words[1:].index(",")
+    inside = chunks[k + 2 : end]
+    ends = any(isinstance(c, Word) and c.cat in {"conj", "sub"} for c in inside)
+    ends = ends or any(word in BOUNDARIES for word in words[: end - k])
+    opens = inside[:1] and (
+        (isinstance(inside[0], Word) and inside[0].cat in {"prep", "quantity", "rel"})
+        or (isinstance(inside[0], Event) and inside[0].form in {"ing", "ed"})
+    )
+    verb = chunks[end + 1] if end + 1 < len(chunks) else None
+    finite = isinstance(verb, Event) and verb.form in {"s", "ed"} and not verb.nominal
+    return end if opens and finite and not ends else k
 
 
 def copula_follows(chunks: list[Chunk], k: int) -> bool:
