@@ -48,6 +48,8 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     if whose and all(e.speed not in (None, quantity.value) for e in whose):
         whose = _without_speed(number, text) or whose
     for entity in whose:
+        if entity.speed is not None and entity.speed != quantity.value:
+            _hand_on(entity, text)
         if entity.speed is None:
             entity.speed, entity.speed_basis = quantity.value, Basis(*span, quantity.note)
         elif entity.speed != quantity.value:
@@ -123,6 +125,21 @@ def _without_speed(number: Measured, text: Sentences) -> list[Entity]:
     named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
     free = [e for e in reversed(named) if e.speed is None and not e.still]
     return free[:1]
+
+
+def _hand_on(entity: Entity, text: Sentences) -> None:
+    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
+    basis = entity.speed_basis
+    if basis is None or basis.i is None:
+        return
+    start, _ = text.bounds(basis.i)
+    named = [m.entities for m in text.mentions if start <= m.i < basis.i]
+    if not named or len(named[-1]) != 1:
+        return
+    (other,) = named[-1]
+    if other is not entity and other.speed is None and not other.still:
+        other.speed, other.speed_basis = entity.speed, basis
+        entity.speed = entity.speed_basis = None
 
 
 def _at(basis: Basis | None, span: tuple[int, int]) -> bool:
