@@ -40,7 +40,7 @@ def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
 
 
 def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
-    """``the lead brakes``, ``the subject is late``: the name of a role without "vehicle".
+    """``the lead brakes``, ``other 90 km/h``: the name of a role without "vehicle".
 
     Args:
         term: a term.
@@ -61,6 +61,10 @@ def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     ):
         kind = "access" if tokens[term.i - 1].low in word_list("minor") else "road"
         return Term("place", kind, term.i, term.j)  # "from the major road into a minor one"
+    opens = not terms or terms[-1].cat in _OPENERS
+    measured = term.j < len(tokens) and tokens[term.j].kind == "number"
+    if word == "other" and opens and (measured or after == "at"):
+        return Term("actor", "driver", term.i, term.j, data={"driver": True})
     if word == "lead" and term.cat == "dir" and _alone(tokens, term.j):
         return Term("actor", "driver", term.i, term.j, data={"driver": True, "dir": "ahead"})
     return term
