@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 
 import numpy as np
@@ -41,8 +41,16 @@ def claims(told: Told) -> Iterator[Claim]:
             statement=f"{plain(hazard.kind)}{by}{to} happens",
             field=f"hazards.{hazard.kind}",
             unit="1",
-            test=partial(_as_said if measured_out(told, hazard) else _happens, told, hazard),
+            test=partial(_test_of(told, hazard), told, hazard),
         )
+
+
+def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judged]:
+    """What decides: the amounts that the text gives, or else the predicate's thresholds."""
+    if measured_out(told, hazard):
+        return _as_said
+    known = all(told.functional.participant(name).speed_mps is not None for name in hazard.by)
+    return _slower if hazard.kind is HazardKind.SLOW_DRIVING and known else _happens
 
 
 def measured_out(told: Told, hazard: Hazard) -> list[Act]:
@@ -69,6 +77,18 @@ def _as_said(told: Told, hazard: Hazard, view: View) -> Judged:
     ]
     step = np.max(begins, axis=0)
     return yes_or_no(step < never, view.time_of(step), view.time_of(step))
+
+
+def _slower(told: Told, hazard: Hazard, view: View) -> Judged:
+    """One called slow whose speed is told drives at that speed, more slowly than whom it slows."""
+    others = [to for to in hazard.to or (told.ego,) if to not in hazard.by]
+    gains = [
+        view.speed_mps(to).max(axis=1) - view.speed_mps(by).min(axis=1)
+        for by in hazard.by
+        for to in others
+    ]
+    gain = np.min([*gains, np.full(view.count, np.inf)], axis=0)
+    return yes_or_no(gain > 0.0, np.zeros(view.count), np.zeros(view.count))
 
 
 def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
