@@ -30,7 +30,8 @@ def all_acts(
     for hazard in dangers(functional, logical):
         if hazard.kind is HazardKind.OVERTAKING:
             acts = _passing_first(hazard, runners, acts)
-        acts += _implied(functional, hazard, runners, acts)
+        for act in list(_implied(functional, hazard, runners, acts)):
+            acts.insert(_place_of(act, acts), act)
     for drive in logical.drives:
         acts += _manoeuvre(drive, runners, acts)
     return acts
@@ -49,6 +50,16 @@ def _passing_first(hazard: Hazard, runners: Mapping[str, Runner], acts: list[Act
             before = Act(id=name, participant=act.participant, kind=ActKind.OVERTAKE, into=act.into)
             return [*acts[:n], before, *acts[n:]]
     return acts
+
+
+def _place_of(implied: Act, acts: list[Act]) -> int:
+    """At the end; a move aside before its doer stops, as nobody moves aside who stands."""
+    stops = (
+        n
+        for n, act in enumerate(acts)
+        if (act.participant, act.kind) == (implied.participant, ActKind.STOP)
+    )
+    return next(stops, len(acts)) if implied.kind in _ASIDE else len(acts)
 
 
 def _on_a_plain_road(act: Act) -> Act:
