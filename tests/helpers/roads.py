@@ -55,6 +55,22 @@ SCENARIOS: dict[str, FunctionalScenario] = {
         acts=[act("slows", "ego", "brake", rate_mps2=3.0, target_speed_mps=kmh(20))],
         spacings=[apart("tail", "ego", "gap_m", 18.0, "slows")],
     ),
+    "loses_control_and_stops": road(
+        [ego(50), one("lead", "motorcycle", AHEAD, speed=50)],
+        [("loss_of_control", "lead", "ego"), ("stopping", "lead", "ego")],
+        acts=[act("halts", "lead", "stop")],
+        spacings=[apart("ego", "lead", "headway_s", 1.2)],
+    ),
+    "swerves_and_then_stops": road(
+        [ego(70), one("lead", "car", AHEAD, speed=70)],
+        [("swerving", "lead", "ego"), ("stopping", "lead", "ego")],
+        acts=[act("jinks", "lead", "swerve"), act("halts", "lead", "stop", when=after("jinks"))],
+    ),
+    "called_slow_at_a_speed": road(
+        [ego(120), one("other", "truck", RIGHT_LANE, ["lane_change"], speed=80)],
+        [("slow_driving", "other", "ego"), ("cut_in", "other", "ego")],
+        acts=[act("over", "other", "change_lane", side="left", into="ego")],
+    ),
     "comes_up_behind_one_slower": road(
         [ego(90), one("tractor", "truck", AHEAD, speed=40)],
         [("slow_driving", "tractor", "ego")],

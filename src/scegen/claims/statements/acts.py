@@ -28,7 +28,7 @@ from scegen.claims.statements.maneuvers import LANE_M, overtaken
 from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
-from scegen.claims.view import View
+from scegen.claims.view import View, lasting
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.doors import WAY_M
 from scegen.scenario.acts import (
@@ -51,6 +51,7 @@ _OPENS_BEFORE_S = Interval(low=0.0, high=4.0)
 """Whoever is farther away when a door opens has time to look for another way."""
 _BESIDE_M = 0.5
 _SWERVES_M = 0.3
+_SWERVE_RESTS_S = 0.5
 _SPEED_OVER_S = 0.1
 _THEN_S = Interval(low=0.0, high=2.0)
 """Where no delay is said, one act follows another within the time of a slow reaction."""
@@ -430,11 +431,19 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
 
 
 def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
-    """When a move to the side, once under way, first comes to rest sideways or turns round."""
+    """When a move to the side, once under way, first comes to rest sideways or turns round.
+
+    A swerve is over when it has come to rest sideways for a moment: out, and back if it goes back.
+    """
     moved = lateral_m(view, act.participant, told.drive(act.participant))
     speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
     under_way = (np.abs(speed) > ASIDE_MPS) & (np.arange(view.steps) >= begins[:, None])
     goes = first(under_way)
+    if act.kind is ActKind.SWERVE:
+        soon = max(1, round(_SWERVE_RESTS_S / view.dt_s))
+        rests = lasting(np.abs(speed), soon, greatest=True) <= ASIDE_MPS
+        over = first((np.arange(rests.shape[1]) > goes[:, None]) & rests)
+        return np.where(over < rests.shape[1], over, view.steps)
     sense = np.sign(at(speed, goes))[:, None]
     return first((np.arange(view.steps) > goes[:, None]) & (sense * speed <= ASIDE_MPS))
 

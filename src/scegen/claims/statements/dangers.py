@@ -49,8 +49,9 @@ def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judge
     """What decides: the amounts that the text gives, or else the predicate's thresholds."""
     if measured_out(told, hazard):
         return _as_said
-    known = all(told.functional.participant(name).speed_mps is not None for name in hazard.by)
-    return _slower if hazard.kind is HazardKind.SLOW_DRIVING and known else _happens
+    paced = {p.id for p in told.functional.participants if p.speed_mps is not None}
+    slow = hazard.kind is HazardKind.SLOW_DRIVING and bool(hazard.by) and paced >= {*hazard.by}
+    return _slower if slow else _happens
 
 
 def measured_out(told: Told, hazard: Hazard) -> list[Act]:
