@@ -28,6 +28,7 @@ from scegen.motion.batch import (
     simulate_batch,
 )
 from scegen.motion.model import Path
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
 GOALS = {2: 80_000, 4: 30_000, 10: 5_000}
@@ -83,9 +84,9 @@ def crossing(participants: int) -> tuple[Program, Candidates, Tables]:
         for i in range(participants)
     ]
     program, candidate = build_program(paths, [10.0 + i % 3 for i in range(participants)], phases)
-    kinds = [ParticipantKind.CAR] * participants
+    bodies = [BODIES[ParticipantKind.CAR]] * participants
     occlusions = [(0, 1, 2)] if participants > 2 else []
-    return program, candidate, build_tables(paths, kinds, occlusions=occlusions)
+    return program, candidate, build_tables(paths, bodies, occlusions=occlusions)
 
 
 def varied(candidate: Candidates, count: int, seed: int = 4) -> Candidates:

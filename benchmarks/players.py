@@ -44,7 +44,6 @@ from scegen.motion.model import Path as Way
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding import read
@@ -82,7 +81,7 @@ def case_of(concrete: ConcreteScenario) -> Case:
     ways = build_paths(concrete, build_network(concrete.road, name=concrete.name))
     program, candidate = compile_program(concrete, ways)
     ordered = [ways[p.id] for p in concrete.participants]
-    scene = build_tables(ordered, [p.kind for p in concrete.participants])
+    scene = build_tables(ordered, [p.body for p in concrete.participants])
     return Case(concrete, ways, program, candidate, scene)
 
 
@@ -264,7 +263,7 @@ def _ahead(case: Case, n: int) -> float:
 
 def _vehicle(case: Case, name: str, track: np.ndarray) -> dict[str, Any]:
     participant = case.concrete.participant(name)
-    body, way = BODIES[participant.kind], case.ways[name]
+    body, way = participant.body, case.ways[name]
     centre = body.centre_ahead_m
     ahead = [track[X] + centre * np.cos(track[HEADING]), track[Y] + centre * np.sin(track[HEADING])]
     # Lanes begin behind the car and go on ahead of it, so that its whole box lies on them.

@@ -40,7 +40,6 @@ from scegen.motion import build_paths
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path as Way
 from scegen.road import build_network
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import JunctionKind
@@ -71,7 +70,7 @@ def starts_close(raised: Raised) -> bool:
 
 def swept(participant: ConcreteParticipant, way: Way) -> BaseGeometry:
     """The ground that a body covers on its way, by shapely: nothing of the package's own."""
-    body = BODIES[participant.kind]
+    body = participant.body
     box = shapely.box(-body.rear_m, -body.width_m / 2, body.front_m, body.width_m / 2)
     s = np.arange(0.0, way.length_m, 0.25)
     poses = zip(

@@ -68,7 +68,7 @@ class Sketch:
         x, y = at[0] - ahead * np.cos(turn), at[1] - ahead * np.sin(turn)
         ego = colour == EGO
         braking = how.get("braking", False)
-        drawn = body(kind, colour, LIGHT, self.view.scale, ego=ego, braking=braking)
+        drawn = body(kind, BODIES[kind], colour, LIGHT, self.view.scale, ego=ego, braking=braking)
         self.world.append(placed(drawn, x, y, turn))
 
     def ground(self, points: Sequence[Point], colour: str, opacity: float = 0.35) -> None:

@@ -74,15 +74,23 @@ def turned(_, place):
     place.set("h", str(float(place.get("h")) + 0.3))
 
 
-@pytest.mark.parametrize("change", [retyped, resized, moved, turned])
-def test_a_thing_that_is_not_as_said_is_noticed(folder, change):
+@pytest.mark.parametrize(
+    ("change", "rule"),
+    [
+        (retyped, "xosc.object"),
+        (resized, "xosc.size"),
+        (moved, "xosc.object"),
+        (turned, "xosc.object"),
+    ],
+)
+def test_a_thing_that_is_not_as_said_is_noticed(folder, change, rule):
     root = etree.parse(folder / "scenario.xosc").getroot()
     misc = root.find(".//MiscObject")
     name = misc.getparent().get("name")
     change(misc, root.find(f".//Private[@entityRef='{name}']//WorldPosition"))
     (folder / "scenario.xosc").write_bytes(etree.tostring(root))
     errors = check(folder).result("openscenario").errors
-    assert {(e.rule, e.place) for e in errors} == {("xosc.object", name)}
+    assert {(e.rule, e.place) for e in errors} == {(rule, name)}
 
 
 def test_a_thing_that_is_missing_is_noticed(folder):

@@ -259,7 +259,7 @@ def test_the_step_over_the_end_may_be_left_out_or_taken(contact):
     x = np.array([0.0, 0.5, 1.0, 1.5, 1.8, 1.8])
     speed = np.array([10.0, 10.0, 10.0, 10.0, 0.0, 0.0])
     times, zero = np.arange(steps) * STEP_S, np.zeros(steps)
-    halted = Trace(trace.participant, trace.kind, times, x, x, zero, zero, speed)
+    halted = Trace(trace.participant, trace.body, times, x, x, zero, zero, speed)
     short = np.array([0.0, 0.5, 1.0, 1.5, 1.5, 1.5], dtype=complex)
     taken = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 2.0], dtype=complex)
     beyond = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 2.2], dtype=complex)

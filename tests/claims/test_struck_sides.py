@@ -6,7 +6,6 @@ from saying import made, missed, person, said
 
 from scegen.checking.esmini.layout import simulated_csv
 from scegen.checking.esmini.recording import read_recording
-from scegen.scenario.bodies import BODIES
 
 
 def hit(side, approach="left"):
@@ -18,7 +17,7 @@ def hit(side, approach="left"):
 def reaches_m(concrete):
     """How far the other's box overlaps each side of the ego's at first contact (left, front)."""
     movements = {m.entity: m for m in read_recording(simulated_csv(concrete))}
-    ego, car, body = movements["ego"], movements["car"], BODIES[concrete.ego.kind]
+    ego, car, body = movements["ego"], movements["car"], concrete.ego.body
     middles = [m.point + body.centre_ahead_m * np.exp(1j * m.heading_rad) for m in (ego, car)]
     turn = np.exp(-1j * ego.heading_rad)
     at = (middles[1] - middles[0]) * turn

@@ -8,7 +8,6 @@ from told import first, told, who
 from scegen.motion import build_paths, simulate
 from scegen.report.corners import box_corners
 from scegen.road import build_network
-from scegen.scenario.bodies import BODIES
 
 
 def traces(concrete):
@@ -20,14 +19,14 @@ def gap_m(concrete, follower="ego", leader="x"):
     """Clear gap of two in one straight lane, by time."""
     found = traces(concrete)
     one, two = found[follower], found[leader]
-    bodies = BODIES[one.kind].front_m + BODIES[two.kind].rear_m
+    bodies = one.body.front_m + two.body.rear_m
     return np.hypot(one.x_m - two.x_m, one.y_m - two.y_m) - bodies
 
 
 def distance_m(found, first, second):
     """The least distance of two boxes."""
     boxes = [
-        shapely.polygons(box_corners(t.kind, t.x_m, t.y_m, t.heading_rad))
+        shapely.polygons(box_corners(t.body, t.x_m, t.y_m, t.heading_rad))
         for t in (found[first], found[second])
     ]
     return float(shapely.distance(*boxes).min())

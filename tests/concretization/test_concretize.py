@@ -12,7 +12,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion import build_paths, simulate
 from scegen.motion.model import Path, Trace
 from scegen.road import build_network, plan_road
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion, Travelled
 from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
@@ -40,8 +40,8 @@ def gap_m(traces, first, second) -> float:
     near = np.flatnonzero(np.hypot(a.x_m - b.x_m, a.y_m - b.y_m) < 30)
     return min(
         (
-            footprint(a.x_m[i], a.y_m[i], a.heading_rad[i], BODIES[a.kind]).distance(
-                footprint(b.x_m[i], b.y_m[i], b.heading_rad[i], BODIES[b.kind])
+            footprint(a.x_m[i], a.y_m[i], a.heading_rad[i], a.body).distance(
+                footprint(b.x_m[i], b.y_m[i], b.heading_rad[i], b.body)
             )
             for i in near
         ),
@@ -57,7 +57,7 @@ def test_nobody_overlaps_at_the_start(made):
             paths[p.id].start.x_m,
             paths[p.id].start.y_m,
             paths[p.id].start.heading_rad,
-            BODIES[p.kind],
+            p.body,
         )
         for p in concrete.participants
     }
@@ -164,7 +164,7 @@ def test_who_speeds_is_clearly_above_the_limit(cases):
 def test_who_tailgates_follows_at_less_than_a_second(cases):
     concrete = concretize(*cases["tailgated_at_crosswalk"])
     ego, lead = concrete.ego, concrete.participant("car_1")
-    body = BODIES[ego.kind]
+    body = ego.body
     gap = lead.motion.start_m - body.rear_m - ego.motion.start_m - body.front_m
     assert 0.35 <= gap / ego.speed_mps <= 0.85
     brakes = [p for p in lead.speed_program if p.hazard is HazardKind.HARD_BRAKING]
@@ -187,7 +187,7 @@ def test_the_walker_is_hidden_and_stops_in_the_way(cases):
     assert isinstance(ped.speed_program[0].trigger, Travelled)
     assert ped.speed_program[0].trigger.participant == "ego"
     assert ped.motion.stops_after_m is not None
-    front = parked.motion.from_junction_m - BODIES[parked.kind].front_m
+    front = parked.motion.from_junction_m - parked.body.front_m
     assert 0.5 < front - ped.motion.from_junction_m < 2.5
     _, traces = run(concrete)
     assert traces["ped_0"].speed_mps[-1] == 0.0
@@ -272,7 +272,7 @@ def test_every_danger_but_reversing_can_be_made_everywhere(scenario, kind, layou
     _, traces = run(concrete)
     for participant in concrete.participants:
         speeds = traces[participant.id].speed_mps
-        limits = BODIES[participant.kind]
+        limits = participant.body
         change = np.diff(speeds)
         assert speeds.max() <= limits.top_speed_mps
         assert change.max(initial=0.0) <= 0.05 * limits.max_acceleration_mps2 + 1e-6

@@ -33,7 +33,7 @@ def made(case, thing=None, **more):
 def nearest_m(traces, who, thing):
     """The smallest distance of somebody from a thing."""
     trace = traces[who]
-    boxes = shapely.polygons(box_corners(trace.kind, trace.x_m, trace.y_m, trace.heading_rad))
+    boxes = shapely.polygons(box_corners(trace.body, trace.x_m, trace.y_m, trace.heading_rad))
     return float(shapely.distance(boxes, shapely.Polygon(thing_corners(thing))).min())
 
 

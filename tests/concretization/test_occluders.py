@@ -8,7 +8,6 @@ import shapely
 
 from scegen.concretization import concretize
 from scegen.measures.bodies import body_table
-from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.measures.occlusion import occlusion_series
 from scegen.motion import build_paths
 from scegen.motion.batch import compile_program, simulate_batch
@@ -41,12 +40,7 @@ def hidden_s(concrete, target, before_s=None):
     traces = simulate_batch(program, own, duration_s=concrete.duration_s, dt_s=0.05)
     names = [entity.id for entity in concrete.entities]
     triple = [names.index("ego"), names.index(target), len(concrete.participants)]
-    bodies = body_table(
-        [*(p.kind for p in concrete.participants), *concrete.objects],
-        friction=1.0,
-        protected_curve=PROTECTED,
-        unprotected_curve=UNPROTECTED,
-    )
+    bodies = body_table([entity.body for entity in concrete.entities], friction=1.0)
     flags = occlusion_series(traces.tracks, bodies, np.array([triple]))[0, :, 0]
     a, b = triple[:2]
     apart = np.hypot(

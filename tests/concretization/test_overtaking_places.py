@@ -65,7 +65,7 @@ def touching(concrete):
     paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=0.02)
     names = [p.id for p in concrete.participants]
-    scene = build_tables([paths[n] for n in names], [p.kind for p in concrete.participants])
+    scene = build_tables([paths[n] for n in names], [p.body for p in concrete.participants])
     summary = measure(stack_traces([traces[n] for n in names]), scene)
     found = ~np.isnan(summary.contact_s[0])
     return {frozenset((names[a], names[b])) for a, b in scene.pairs[found]}

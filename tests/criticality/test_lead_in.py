@@ -54,7 +54,7 @@ def bumper_to_bumper(concrete, gap_m=0.5):
     """The follower moved up until its front is so far behind the leader, both equally fast."""
     ego, other = concrete.participant("ego"), concrete.participant("other")
     speed = 10.0
-    bodies = BODIES[other.kind].rear_m + BODIES[ego.kind].front_m
+    bodies = other.body.rear_m + ego.body.front_m
     start = other.motion.start_m - bodies - gap_m
     moved = {
         "ego": ego.model_copy(

@@ -89,9 +89,9 @@ def test_one_that_comes_backwards_is_no_merge():
     functional, how = CASES["right"]
     concrete = first(functional, how)
     ways = ways_of(concrete, build_network(concrete.road))
-    kinds = [p.kind for p in concrete.participants]
+    bodies = [p.body for p in concrete.participants]
     paths = [ways[p.id].path for p in concrete.participants]
-    scene = build_tables(paths, kinds)
+    scene = build_tables(paths, bodies)
     assert area_table(paths, scene.bodies, [(0, 1)]).first.tolist() == [0, 0]
     assert (scene.following.first >= 0).any()
 

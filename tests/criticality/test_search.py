@@ -14,7 +14,6 @@ from scegen.motion import build_paths, simulate
 from scegen.motion.batch import stack_traces
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ArrivalBelow, DriveMotion, StoodStill
 from scegen.scenario.functional import (
     Environment,
@@ -71,7 +70,7 @@ def independent(concrete, pair):
     paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=0.01)
     names = [p.id for p in concrete.participants]
-    scene = build_tables([paths[n] for n in names], [p.kind for p in concrete.participants])
+    scene = build_tables([paths[n] for n in names], [p.body for p in concrete.participants])
     summary = measure(stack_traces([traces[n] for n in names]), scene)
     wanted = {names.index(n) for n in pair}
     number = next(n for n, p in enumerate(scene.pairs) if set(map(int, p)) == wanted)
@@ -157,7 +156,7 @@ def test_solutions_differ_and_all_hold():
 def test_numbers_stay_within_bodies_and_ranges():
     functional, concrete = made(read(SENTENCES["y"]))
     for participant in raise_criticality(functional, concrete).concrete.participants:
-        body = BODIES[participant.kind]
+        body = participant.body
         was = concrete.participant(participant.id)
         allowed = [
             p for p in concrete.logical.parameters if p.name == f"{participant.id}.speed_mps"

@@ -23,12 +23,12 @@ def line(x0, y0, heading_deg, length_m=300.0):
     return Path(s, x0 + s * np.cos(heading), y0 + s * np.sin(heading), heading, ())
 
 
-def trace(name, kind, path, speeds):
+def trace(name, body, path, speeds):
     """The movement along a path at these speeds, one per step."""
     speeds = np.asarray(speeds, dtype=np.float64)
     s = np.minimum(np.cumsum(speeds) * DT_S - speeds[0] * DT_S, path.length_m)
     poses = [np.interp(s, path.s_m, values) for values in (path.x_m, path.y_m, path.heading_rad)]
-    return Trace(name, kind, np.arange(len(s)) * DT_S, s, *poses, speeds)
+    return Trace(name, body, np.arange(len(s)) * DT_S, s, *poses, speeds)
 
 
 def steady(speed, seconds=10.0):
@@ -62,7 +62,7 @@ def view(people, paths, speeds, hazards=(), friction=1.0, **ways):
     assert {p.kind for p in people} <= set(BODIES)
     by_name = {p.id: path for p, path in zip(people, paths, strict=True)}
     traces = [
-        trace(p.id, p.kind, path, v) for p, path, v in zip(people, paths, speeds, strict=True)
+        trace(p.id, p.body, path, v) for p, path, v in zip(people, paths, speeds, strict=True)
     ]
     pairs = [(a.id, b.id) for n, a in enumerate(people) for b in people[n + 1 :]]
     all_ways = {p.id: ways.get(p.id) or way(p, by_name[p.id]) for p in people}

@@ -25,15 +25,10 @@ from scegen.measures.injury import injury_probability
 from scegen.measures.occlusion import occlusion_series
 from scegen.measures.time_to_collision import time_to_collision_series
 from scegen.motion.batch import Phase, TriggerKind, build_program, repeat, simulate_batch
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
-KINDS = (
-    ParticipantKind.CAR,
-    ParticipantKind.CAR,
-    ParticipantKind.TRUCK,
-    ParticipantKind.PEDESTRIAN,
-    ParticipantKind.BUS,
-)
+BOXES = [BODIES[ParticipantKind(kind)] for kind in ("car", "car", "truck", "pedestrian", "bus")]
 DURATION_S = 9.0
 
 
@@ -63,7 +58,7 @@ def case():
     many.start_m[:] = rng.uniform(0.0, 12.0, many.start_m.shape) * (np.arange(5) != 3)
     many.speed_mps[:] *= rng.uniform(0.5, 1.5, many.speed_mps.shape)
     many.trigger[:] *= rng.uniform(0.5, 1.5, many.trigger.shape)
-    scene = build_tables(paths, KINDS, occlusions=[(0, 3, 4), (0, 2, 4), (0, 3, 1)], friction=0.6)
+    scene = build_tables(paths, BOXES, occlusions=[(0, 3, 4), (0, 2, 4), (0, 3, 1)], friction=0.6)
     traces = simulate_batch(program, many, duration_s=DURATION_S)
     summary = evaluate(program, many, scene, duration_s=DURATION_S)
     return program, many, scene, traces, summary

@@ -5,12 +5,13 @@ import pytest
 from criticality_geometry import cruising, line
 
 from scegen.measures import build_tables, measure
-from scegen.measures.bodies import MASS_KG, body_of
+from scegen.measures.bodies import body_of
 from scegen.measures.impact import delta_v
 from scegen.measures.injury import injury_probability
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
-CAR, PED, TRUCK = ParticipantKind.CAR, ParticipantKind.PEDESTRIAN, ParticipantKind.TRUCK
+CAR, PED, TRUCK = (BODIES[ParticipantKind(kind)] for kind in ("car", "pedestrian", "truck"))
 
 
 @pytest.mark.parametrize(
@@ -30,7 +31,7 @@ def test_impact_speed_is_vectorial(heading, speeds, expected):
     assert found.impact_mps[0, 0] == pytest.approx(expected)
     # Momentum is conserved, and the two changes make up the impact speed.
     changes, chances = found.delta_v_mps[0, 0], found.injury[0, 0]
-    assert changes[0] * MASS_KG[CAR] == pytest.approx(changes[1] * MASS_KG[TRUCK])
+    assert changes[0] * CAR.mass_kg == pytest.approx(changes[1] * TRUCK.mass_kg)
     assert changes.sum() == pytest.approx(expected)
     assert chances[0] > chances[1]  # the lighter one fares worse
 

@@ -14,12 +14,11 @@ from scegen.motion.model import Path
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
-CAR, PED, TRUCK = ParticipantKind.CAR, ParticipantKind.PEDESTRIAN, ParticipantKind.TRUCK
-BODY = BODIES[CAR]
+CAR, PED, TRUCK = (BODIES[ParticipantKind(kind)] for kind in ("car", "pedestrian", "truck"))
 
 
-def gaps_of(paths, starts, speeds, kinds=(CAR, CAR)):
-    scene = build_tables(paths, kinds)
+def gaps_of(paths, starts, speeds, bodies=(CAR, CAR)):
+    scene = build_tables(paths, bodies)
     traces = cruising(paths, starts, speeds, duration_s=3.0)
     gaps, who = gap_series(traces, scene)
     return gaps[0, :, 0], who[0, :, 0]
@@ -29,7 +28,7 @@ def test_the_gap_in_a_lane_is_between_bumpers():
     lane = line(0, 0, 0.3, 200)
     gaps, who = gaps_of([lane, lane], [10.0, 40.0], [10.0, 10.0], (CAR, TRUCK))
     assert set(who) == {0}
-    np.testing.assert_allclose(gaps, 30.0 - BODY.front_m - BODIES[TRUCK].rear_m, atol=1e-6)
+    np.testing.assert_allclose(gaps, 30.0 - CAR.front_m - TRUCK.rear_m, atol=1e-6)
     gaps, who = gaps_of([lane, lane], [40.0, 10.0], [10.0, 10.0])
     assert set(who) == {1}
 
@@ -37,7 +36,7 @@ def test_the_gap_in_a_lane_is_between_bumpers():
 def test_the_gap_in_a_bend_is_along_the_path():
     bend = arc(30.0, 0.0, 4.0)
     gaps, _ = gaps_of([bend, bend], [5.0, 30.0], [10.0, 10.0])
-    np.testing.assert_allclose(gaps, 25.0 - BODY.front_m - BODY.rear_m, atol=0.1)
+    np.testing.assert_allclose(gaps, 25.0 - CAR.front_m - CAR.rear_m, atol=0.1)
 
 
 def test_no_leader_in_the_next_lane_nor_in_cross_or_oncoming_traffic():
@@ -61,19 +60,18 @@ def test_a_car_that_cuts_in_becomes_the_leader_once_it_reaches_into_the_corridor
     # The ground truth: its box reaches over the edge of the corridor.
     frames = frames_of(traces.tracks[0], scene.bodies)
     low = [
-        polygon(box_at(frames[1], BODY.length_m / 2, BODY.width_m / 2, t)).bounds[1]
+        polygon(box_at(frames[1], CAR.length_m / 2, CAR.width_m / 2, t)).bounds[1]
         for t in range(traces.tracks.shape[3])
     ]
-    truth = int(np.flatnonzero(np.array(low) < BODY.width_m / 2)[0])
+    truth = int(np.flatnonzero(np.array(low) < CAR.width_m / 2)[0])
     assert abs(begins - truth) <= 1
 
 
-def sweep(path, kind, step=0.1):
+def sweep(path, body, step=0.1):
     """The ground that a body covers on its path."""
     s = np.arange(0.0, path.length_m + step, step)
     traces = cruising([path], [0.0], [step], duration_s=len(s) - 1.0, dt_s=1.0)
-    body = BODIES[kind]
-    frames = frames_of(traces.tracks[0], build_tables([path], [kind]).bodies)
+    frames = frames_of(traces.tracks[0], build_tables([path], [body]).bodies)
     boxes = [
         polygon(box_at(frames[0], body.length_m / 2, body.width_m / 2, t))
         for t in range(frames.shape[2])
@@ -81,15 +79,15 @@ def sweep(path, kind, step=0.1):
     return boxes, shapely.union_all(boxes), step
 
 
-def slow_extent(path, kind, ground):
+def slow_extent(path, body, ground):
     """First and last position at which a body touches some ground, to 0.1 m."""
-    boxes, _, step = sweep(path, kind)
+    boxes, _, step = sweep(path, body)
     touching = np.flatnonzero([box.intersects(ground) for box in boxes])
     return touching[0] * step, touching[-1] * step
 
 
 @pytest.mark.parametrize(
-    ("other", "kind"),
+    ("other", "body"),
     [
         (line(50, -60, np.pi / 2, 120), CAR),
         (line(20, -40, np.deg2rad(55), 120), TRUCK),
@@ -98,12 +96,12 @@ def slow_extent(path, kind, ground):
         (line(90, -6, np.deg2rad(165), 90), CAR),
     ],
 )
-def test_conflict_areas_are_where_the_swept_ground_overlaps(other, kind):
+def test_conflict_areas_are_where_the_swept_ground_overlaps(other, body):
     way = line(0, 0, 0, 100)
-    scene = build_tables([way, other], (CAR, kind))
+    scene = build_tables([way, other], (CAR, body))
     assert scene.areas.first.tolist() == [0, 1]
-    for path, own, whose in ((way, CAR, 0), (other, kind, 1)):
-        ground = sweep(other, kind)[1] if whose == 0 else sweep(way, CAR)[1]
+    for path, own, whose in ((way, CAR, 0), (other, body, 1)):
+        ground = sweep(other, body)[1] if whose == 0 else sweep(way, CAR)[1]
         enter, leave = slow_extent(path, own, ground)
         assert scene.areas.enter_m[0, whose] == pytest.approx(enter, abs=0.15)
         assert scene.areas.leave_m[0, whose] == pytest.approx(leave, abs=0.15)
@@ -120,9 +118,9 @@ def test_paths_that_cross_twice_have_two_areas():
 def test_pet_at_a_crossing_by_hand():
     paths = [line(-50, 0, 0, 100), line(0, -50, np.pi / 2, 100)]
     scene = build_tables(paths, (CAR, CAR))
-    half = BODY.width_m / 2
+    half = CAR.width_m / 2
     # Entered when the front reaches the side of the other's ground, left when the rear does.
-    enter, leave = 50 - half - BODY.front_m, 50 + half + BODY.rear_m
+    enter, leave = 50 - half - CAR.front_m, 50 + half + CAR.rear_m
     np.testing.assert_allclose(scene.areas.enter_m[0], enter, atol=2e-3)
     np.testing.assert_allclose(scene.areas.leave_m[0], leave, atol=2e-3)
     pet = measure(cruising(paths, [0, 0], [20.0, 10.0]), scene).pet_s[0, 0]
@@ -143,13 +141,13 @@ def test_pet_of_merging_paths_is_the_gap_at_the_merge_point():
     paths = merging()
     scene = build_tables(paths, (CAR, CAR))
     assert scene.areas.first.tolist() == [0, 1]
-    merge = scene.areas.enter_m[0] + BODY.front_m
-    np.testing.assert_allclose(scene.areas.leave_m[0], merge + BODY.rear_m, atol=1e-9)
+    merge = scene.areas.enter_m[0] + CAR.front_m
+    np.testing.assert_allclose(scene.areas.leave_m[0], merge + CAR.rear_m, atol=1e-9)
     places = [path.pose(s) for path, s in zip(paths, merge, strict=True)]
     assert np.hypot(places[0].x_m - places[1].x_m, places[0].y_m - places[1].y_m) < 0.4
     assert places[0].x_m == pytest.approx(-44, abs=3)  # the bend ends at x = -40
     pet = measure(cruising(paths, [0, 0], [15.0, 8.0], 12.0), scene).pet_s[0, 0]
-    first, second = merge[0] + BODY.rear_m, merge[1] - BODY.front_m
+    first, second = merge[0] + CAR.rear_m, merge[1] - CAR.front_m
     assert pet == pytest.approx(second / 8.0 - first / 15.0, abs=1e-6)
 
 

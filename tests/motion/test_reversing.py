@@ -9,7 +9,6 @@ from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.paths import lay_drive
 from scegen.road import build_network
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ArrivalBelow, DriveMotion
 from scegen.scenario.logical import Reverses
 from scegen.scenario.reversing import BacksOut, BacksUp
@@ -122,7 +121,7 @@ def test_who_backs_out_starts_beside_the_road_and_comes_into_the_lane(scenario):
     _, ends = path.backwards[0]
     start, joined = path.pose(0.0), path.pose(ends)
     across = abs((start.y_m - joined.y_m) * np.cos(joined.heading_rad))
-    body = BODIES[concrete.participant("car_1").kind]
+    body = concrete.participant("car_1").body
     assert across > network.road(road.id).lanes[0].width_m / 2 + body.rear_m
     turned = abs(np.degrees(start.heading_rad - joined.heading_rad))
     assert turned == pytest.approx(90.0, abs=0.1)

@@ -90,6 +90,7 @@ from scegen.measures.evaluation import Summary, evaluate
 from scegen.measures.tables import build_tables
 from scegen.motion.batch import build_program
 from scegen.motion.paths import Path
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 measure = measure_named("closing_speed")
 assert import_module(f"scegen.measures.{measure.defined_by}").__doc__
@@ -97,7 +98,7 @@ s = np.arange(0.0, 101.0)
 east = Path(s, s - 50.0, 0.0 * s, 0.0 * s, ())
 north = Path(s, 0.0 * s, s - 50.0, 0.0 * s + np.pi / 2, ())
 program, candidates = build_program([east, north], [9.0, 12.0], [[], []])
-scene = build_tables([east, north], [ParticipantKind.CAR] * 2, occlusions=[], friction=1.0)
+scene = build_tables([east, north], [BODIES[ParticipantKind.CAR]] * 2, occlusions=[], friction=1.0)
 summary = evaluate(program, candidates, scene, duration_s=1.0)
 assert abs(getattr(summary, measure.field)[0, 0] - 15.0) < 1e-6
 """

@@ -4,13 +4,14 @@ import numpy as np
 
 from scegen.motion.model import Trace
 from scegen.report.bodies import braking
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
 
 def trace(speeds):
     steps = np.arange(len(speeds), dtype=float) / 10
     zero = np.zeros(len(speeds))
-    return Trace("a", ParticipantKind.CAR, steps, zero, zero, zero, zero, np.array(speeds))
+    return Trace("a", BODIES[ParticipantKind.CAR], steps, zero, zero, zero, zero, np.array(speeds))
 
 
 def test_brake_lights_are_on_while_slowing_down_and_standing_after_that():

@@ -135,7 +135,7 @@ def test_alone_there_is_no_encounter():
 def test_boxes_reach_from_rear_to_front_bumper():
     body = BODIES[ParticipantKind.CAR]
     one = np.array([0.0])
-    corners = box_corners(ParticipantKind.CAR, one, one, one + np.pi / 2)[0]
+    corners = box_corners(body, one, one, one + np.pi / 2)[0]
     assert corners[:2, 1] == pytest.approx(body.front_m)
     assert corners[2:, 1] == pytest.approx(-body.rear_m)
     assert np.ptp(corners[:, 0]) == pytest.approx(body.width_m)

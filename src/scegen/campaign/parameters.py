@@ -102,22 +102,12 @@ def _said(
 def _set(data: dict[str, Any], name: str, value: Interval) -> str | None:
     """Put the value where the parameter of this name stands; its path, None if there is none."""
     who, _, quantity = name.partition(".")
-    for number, participant in enumerate(data["participants"]):
-        if participant["id"] == who and name.endswith(_SPEED):
-            data["participants"] = _with(data["participants"], number, {"speed_mps": value})
-            return f"participants.{who}.speed_mps"
-    for number, act in enumerate(data["acts"]):
-        if act["id"] != who:
-            continue
-        if quantity.startswith("when.") and act["when"] is not None:
-            changed = _quantity(act["when"], quantity.removeprefix("when."), value)
+    for group in ("participants", "objects", "acts"):
+        for number, one in enumerate(data[group]):
+            changed = _quantity(one, quantity, value) if one["id"] == who else None
             if changed is not None:
-                data["acts"] = _with(data["acts"], number, {"when": changed})
-                return f"acts.{who}.when"
-        changed = _quantity(act, quantity, value)
-        if changed is not None:
-            data["acts"] = _with(data["acts"], number, changed)
-            return f"acts.{who}.{quantity}"
+                data[group] = _with(data[group], number, changed)
+                return f"{group}.{who}.{quantity.partition('.')[0]}"
     for number, spacing in enumerate(data["spacings"]):
         if who == f"spacing_{number}" and str(spacing["measure"]) == quantity:
             data["spacings"] = _with(data["spacings"], number, {"value": value})
@@ -132,6 +122,10 @@ def _set(data: dict[str, Any], name: str, value: Interval) -> str | None:
 
 def _quantity(said: dict[str, Any], name: str, value: Interval) -> dict[str, Any] | None:
     """The fields with this one changed, where it is a quantity; that of a measure is its value."""
+    part, _, inner = name.partition(".")
+    if inner:
+        changed = _quantity(said.get(part) or {}, inner, value)
+        return None if changed is None else {**said, part: changed}
     if str(said.get("measure", "")) == name:
         return {**said, "value": value}
     unit = name.rpartition("_")[2]

@@ -78,7 +78,7 @@ def traces_of(recorded: Recorded, concrete: ConcreteScenario) -> dict[str, Trace
         steps = np.abs(np.diff(movement.point))
         traces[participant.id] = Trace(
             participant=participant.id,
-            kind=participant.kind,
+            body=participant.body,
             time_s=movement.time_s,
             s_m=np.concatenate(([0.0], np.cumsum(steps))),
             x_m=movement.point.real,

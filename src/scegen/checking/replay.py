@@ -120,7 +120,7 @@ def predict(concrete: ConcreteScenario) -> Prediction:
     still = object_paths(concrete)
     scene = build_tables(
         [*(paths[p.id] for p in people), *still.values()],
-        [*(p.kind for p in people), *concrete.objects],
+        [entity.body for entity in concrete.entities],
     )
     tracks = stack_traces([traces[p.id] for p in people]).tracks
     # Things stand in both of our simulators where they stand.

@@ -83,7 +83,7 @@ def paths_of(ways: Mapping[str, Way]) -> dict[str, Path]:
 def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: RoadNetwork) -> Way:
     motion = participant.motion
     if not isinstance(motion, DriveMotion):
-        path = build_path(motion, participant.kind, network, participant.id)
+        path = build_path(motion, participant.body, network, participant.id)
         limit = concrete.road.arms[motion.arm].speed_limit_mps
         goal = max(0.0, path.length_m - _WALKED_M) if motion.type == "crossing" else 0.0
         zero = np.zeros(1)

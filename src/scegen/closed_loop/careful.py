@@ -22,14 +22,12 @@ from scegen.criticality.careful_driver import (
 )
 from scegen.criticality.perception import perceivable_dangers
 from scegen.measures.bodies import body_table
-from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Floats, S, X, Y
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
 from scegen.road import build_network
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario
 
 _ROUNDING_S = 1e-6
@@ -54,13 +52,8 @@ class CarefulDriver:
         self._ways: list[Path] = [paths[name] for name in self._names]
         self._way = paths[concrete.ego.id]
         friction = friction_of(concrete.environment)
-        self._bodies = body_table(
-            [*(p.kind for p in concrete.participants), *concrete.objects],
-            friction=friction,
-            protected_curve=PROTECTED,
-            unprotected_curve=UNPROTECTED,
-        )
-        body = BODIES[concrete.ego.kind]
+        self._bodies = body_table([each.body for each in concrete.entities], friction=friction)
+        body = concrete.ego.body
         self._hardest_mps2 = min(
             DECELERATION_G * GRAVITY_MPS2, body.max_deceleration_mps2, friction * GRAVITY_MPS2
         )

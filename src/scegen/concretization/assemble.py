@@ -18,7 +18,6 @@ from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path
 from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,
@@ -26,6 +25,7 @@ from scegen.scenario.concrete import (
     SpeedPhase,
 )
 from scegen.scenario.functional import Participant
+from scegen.scenario.model import middles
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
@@ -57,7 +57,7 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
         signals=scene.signals,
         provenance=tuple(scene.changes),
     )
-    paths = {p.id: build_path(p.motion, p.kind, scene.network, p.id) for p in concrete.participants}
+    paths = {p.id: build_path(p.motion, p.body, scene.network, p.id) for p in concrete.participants}
     require_apart(concrete, paths)
     _check_turns(concrete, paths)
     duration = _duration_s(scene, concrete, paths)
@@ -74,6 +74,7 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
 
 def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
     name, speed = participant.id, 0.0
+    length, width = middles(participant.length_m, participant.width_m)
     program: tuple[SpeedPhase, ...] = ()
     motion: Motion
     if name in scene.drives:
@@ -94,6 +95,8 @@ def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
         speed_mps=speed,
         motion=motion,
         speed_program=program,
+        length_m=length,
+        width_m=width,
     )
 
 
@@ -130,9 +133,9 @@ def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None
         for second in people[i + 1 :]:
             if overlap(
                 paths[first.id].start,
-                BODIES[first.kind],
+                first.body,
                 paths[second.id].start,
-                BODIES[second.kind],
+                second.body,
             ):
                 raise MotionInfeasibleError(
                     f"{first.id} and {second.id} overlap at the start",

@@ -28,7 +28,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Path
 from scegen.motion.standing import side_sign
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Reverses
 from scegen.scenario.reversing import BacksOut, BacksUp
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -91,7 +91,7 @@ def back_up_to(scene: Setup, draft: DriveDraft, walk: WalkDraft) -> None:
             f"its way and that of {walk.id} do not meet, so it cannot reverse into it",
             where=draft.id,
         )
-    tail_s = point.first_s_m + draft.body.rear_m + BODIES[walk.kind].width_m / 2
+    tail_s = point.first_s_m + draft.body.rear_m + walk.body.width_m / 2
     _up_and_back(scene, draft, tail_s + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
     draft.backs_to = walk.id
 

@@ -193,6 +193,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     return DriveDraft(
         id=participant.id,
         kind=participant.kind,
+        body=participant.body,
         drive=drive,
         cruise_mps=cruise,
         lateral_mps2=FAST_LATERAL_MPS2 if fast else LATERAL_MPS2,

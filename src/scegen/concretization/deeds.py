@@ -208,7 +208,7 @@ def _before_walker_m(scene: Setup, draft: DriveDraft, mark: SpeedChange) -> floa
     walk = scene.walks.get(act.into or "")
     if walk is None:
         return None
-    shared = grounds(draft.laid.path, draft.kind, walk.path, walk.kind)
+    shared = grounds(draft.laid.path, draft.body, walk.path, walk.body)
     return shared[0].enter_m - _BEFORE_LINE_M if shared else None
 
 

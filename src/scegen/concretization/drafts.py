@@ -19,7 +19,7 @@ from scegen.motion.polyline import LaidDrive
 from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
 from scegen.road.model import RoadNetwork
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import (
     AtTime,
     DriveMotion,
@@ -56,6 +56,7 @@ class DriveDraft:
 
     id: str
     kind: ParticipantKind
+    body: Body
     drive: Drive
     cruise_mps: float
     entry_lane: int = 1
@@ -87,11 +88,6 @@ class DriveDraft:
     waits_s: float | None = None
     goes_at: AtTime | Travelled | None = None
     lets_by: str | None = None
-
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return BODIES[self.kind]
 
     def braking_mps2(self, wanted_mps2: float) -> float:
         """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""

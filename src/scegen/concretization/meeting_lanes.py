@@ -184,9 +184,10 @@ def _meetings(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) -> Iterator[La
 
 def _laid(scene: Setup, name: str, lanes: Lanes) -> DriveDraft:
     """A drive laid in some lanes; its own stay as they are."""
-    draft = DriveDraft(name, scene.drives[name].kind, scene.drives[name].drive, 1.0)
+    known = scene.drives[name]
+    draft = DriveDraft(name, known.kind, known.body, known.drive, 1.0)
     lanes.give(draft)
-    draft.lane_changes = list(scene.drives[name].lane_changes)
+    draft.lane_changes = list(known.lane_changes)
     draft.lay(scene.network)
     return draft
 

@@ -11,14 +11,15 @@ from scegen.road.geometry import Pose
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.model import middles
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.things import Thing, ThingKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 
-def shape_of(kind: ThingKind) -> Shape:
-    """The box of a kind of thing."""
-    return SHAPES[kind]
+def shape_of(thing: Thing) -> Shape:
+    """The box of a thing: as large as is said, else as its kind usually is."""
+    return SHAPES[thing.kind].sized(*middles(thing.length_m, thing.width_m))
 
 
 def causes_it(functional: FunctionalScenario, hazard: Hazard) -> Thing | None:

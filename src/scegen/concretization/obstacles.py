@@ -91,8 +91,9 @@ def place_obstacles(scene: Setup) -> None:
     for hazard, thing in scene.expected:
         draft = scene.drives[thing.in_way_of or ""]
         width = scene.road.arms[draft.drive.entry].lane_width_m - 2 * _KERB_M
-        shape = shape_of(thing.kind)
-        shape = replace(shape, width_m=min(shape.width_m, width))
+        shape = shape_of(thing)
+        if thing.length_m is None and thing.width_m is None:
+            shape = replace(shape, width_m=min(shape.width_m, width))
         line = _who_may_stay(scene, draft)
         spots = _spots(scene, draft, shape.body, stays=bool(line))
         free = (spot for spot in spots if _is_free(scene, draft, spot))

@@ -82,12 +82,13 @@ def hide(
         thing = causes_it(functional, hazard)
         if thing is None and parked:
             continue
-        shape = SCREEN if thing is None else shape_of(thing.kind)
+        shape = SCREEN if thing is None else shape_of(thing)
         taken = {o.id for o in concrete.objects}
         name = free_name(functional, shape.kind, taken) if thing is None else thing.id
         named = thing if thing is not None else Thing(id=name, kind=shape.kind)
         made = _hide(concrete, network, hazard, named, shape)
-        if made is concrete:  # too small for who is behind it
+        sized = named.length_m is not None or named.width_m is not None
+        if made is concrete and not sized:  # too small for who is behind it
             wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
             larger = replace(shape, length_m=wider[0], width_m=wider[1])
             made = _hide(concrete, network, hazard, named, larger)

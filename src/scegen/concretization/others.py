@@ -8,7 +8,7 @@ import numpy as np
 
 from scegen.concretization.limits import starting_mps2
 from scegen.motion.model import Array, Path
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import (
     CrossingMotion,
     SpeedPhase,
@@ -42,13 +42,9 @@ class Walker:
 
     id: str
     kind: ParticipantKind
+    body: Body
     crossing: Crossing
     speed_mps: float
-
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return BODIES[self.kind]
 
     @property
     def rate_mps2(self) -> float:
@@ -101,11 +97,7 @@ class StandDraft:
 
     id: str
     kind: ParticipantKind
+    body: Body
     standing: Standing
     motion: StandingMotion
     path: Path
-
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return BODIES[self.kind]

@@ -212,7 +212,7 @@ def _lets_by(late: DriveDraft, late_s: float, other: DriveDraft, other_s: float)
 def _free_s(late: DriveDraft, again_s: float, other: DriveDraft, other_s: float) -> float:
     """When one may go on: the other is before it, and a little gone as it comes."""
     soonest = -inf
-    for ground in grounds(late.laid.path, late.kind, other.laid.path, other.kind):
+    for ground in grounds(late.laid.path, late.body, other.laid.path, other.body):
         comes = other_s + other.course.time_at(ground.other_enters_m)
         gone = other_s + other.course.time_at(_left_m(ground, other))
         needs = max(late.course.time_at(ground.enter_m) - again_s, 0.0)
@@ -222,7 +222,7 @@ def _free_s(late: DriveDraft, again_s: float, other: DriveDraft, other_s: float)
 
 def _gone_s(late: DriveDraft, other: DriveDraft, other_s: float) -> float:
     """When another has left all the ground that it shares with one, and a moment more."""
-    shared = grounds(late.laid.path, late.kind, other.laid.path, other.kind)
+    shared = grounds(late.laid.path, late.body, other.laid.path, other.body)
     places = [_left_m(ground, other) for ground in shared]
     return max((other_s + other.course.time_at(p) for p in places), default=-inf) + _AFTER_S
 
@@ -244,7 +244,7 @@ def _rests_s(draft: DriveDraft, offset_s: float) -> float:
 
 def _takes_way(name: DriveDraft, name_s: float, other: DriveDraft, other_s: float) -> bool:
     """Whether one that gives way comes before the other is gone, and is not gone long before."""
-    shared = grounds(name.laid.path, name.kind, other.laid.path, other.kind)
+    shared = grounds(name.laid.path, name.body, other.laid.path, other.body)
     for ground in shared:
         comes = name_s + name.course.time_at(ground.enter_m)
         goes = name_s + name.course.time_at(ground.leave_m) if ground.leave_m < inf else inf

@@ -74,6 +74,7 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     draft = DriveDraft(
         id=name,
         kind=stand.kind,
+        body=stand.body,
         drive=Drive(
             participant=name,
             entry=entry,

@@ -7,7 +7,6 @@ from scegen.concretization.others import StandDraft
 from scegen.concretization.passing import pass_standing
 from scegen.concretization.setup import Setup
 from scegen.motion.standing import standing_path
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import StandingMotion
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Standing
@@ -44,7 +43,7 @@ def place_stationary(scene: Setup) -> None:
     for standing in (*scene.logical.standings, *passed_where_they_stand(scene)):
         participant = scene.functional.participant(standing.participant)
         key = (standing.arm, standing.side, standing.in_lane)
-        body = BODIES[participant.kind]
+        body = participant.body
         inner = filled.get(key, _first_free_m(scene, standing))
         if key in filled and participant.pulls_out and towards_junction(scene, standing):
             inner += _BEFORE_PULLING_OUT_M
@@ -77,9 +76,10 @@ def _draft(
         in_lane=standing.in_lane,
         strip=participant.strip,
     )
-    path = standing_path(scene.network, motion, participant.kind, participant.id)
+    path = standing_path(scene.network, motion, participant.body, participant.id)
     scene.note(f"{participant.id}.from_junction_m", from_junction_m, "stands clear of the corner")
-    return StandDraft(participant.id, participant.kind, standing, motion, path)
+    name, kind, body = participant.id, participant.kind, participant.body
+    return StandDraft(name, kind, body, standing, motion, path)
 
 
 def towards_junction(scene: Setup, standing: Standing) -> bool:
@@ -102,12 +102,12 @@ def go_round_stationary(scene: Setup) -> None:
         for draft in scene.drives.values():
             place = _place_on_way(scene, draft, stand)
             if place is not None and not draft.lane_changes:
-                pass_standing(scene, draft, place, BODIES[stand.kind])
+                pass_standing(scene, draft, place, stand.body)
 
 
 def _place_on_way(scene: Setup, draft: DriveDraft, stand: StandDraft) -> float | None:
     """Where on its way a drive meets the middle of a vehicle in its lane; None if elsewhere."""
-    body = BODIES[stand.kind]
+    body = stand.body
     inbound = towards_junction(scene, stand.standing)
     arm = scene.road.arms[stand.standing.arm]
     if inbound and draft.drive.entry == arm.id and draft.entry_lane == arm.lanes_in:

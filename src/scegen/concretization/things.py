@@ -7,7 +7,7 @@ the kind, the nearest in shape stands in.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from scegen.scenario.bodies import Body
 from scegen.scenario.objects import ObjectCategory
@@ -36,7 +36,27 @@ class Shape:
     @property
     def body(self) -> Body:
         """Its box; it goes nowhere."""
-        return Body(self.length_m, self.width_m, self.height_m, 0.0, 0.0, self.prop, 0.0, 0.0, 0.0)
+        size = self.length_m, self.width_m, self.height_m
+        return Body(*size, 0.0, 0.0, self.prop, 0.0, 0.0, 0.0, self.mass_kg)
+
+    def sized(self, length_m: float | None, width_m: float | None) -> Shape:
+        """So long and so wide (None: as usual), mass in proportion.
+
+        One that is as wide as long stays so; one that lies across the road has its length there.
+        """
+        if length_m is None and width_m is None:
+            return self
+        if width_m is None and self.width_m >= self.length_m:
+            length_m, width_m = (
+                length_m if self.width_m == self.length_m else None,
+                length_m,
+            )
+        elif length_m is None and self.width_m == self.length_m:
+            length_m = width_m
+        along, across = length_m or self.length_m, width_m or self.width_m
+        heavier = along * across / (self.length_m * self.width_m)
+        mass = round(self.mass_kg * heavier, 1)
+        return replace(self, length_m=along, width_m=across, mass_kg=mass)
 
     @property
     def blueprint(self) -> str:

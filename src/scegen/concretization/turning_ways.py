@@ -7,10 +7,8 @@ from math import radians, tan
 
 from scegen.concretization.abreast import turns_across
 from scegen.errors import MotionInfeasibleError
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.arms import arm_angles_deg, seen_from
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -27,7 +25,7 @@ _LATE_RADIUS_M = 6.5
 
 def least_radius_m(drive: Drive, functional: FunctionalScenario) -> float:
     """The tightest circle of a vehicle's rear axle."""
-    return BODIES[functional.participant(drive.participant).kind].wheelbase_m / _STEERING
+    return functional.participant(drive.participant).body.wheelbase_m / _STEERING
 
 
 def _turn_back(logical: LogicalScenario) -> list[Drive]:
@@ -45,7 +43,7 @@ def lanes_to_turn_back(functional: FunctionalScenario, logical: LogicalScenario)
     wide = [
         count
         for count in range(_HALF_CIRCLE_LANES, _MOST_LANES + 1)
-        if _half_circle_m(count, LANE_WIDTH_M) >= radius
+        if _half_circle_m(count, functional.junction.lanes_wide_m) >= radius
     ]
     return wide[0] if wide else _MOST_LANES
 

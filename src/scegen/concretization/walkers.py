@@ -20,11 +20,10 @@ from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
 from scegen.scenario.acts import Act, ActKind, AfterStart
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, CrossingMotion, Travelled, Trigger
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, Side
 
 _SETBACK_M = 1.5
 _BEYOND_STRIP_M = 1.0
@@ -57,11 +56,11 @@ def place_walkers(scene: Setup) -> None:
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm, participant.kind, speed),
+            setback_m=_setback_m(scene, crossing.arm, participant, speed),
         )
         path = crossing_path(scene.network, motion, participant.id)
         scene.walks[participant.id] = WalkDraft(
-            participant.id, participant.kind, crossing, speed, motion, path
+            participant.id, participant.kind, participant.body, crossing, speed, motion, path
         )
 
 
@@ -80,16 +79,15 @@ def _speed(scene: Setup, participant: Participant) -> float:
     return round(speed, 3)
 
 
-def _setback_m(scene: Setup, arm: int, kind: ParticipantKind, speed_mps: float) -> float:
+def _setback_m(scene: Setup, arm: int, who: Participant, speed_mps: float) -> float:
     """How far outside the carriageway one starts: far enough to have its pace on it."""
-    body = BODIES[kind]
     hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
-    behind = body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
+    behind = who.body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
     lanes = scene.network.arm_road(arm).lanes
     beside = CARRIAGEWAY - KERBED
     strip = max(half_width_m(lanes, sign, beside) for sign in (-1, 1))
     usual = strip + _BEYOND_STRIP_M if strip else _SETBACK_M
-    gains = speed_mps**2 / (2 * starting_mps2(kind))
+    gains = speed_mps**2 / (2 * starting_mps2(who.kind))
     return round(max(usual, behind, gains), 3)
 
 
@@ -109,7 +107,7 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
         return usual
     # All stand with their inner bumper at the same clearance: just inside of it is in sight last.
     nearest = min(hidden, key=lambda stand: stand.motion.from_junction_m)
-    body = BODIES[nearest.kind]
+    body = nearest.body
     towards = nearest.path.heading_rad[0] - road.line.end.heading_rad
     front = body.front_m if abs(towards) < 1.0 else body.rear_m
     return max(0.5, nearest.motion.from_junction_m - front - _BEYOND_PARKED_M)

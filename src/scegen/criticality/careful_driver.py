@@ -35,13 +35,11 @@ import numpy as np
 from scegen.criticality.perception import perceivable_dangers
 from scegen.measures.bodies import body_table
 from scegen.measures.distance import distance_series
-from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.motion.batch import compile_program, simulate_batch
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, ConcreteScenario, SpeedPhase
 
 RISK_EVALUATION_S = 0.4
@@ -148,19 +146,13 @@ class _Trial:
 
     @cached_property
     def bodies(self) -> Floats:
-        return body_table(
-            [*(p.kind for p in self.concrete.participants), *self.concrete.objects],
-            friction=self.friction,
-            protected_curve=PROTECTED,
-            unprotected_curve=UNPROTECTED,
-        )
+        return body_table([each.body for each in self.concrete.entities], friction=self.friction)
 
     @cached_property
     def deceleration_mps2(self) -> float:
         """What the driver brakes with: no more than vehicle and road allow."""
-        body = BODIES[self.concrete.ego.kind]
-        grip = self.friction * GRAVITY_MPS2
-        return min(DECELERATION_G * GRAVITY_MPS2, body.max_deceleration_mps2, grip)
+        most = self.concrete.ego.body.max_deceleration_mps2
+        return min(DECELERATION_G * GRAVITY_MPS2, most, self.friction * GRAVITY_MPS2)
 
     @cached_property
     def as_driven(self) -> _Run:

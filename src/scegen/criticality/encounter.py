@@ -9,7 +9,6 @@ import numpy as np
 
 from scegen.measures.bodies import body_table
 from scegen.measures.distance import distance_series
-from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.motion.batch import stack_scenario
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Trace
@@ -43,10 +42,7 @@ def closest_encounter(concrete: ConcreteScenario, traces: Mapping[str, Trace]) -
         return None
     everybody = concrete.entities
     bodies = body_table(
-        [*(p.kind for p in concrete.participants), *concrete.objects],
-        friction=friction_of(concrete.environment),
-        protected_curve=PROTECTED,
-        unprotected_curve=UNPROTECTED,
+        [entity.body for entity in everybody], friction=friction_of(concrete.environment)
     )
     ego = everybody.index(concrete.ego)
     pairs = np.array([(ego, everybody.index(one)) for one in met], dtype=np.int64)

@@ -115,7 +115,7 @@ def _parameter(name: str, chosen: Range) -> ParameterRange:
 
 
 def said_numbers(functional: FunctionalScenario) -> tuple[ParameterRange, ...]:
-    """What is said of acts, spacings and the outcome, alike in every scenario."""
+    """What is said of acts, spacings, the outcome and sizes, alike in every scenario."""
     found: list[ParameterRange] = []
     for act in functional.acts:
         found += _quantities(act.id, act)
@@ -125,6 +125,11 @@ def said_numbers(functional: FunctionalScenario) -> tuple[ParameterRange, ...]:
         found.append(_stated(f"spacing_{index}.{spacing.measure}", spacing.value))
     if functional.outcome is not None:
         found += _quantities("outcome", functional.outcome)
+    sized = [(one.id, one.length_m, one.width_m) for one in functional.participants]
+    sized += [(one.id, one.length_m, one.width_m) for one in functional.objects]
+    for name, length, width in sized:
+        found += [_stated(f"{name}.length_m", length)] if length is not None else []
+        found += [_stated(f"{name}.width_m", width)] if width is not None else []
     return tuple(found)
 
 

@@ -10,7 +10,6 @@ from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 
 from scegen.enumeration.presuming import Parties, known_by_itself
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -64,7 +63,7 @@ def act_resolver(
         (spacing.participant, spacing.reference)
         for spacing in functional.spacings
         if spacing.measure is Measure.LATERAL_OFFSET_M
-        and abs(spacing.value.middle) > 1.5 * LANE_WIDTH_M
+        and abs(spacing.value.middle) > 1.5 * functional.junction.lanes_wide_m
     }  # more than a lane between them: a change of lane does not lead into that one's
 
     def resolved(assignments: Sequence[Assignment]) -> tuple[Act, ...]:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from scegen.export.library import xosc
 from scegen.export.openscenario_text import xml_text
-from scegen.measures.bodies import MASS_KG
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind, Role
@@ -30,7 +29,7 @@ def entities(concrete: ConcreteScenario, *, external_ego: bool = False) -> xosc.
     """
     result = xosc.Entities()
     for participant in concrete.participants:
-        body = BODIES[participant.kind]
+        body = participant.body
         # esmini moves no MiscObject: a door goes as who gets out by it.
         if participant.kind in ON_FOOT | {ParticipantKind.DOOR}:
             entity = _on_foot(participant.kind, body)
@@ -69,7 +68,7 @@ def _on_foot(kind: ParticipantKind, body: Body) -> xosc.Pedestrian:
     category = xosc.PedestrianCategory
     return xosc.Pedestrian(
         body.blueprint,
-        MASS_KG[kind],
+        body.mass_kg,
         category.animal if kind in ANIMALS else category.pedestrian,
         _box(body),
         body.blueprint,

@@ -7,9 +7,8 @@ from typing import NamedTuple
 
 from scegen.measures.bodies import body_table
 from scegen.measures.conflict_areas import area_table
-from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.motion.model import Path
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.bodies import Body
 
 
 class Ground(NamedTuple):
@@ -27,34 +26,27 @@ class Ground(NamedTuple):
 class _Ways:
     """Two paths and whose they are; the same only as the same objects: comparing takes long."""
 
-    def __init__(
-        self, one: Path, kind: ParticipantKind, other: Path, other_kind: ParticipantKind
-    ) -> None:
-        self.paths, self.kinds = (one, other), (kind, other_kind)
+    def __init__(self, one: Path, body: Body, other: Path, other_body: Body) -> None:
+        self.paths, self.bodies = (one, other), (body, other_body)
 
     def __hash__(self) -> int:
-        return hash((*map(id, self.paths), *self.kinds))
+        return hash((*map(id, self.paths), *self.bodies))
 
     def __eq__(self, other: object) -> bool:
         return (
             isinstance(other, _Ways)
-            and self.kinds == other.kinds
+            and self.bodies == other.bodies
             and all(a is b for a, b in zip(self.paths, other.paths, strict=True))
         )
 
 
-def grounds(
-    one: Path, kind: ParticipantKind, other: Path, other_kind: ParticipantKind
-) -> tuple[Ground, ...]:
+def grounds(one: Path, body: Body, other: Path, other_body: Body) -> tuple[Ground, ...]:
     """All grounds that two ways share, in the order of the paths (see ``conflict_areas``)."""
-    return _found(_Ways(one, kind, other, other_kind))
+    return _found(_Ways(one, body, other, other_body))
 
 
 @lru_cache(maxsize=512)
 def _found(ways: _Ways) -> tuple[Ground, ...]:
-    bodies = body_table(
-        ways.kinds, friction=1.0, protected_curve=PROTECTED, unprotected_curve=UNPROTECTED
-    )
-    table = area_table(ways.paths, bodies, [(0, 1)])
+    table = area_table(ways.paths, body_table(ways.bodies, friction=1.0), [(0, 1)])
     edges = zip(table.enter_m.tolist(), table.leave_m.tolist(), strict=True)
     return tuple(Ground(come[0], go[0], come[1], go[1]) for come, go in edges)

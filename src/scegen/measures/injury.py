@@ -34,5 +34,6 @@ UNPROTECTED = (-4.6, 0.078 / _MPS_PER_KMH)
 @inner_kernel
 def injury_probability(body: Body, impact_mps: float, delta_v_mps: float) -> float:
     """Probability of MAIS 3+ for one with this body."""
-    speed = impact_mps if body.unprotected > 0.0 else delta_v_mps
-    return 1.0 / (1.0 + exp(-(body.injury_intercept + body.injury_slope_spm * speed)))
+    if body.unprotected > 0.0:
+        return 1.0 / (1.0 + exp(-(UNPROTECTED[0] + UNPROTECTED[1] * impact_mps)))
+    return 1.0 / (1.0 + exp(-(PROTECTED[0] + PROTECTED[1] * delta_v_mps)))

@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.measures.bodies import Kind, body_table
+from scegen.measures.bodies import body_table
 from scegen.measures.conflict_areas import AreaTable, area_table
 from scegen.measures.following import FollowTable, follow_table
-from scegen.measures.injury import PROTECTED, UNPROTECTED
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.model import Path
+from scegen.scenario.bodies import Body
 
 
 class Tables(NamedTuple):
@@ -33,29 +33,27 @@ class Tables(NamedTuple):
 
 def build_tables(
     paths: Sequence[Path],
-    kinds: Sequence[Kind],
+    bodies: Sequence[Body],
     *,
     pairs: Sequence[tuple[int, int]] | None = None,
     occlusions: Sequence[tuple[int, int, int]] = (),
     friction: float = 1.0,
 ) -> Tables:
-    """The scene of participants with these paths and kinds.
+    """The scene of participants with these paths and bodies.
 
     Args:
         paths: one per participant, in the order of the program.
-        kinds: what they are.
+        bodies: one each.
         pairs: who is measured against whom; None for everybody against everybody.
         occlusions: (observer, target, occluder): does the occluder hide the target.
         friction: coefficient between tyre and road; 1 on dry asphalt.
     """
-    bodies = body_table(
-        kinds, friction=friction, protected_curve=PROTECTED, unprotected_curve=UNPROTECTED
-    )
+    table = body_table(bodies, friction=friction)
     chosen = list(combinations(range(len(paths)), 2)) if pairs is None else list(pairs)
     return Tables(
-        bodies=bodies,
+        bodies=table,
         pairs=np.array(chosen, dtype=np.int64).reshape(-1, 2),
-        following=follow_table(paths, bodies, chosen),
-        areas=area_table(paths, bodies, chosen),
+        following=follow_table(paths, table, chosen),
+        areas=area_table(paths, table, chosen),
         occlusions=np.array(list(occlusions), dtype=np.int64).reshape(-1, 3),
     )

@@ -13,6 +13,7 @@ from scegen.measures.occlusion import occlusion_series
 from scegen.measures.tables import build_tables
 from scegen.motion.batch import build_program, simulate_batch
 from scegen.motion.model import Path
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
 
@@ -27,7 +28,7 @@ def warm_kernels() -> float:
     ahead, across = np.zeros(3), np.full(3, np.pi / 2)
     paths = [Path(s, s, ahead, ahead, ()), Path(s, ahead + 6.0, s - 4.0, across, ())]
     program, candidate = build_program(paths, [1.0, 1.0], [[], []])
-    scene = build_tables(paths, [ParticipantKind.CAR, ParticipantKind.CAR])
+    scene = build_tables(paths, [BODIES[ParticipantKind.CAR]] * 2)
     evaluate(program, candidate, scene, duration_s=0.1)
     traces = simulate_batch(program, candidate, duration_s=0.1)
     measure(traces, scene)

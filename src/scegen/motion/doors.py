@@ -43,8 +43,8 @@ def door_path(network: RoadNetwork, motion: SwingingMotion) -> Path:
     Raises:
         MotionInfeasibleError: its vehicle stands off the road.
     """
-    vehicle = BODIES[motion.kind]
-    on = standing_path(network, motion.stands, motion.kind, motion.vehicle).start
+    vehicle = motion.of
+    on = standing_path(network, motion.stands, vehicle, motion.vehicle).start
     sign = 1 if network.driving_side is DrivingSide.RIGHT else -1
     hinge = on.shifted(
         forward_m=vehicle.centre_ahead_m + hinge_ahead_m(vehicle),

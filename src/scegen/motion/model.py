@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.road.geometry import Pose
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.bodies import Body
 
 Array = NDArray[np.float64]
 
@@ -85,7 +85,7 @@ class Trace:
     """A participant's simulated movement; arrays have shape (steps,), times in rising order."""
 
     participant: str
-    kind: ParticipantKind
+    body: Body
     time_s: Array
     s_m: Array
     x_m: Array

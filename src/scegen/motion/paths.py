@@ -13,6 +13,7 @@ from scegen.motion.reversing import lay_way
 from scegen.motion.routing import route_stretches
 from scegen.motion.standing import crossing_path, standing_path
 from scegen.road.model import RoadNetwork
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import (
     ConcreteScenario,
     CrossingMotion,
@@ -20,7 +21,6 @@ from scegen.scenario.concrete import (
     Motion,
     SwingingMotion,
 )
-from scegen.scenario.vocabulary import ParticipantKind
 
 END_MARGIN_M = 2.0
 """Paths end this far before the outer end of the exit arm: esmini must not run off the road."""
@@ -38,10 +38,10 @@ def build_paths(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, P
     Raises:
         MotionInfeasibleError: a participant cannot move as its numbers say on these roads.
     """
-    return {p.id: build_path(p.motion, p.kind, network, p.id) for p in concrete.participants}
+    return {p.id: build_path(p.motion, p.body, network, p.id) for p in concrete.participants}
 
 
-def build_path(motion: Motion, kind: ParticipantKind, network: RoadNetwork, who: str) -> Path:
+def build_path(motion: Motion, body: Body, network: RoadNetwork, who: str) -> Path:
     """The path of one participant; ``who`` names it in messages."""
     if isinstance(motion, DriveMotion):
         return lay_drive(network, motion, who).path
@@ -49,7 +49,7 @@ def build_path(motion: Motion, kind: ParticipantKind, network: RoadNetwork, who:
         return crossing_path(network, motion, who)
     if isinstance(motion, SwingingMotion):
         return door_path(network, motion)
-    return standing_path(network, motion, kind, who)
+    return standing_path(network, motion, body, who)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -281,7 +281,7 @@ def _trace(mover: _Mover, times: Array) -> Trace:
     path, s = mover.path, np.array(mover.s_log)
     return Trace(
         participant=mover.participant.id,
-        kind=mover.participant.kind,
+        body=mover.participant.body,
         time_s=times,
         s_m=s,
         x_m=np.interp(s, path.s_m, path.x_m),

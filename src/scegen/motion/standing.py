@@ -12,10 +12,10 @@ from scegen.motion.model import LaneSpan, Path
 from scegen.road.cross_section import LANE_TYPES
 from scegen.road.geometry import Pose
 from scegen.road.model import Lane, LaneType, Road, RoadNetwork
-from scegen.scenario.bodies import BODIES
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario, CrossingMotion, StandingMotion
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.vocabulary import DrivingSide, ParticipantKind, Side
+from scegen.scenario.vocabulary import DrivingSide, Side
 
 KERB_GAP_M = 0.3
 """Between the edge of the carriageway and one who stands beside it without a strip."""
@@ -73,9 +73,7 @@ def crossing_path(network: RoadNetwork, motion: CrossingMotion, who: str) -> Pat
     )
 
 
-def standing_path(
-    network: RoadNetwork, motion: StandingMotion, kind: ParticipantKind, who: str
-) -> Path:
+def standing_path(network: RoadNetwork, motion: StandingMotion, body: Body, who: str) -> Path:
     """One pose: on the strip beside the lanes, beside the carriageway, or in its outermost lane.
 
     It heads the way of the traffic on its side.
@@ -92,7 +90,7 @@ def standing_path(
     if lane is not None:
         t = road.lane_centre_t_m(lane.id, s)
     else:
-        t = road.edge_t_m(sign, s) + sign * (BODIES[kind].width_m / 2 + KERB_GAP_M)
+        t = road.edge_t_m(sign, s) + sign * (body.width_m / 2 + KERB_GAP_M)
     forward = (sign == -1) == (network.driving_side is DrivingSide.RIGHT)
     pose = road.line.pose(s, t)
     if not forward:

@@ -13,7 +13,7 @@ from scegen.report.corners import box_corners
 from scegen.report.drawing import area, areas, box, circle, element
 from scegen.report.theme import Theme
 from scegen.report.world import placed
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind
 
 Array = NDArray[np.float64]
@@ -26,13 +26,13 @@ _FAINT = 0.35
 
 
 def body(
-    kind: ParticipantKind, colour: str, theme: Theme, scale: float, *, ego: bool, braking: bool
-) -> str:
+    kind: ParticipantKind, size: Body, colour: str, theme: Theme, scale: float,
+    *, ego: bool, braking: bool,
+) -> str:  # fmt: skip
     """A participant in its own frame (m): x ahead of its reference point, y to its left.
 
     ``scale`` (px/m) keeps edges visible, and a ring shows who would be smaller than a few pixels.
     """
-    size = BODIES[kind]
     edge = max(0.06, (1.6 if ego else 0.8) / scale)
     if kind is ParticipantKind.DOOR:
         drawn = box(-size.rear_m, -size.width_m / 2, size.length_m, size.width_m, colour,
@@ -50,7 +50,7 @@ def body(
                          stroke=theme.outline, stroke_width=edge)  # fmt: skip
         drawn += circle(middle + 0.05, 0, 0.15, theme.outline)
     else:
-        drawn = _vehicle(kind, colour, theme, edge)
+        drawn = _vehicle(kind, size, colour, theme, edge)
     if braking and kind not in ON_FOOT | {ParticipantKind.BICYCLE, ParticipantKind.DOOR}:
         glow, lights = _brake_lights(size.rear_m, size.width_m, theme, scale)
         drawn = glow + drawn + lights
@@ -68,9 +68,8 @@ def _animal(size: Body, colour: str, theme: Theme, edge: float) -> str:
     return tail + trunk + circle(0.7 * half, 0, 0.65 * wide, theme.outline)
 
 
-def _vehicle(kind: ParticipantKind, colour: str, theme: Theme, edge: float) -> str:
+def _vehicle(kind: ParticipantKind, size: Body, colour: str, theme: Theme, edge: float) -> str:
     """Anything with four wheels: its hull, and the glass that shows its front."""
-    size = BODIES[kind]
     length, half, front = size.length_m, size.width_m / 2, size.front_m
     boxy = kind in {ParticipantKind.TRUCK, ParticipantKind.BUS}
     hull = box(-size.rear_m, -half, length, 2 * half, colour, rx=0.25 if boxy else 0.55,
@@ -132,7 +131,7 @@ def corners_at(trace: Trace, step: int) -> Array:
     """The corners (4, 2) of a participant's box at one step, its front first."""
     here = slice(step, step + 1)
     found: Array = box_corners(
-        trace.kind, trace.x_m[here], trace.y_m[here], trace.heading_rad[here]
+        trace.body, trace.x_m[here], trace.y_m[here], trace.heading_rad[here]
     )[0]
     return found
 
@@ -146,7 +145,7 @@ def swept(trace: Trace, first: int = 0, last: int | None = None) -> list[Array]:
     bends = np.diff(np.floor(heading / _BEND_RAD)) != 0
     turns = np.flatnonzero(bends | np.diff(ahead >= 0.0, append=ahead[-1:] >= 0.0))
     keep = np.unique(np.concatenate(([0], turns, turns + 1, [len(x) - 1])))
-    corners = box_corners(trace.kind, x[keep], y[keep], heading[keep])
+    corners = box_corners(trace.body, x[keep], y[keep], heading[keep])
     pairs = np.concatenate((corners[:-1], corners[1:]), axis=1) if len(corners) > 1 else corners
     hulls = shapely.convex_hull(shapely.multipoints(pairs))
     ground = shapely.simplify(shapely.union_all(hulls), 0.05)

@@ -5,16 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scegen.scenario.bodies import BODIES
+from scegen.scenario.bodies import Body
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.vocabulary import ParticipantKind
 
 Array = NDArray[np.float64]
 
 
-def box_corners(kind: ParticipantKind, x_m: Array, y_m: Array, heading_rad: Array) -> Array:
+def box_corners(body: Body, x_m: Array, y_m: Array, heading_rad: Array) -> Array:
     """Corners of a participant's box, shape (steps, 4, 2), from its reference point's poses."""
-    body = BODIES[kind]
     ahead = np.array([body.front_m, body.front_m, -body.rear_m, -body.rear_m])
     left = np.array([1, -1, -1, 1]) * body.width_m / 2
     c, s = np.cos(heading_rad)[:, None], np.sin(heading_rad)[:, None]

@@ -181,7 +181,7 @@ def _at(trace: Trace, times: Array) -> Trace:
     heading = np.unwrap(trace.heading_rad)
     values = (trace.s_m, trace.x_m, trace.y_m, heading, trace.speed_mps)
     s, x, y, turned, speed = (np.interp(times, trace.time_s, value) for value in values)
-    return Trace(trace.participant, trace.kind, times, s, x, y, turned, speed)
+    return Trace(trace.participant, trace.body, times, s, x, y, turned, speed)
 
 
 def _rectangle(view: View, corners: Array) -> Array:

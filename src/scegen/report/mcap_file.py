@@ -19,7 +19,7 @@ from scegen.motion.model import Trace
 from scegen.motion.standing import object_paths
 from scegen.report.lane_shapes import road_shapes
 from scegen.road.model import RoadNetwork
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
 INSTALL_EXCHANGE = "pip install 'ml-scegen[exchange]'"
@@ -138,7 +138,7 @@ def _scene(
         trace = traces[participant.id]
         colour = _EGO if participant is concrete.ego else _OTHER
         at = float(trace.x_m[step]), float(trace.y_m[step]), float(trace.heading_rad[step])
-        _box(update, participant.id, BODIES[participant.kind], at, colour)
+        _box(update, participant.id, participant.body, at, colour)
     still = object_paths(concrete)
     for thing in concrete.objects:
         start = still[thing.id].start

@@ -51,6 +51,7 @@ class Stage:
                 step,
                 body(
                     p.kind,
+                    p.body,
                     self.colour[p.id],
                     self.theme,
                     view.scale,

@@ -13,7 +13,6 @@ from scegen.scenario.roadway import BAYS, Carriageway, Strip
 from scegen.scenario.vocabulary import JunctionKind
 
 ARM_LENGTH_M = 120.0
-LANE_WIDTH_M = 3.5
 _BESIDE_BEND_M = 20.0
 """So much of each arm at least is straight, before a bend."""
 AUXILIARY_LENGTH_M = 250.0
@@ -66,7 +65,7 @@ def plan_road(
             angle_to_previous_deg=(angles[arm] - angles[arm - 1]) % 360.0,
             lanes_in=0 if one_way and arm == 1 else max(lanes[arm], min_lanes),
             lanes_out=0 if one_way and arm == 0 else max(lanes[arm], min_lanes),
-            lane_width_m=LANE_WIDTH_M,
+            lane_width_m=junction.lanes_wide_m,
             speed_limit_mps=round(limit, 3),
         )
         for arm in range(junction.arms)

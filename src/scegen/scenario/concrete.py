@@ -10,13 +10,19 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import BODIES, LENGTHS_M, WIDTHS_M, Body
 from scegen.scenario.functional import MAX_ARMS, MAX_LANES, Environment, Hazard
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.model import ArmSet, FrozenModel, Identifier, VocabularySet
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import Reversal
-from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
+from scegen.scenario.roadway import (
+    LANE_WIDTH_M,
+    LANE_WIDTHS_M,
+    AuxiliaryLane,
+    Carriageway,
+    Strip,
+)
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import (
     Control,
@@ -47,7 +53,7 @@ class ArmRoad(FrozenModel):
     angle_to_previous_deg: float
     lanes_in: int = Field(ge=0, le=MAX_LANES)
     lanes_out: int = Field(ge=0, le=MAX_LANES)
-    lane_width_m: float = Field(default=3.5, ge=2.0, le=6.0)
+    lane_width_m: float = Field(default=LANE_WIDTH_M, ge=LANE_WIDTHS_M[0], le=LANE_WIDTHS_M[1])
     speed_limit_mps: float = Field(gt=0, le=70)
 
 
@@ -272,13 +278,20 @@ def door_of(vehicle: str) -> str:
 class SwingingMotion(FrozenModel):
     """The door of ``vehicle``, on the side of the traffic; it swings open as it moves.
 
-    ``stands`` and ``kind`` are where that vehicle stands and what it is.
+    ``stands``, ``kind`` and its sizes are where that vehicle stands and what it is.
     """
 
     type: Literal["swinging"] = "swinging"
     vehicle: Identifier
     kind: ParticipantKind
     stands: StandingMotion
+    length_m: float | None = None
+    width_m: float | None = None
+
+    @property
+    def of(self) -> Body:
+        """Its vehicle's size."""
+        return BODIES[self.kind].sized(self.length_m, self.width_m)
 
     @property
     def arm(self) -> int:
@@ -294,7 +307,8 @@ Motion = Annotated[
 class ConcreteParticipant(FrozenModel):
     """A participant with its way and its speed program (empty = keeps ``speed_mps``).
 
-    ``on_contact`` is None where nothing it touches stops it.
+    ``on_contact`` is None where nothing it touches stops it, ``length_m`` and ``width_m`` where it
+    is as large as its kind usually is.
     """
 
     id: Identifier
@@ -305,11 +319,13 @@ class ConcreteParticipant(FrozenModel):
     motion: Motion
     speed_program: tuple[SpeedPhase, ...] = ()
     on_contact: OnContact | None = None
+    length_m: float | None = Field(default=None, ge=LENGTHS_M[0], le=LENGTHS_M[1])
+    width_m: float | None = Field(default=None, ge=WIDTHS_M[0], le=WIDTHS_M[1])
 
     @property
     def body(self) -> Body:
         """Its size and its limits."""
-        return BODIES[self.kind]
+        return BODIES[self.kind].sized(self.length_m, self.width_m)
 
 
 class Rejected(FrozenModel):
@@ -367,8 +383,8 @@ class ConcreteScenario(FrozenModel):
             raise ValueError(msg)
         for participant in self.participants:
             if isinstance(motion := participant.motion, SwingingMotion):
-                on = {p.id: (p.kind, p.motion) for p in self.participants}
-                if on.get(motion.vehicle) != (motion.kind, motion.stands):
+                on = {p.id: (p.body, p.motion) for p in self.participants}
+                if on.get(motion.vehicle) != (motion.of, motion.stands):
                     msg = f"{participant.id} does not hang on {motion.vehicle}, as that one stands"
                     raise ValueError(msg)
             for phase in participant.speed_program:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
@@ -20,9 +20,20 @@ from scegen.scenario.acts import (
     WhenMeasure,
 )
 from scegen.scenario.bends import Bend
-from scegen.scenario.model import ArmSet, FrozenModel, Identifier, Interval, VocabularySet
+from scegen.scenario.bodies import BODIES, LENGTHS_M, WIDTHS_M, Body
+from scegen.scenario.model import (
+    ArmSet,
+    FrozenModel,
+    Identifier,
+    Interval,
+    VocabularySet,
+    between,
+    middles,
+)
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.roadway import (
+    LANE_WIDTH_M,
+    LANE_WIDTHS_M,
     NOT_BESIDE_A_SHOULDER,
     PLAIN_ROAD_STRIPS,
     AuxiliaryLane,
@@ -72,7 +83,8 @@ class Junction(FrozenModel):
 
     ``arm_angles_deg`` are the directions of the arms seen from the centre, in degrees
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
-    ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere.
+    ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere;
+    ``lane_width_m`` is how wide each is, None as wide as usual.
     ``crosswalks`` are the arms that a marked crosswalk runs across, on a road without a junction
     one arm at most: who crosses does so there. ``strips`` lie all along the lanes. A road without a
     junction may have another ``carriageway`` than the usual, a ``bend``, which the ego enters at
@@ -84,6 +96,7 @@ class Junction(FrozenModel):
     arms: int = Field(ge=2, le=MAX_ARMS)
     arm_angles_deg: tuple[float, ...] = ()
     lanes: tuple[int, ...] = ()
+    lane_width_m: float | None = Field(default=None, ge=LANE_WIDTHS_M[0], le=LANE_WIDTHS_M[1])
     ring_lanes: int | None = Field(default=None, ge=1, le=2)
     speed_limit_mps: float | None = Field(default=None, gt=0, le=70)
     driving_side: DrivingSide = DrivingSide.RIGHT
@@ -99,6 +112,11 @@ class Junction(FrozenModel):
         """Lanes that go on beside an auxiliary one; where none are said, as few as are usual."""
         usual = 2 if self.carriageway is Carriageway.DIVIDED else 1
         return self.lanes[0] if self.lanes else usual
+
+    @property
+    def lanes_wide_m(self) -> float:
+        """How wide its lanes are, where nothing is said as wide as is usual."""
+        return self.lane_width_m or LANE_WIDTH_M
 
     @model_validator(mode="after")
     def _fits_its_kind(self) -> Junction:
@@ -176,6 +194,7 @@ class Participant(FrozenModel):
     shows as it goes, and how it meets that, None if not said; people on foot only go at ``green``
     or ``red``. An emergency vehicle ``on_call`` has its siren and its lights on: everybody gives
     way to it where their ways cross or join, and it need not wait for signs and lights.
+    ``length_m`` and ``width_m`` are its size, None where it is as large as its kind usually is.
     """
 
     id: Identifier
@@ -192,6 +211,8 @@ class Participant(FrozenModel):
     crosses: CrossedArm | None = None
     light: AtLight | None = None
     speed_mps: Interval | None = None
+    length_m: Annotated[Interval, between(*LENGTHS_M)] | None = None
+    width_m: Annotated[Interval, between(*WIDTHS_M)] | None = None
 
     @model_validator(mode="after")
     def _somebody(self) -> Participant:
@@ -202,6 +223,11 @@ class Participant(FrozenModel):
             msg = f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}"
             raise ValueError(msg)
         return self
+
+    @property
+    def body(self) -> Body:
+        """Its size and its limits."""
+        return BODIES[self.kind].sized(*middles(self.length_m, self.width_m))
 
     @property
     def pulls_out(self) -> bool:

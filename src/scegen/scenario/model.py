@@ -6,7 +6,14 @@ from collections.abc import Iterable
 from enum import Enum
 from typing import Annotated, Any, Self, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, PlainSerializer, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    PlainSerializer,
+    model_validator,
+)
 
 T = TypeVar("T", bound=Enum)
 
@@ -89,3 +96,20 @@ class Interval(FrozenModel):
     def clip(self, value: float) -> float:
         """The nearest value inside the range."""
         return min(max(value, self.low), self.high)
+
+
+def between(least: float, most: float) -> AfterValidator:
+    """Of a range that some field holds: nothing of it lies outside these two."""
+
+    def inside(said: Interval) -> Interval:
+        if not least <= said.low <= said.high <= most:
+            msg = f"it is between {least:g} and {most:g}, not {said.low:g} to {said.high:g}"
+            raise ValueError(msg)
+        return said
+
+    return AfterValidator(inside)
+
+
+def middles(*said: Interval | None) -> tuple[float | None, ...]:
+    """The values half way; None where nothing is said."""
+    return tuple(None if each is None else each.middle for each in said)

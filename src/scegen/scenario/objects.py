@@ -59,4 +59,5 @@ class StaticObject(FrozenModel):
             top_speed_mps=0.0,
             max_acceleration_mps2=0.0,
             max_deceleration_mps2=0.0,
+            mass_kg=self.mass_kg,
         )

@@ -12,8 +12,8 @@ class ParameterRange(FrozenModel):
 
     ``name`` is of whom and what: ``<participant>.speed_mps``, ``<act>.rate_mps2`` (and every other
     quantity of an act; of what sets it off, ``<act>.when.gap_m``), ``spacing_<number>.<measure>``
-    in the order of the spacings, from 0, ``outcome.impact_percent``. ``reason`` says where the
-    range comes from, ``stated`` where the text gives it.
+    in the order of the spacings, from 0, ``outcome.impact_percent``, ``<participant>.length_m``.
+    ``reason`` says where the range comes from, ``stated`` where the text gives it.
     """
 
     name: str

@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from scegen.scenario.definitions import Word
 
+LANE_WIDTH_M = 3.5
+"""The usual width of a lane."""
+LANE_WIDTHS_M = (2.0, 6.0)
+"""The narrowest and the widest lane."""
+
 
 class Carriageway(Word):
     """How the two directions of a road lie to each other."""

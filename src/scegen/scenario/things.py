@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from scegen.scenario.definitions import Word
-from scegen.scenario.model import FrozenModel, Identifier
+from scegen.scenario.model import FrozenModel, Identifier, Interval, between
 from scegen.scenario.vocabulary import Side
+
+SIZES_M = (0.1, 30.0)
+"""The smallest and the largest side of a thing."""
+Size = Annotated[Interval, between(*SIZES_M)]
 
 
 class ThingKind(Word):
@@ -68,6 +74,8 @@ class Thing(FrozenModel):
     """A thing: in whose way it lies, or whom it hides from the ego, and on which side of the road.
 
     ``side`` is seen in the ego's direction; ``called`` is what the text calls it, for people only.
+    ``width_m`` is its size across the road, ``length_m`` along it; a plank and what else lies
+    across has its length there. None where it is as large as its kind usually is.
     """
 
     id: Identifier
@@ -76,3 +84,5 @@ class Thing(FrozenModel):
     hides: tuple[Identifier, ...] = ()
     side: Side | None = None
     called: str | None = None
+    length_m: Size | None = None
+    width_m: Size | None = None

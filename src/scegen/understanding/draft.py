@@ -83,6 +83,8 @@ class Entity:
     entry_basis: Basis | None = None
     speed: Interval | None = None
     speed_basis: Basis | None = None
+    sizes: dict[str, Any] = field(default_factory=dict)
+    """Its length and width as amounts, by the field."""
     heading: str | None = None
     heading_basis: Basis | None = None
     bound: bool = False

@@ -25,7 +25,7 @@ def movements(functional):
 
 def seen(trace, other):
     """How far ahead and to the left another's middle lies from one's middle, by step."""
-    body, others = BODIES[trace.kind], BODIES[other.kind]
+    body, others = trace.body, other.body
     away = (other.x_m - trace.x_m) + 1j * (other.y_m - trace.y_m)
     away = away + others.centre_ahead_m * np.exp(1j * other.heading_rad)
     away = away * np.exp(-1j * trace.heading_rad) - body.centre_ahead_m

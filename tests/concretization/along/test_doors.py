@@ -12,7 +12,6 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion import build_paths, simulate
 from scegen.motion.doors import OPENS_RAD, REACH_M
 from scegen.road import build_network
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import AtTime, ConcreteScenario, door_of
 from scegen.scenario.functional import FunctionalScenario
 
@@ -32,7 +31,7 @@ def test_a_door_swings_from_its_vehicle_s_side_to_the_side_of_the_traffic(name):
     network = build_network(concrete.road)
     paths = build_paths(concrete, network)
     vehicle, door = paths["parked"].start, paths[DOOR]
-    body = BODIES[functional.participant("parked").kind]
+    body = functional.participant("parked").body
     middle = vehicle.shifted(forward_m=body.centre_ahead_m)
     left = -np.sin(middle.heading_rad), np.cos(middle.heading_rad)
     out = (door.x_m - middle.x_m) * left[0] + (door.y_m - middle.y_m) * left[1]
@@ -40,7 +39,7 @@ def test_a_door_swings_from_its_vehicle_s_side_to_the_side_of_the_traffic(name):
     assert (np.diff(sign * out) > 0).all()
     turned = abs(door.heading_rad[-1] - door.heading_rad[0])
     assert turned == pytest.approx(OPENS_RAD)
-    tip = sign * out[-1] + BODIES[concrete.participant(DOOR).kind].width_m / 2 * np.sin(turned)
+    tip = sign * out[-1] + concrete.participant(DOOR).body.width_m / 2 * np.sin(turned)
     assert tip - body.width_m / 2 == pytest.approx(REACH_M)
     assert concrete.participant("parked").parked
 

@@ -13,7 +13,6 @@ from scegen.concretization.along.reactions import REACTION_S, contacts
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
 from scegen.enumeration import enumerate_scenarios
-from scegen.scenario.bodies import BODIES
 
 
 def laid(functional):
@@ -40,7 +39,7 @@ def test_the_latest_braking_leaves_a_little_room(speed, headway, rate, share):
     story = laid(said)
     assume(not list(contacts(story)))  # too close behind one who brakes too hard
     ego_ = story.ego
-    body = BODIES[ego_.kind]
+    body = ego_.body
     if not ego_.steps:
         return  # no need: the lead drives on, far enough ahead
     (step,) = ego_.steps

@@ -72,7 +72,7 @@ def test_what_begins_later_gives_up_what_is_under_way():
 
 
 def runner(forward, **more):
-    found = Runner("x", ParticipantKind.CAR, forward, 1, 10.0, **more)
+    found = Runner("x", ParticipantKind.CAR, BODIES[ParticipantKind.CAR], forward, 1, 10.0, **more)
     found.at_m = 0.0
     return found
 
@@ -83,10 +83,10 @@ def test_it_is_in_its_lane_and_ends_in_the_one_it_moves_to(forward, keeps_left):
     own = runner(forward, keeps_left=keeps_left)
     own.moves = [Move(2.0, 3.0, 2), Move(8.0, 3.0, 1, offset_m=0.5)]
     side = (1 if keeps_left else -1) * own.sign
-    assert own.y_m(0.0, 3.5) == pytest.approx(side * 1.75)
-    assert own.y_m(3.5, 3.5) == pytest.approx(side * 3.5)
-    assert own.y_m(6.0, 3.5) == pytest.approx(side * 5.25)
-    assert own.y_m(20.0, 3.5) == pytest.approx(side * 1.75 + own.sign * 0.5)
+    assert own.y_m(0.0) == pytest.approx(side * 1.75)
+    assert own.y_m(3.5) == pytest.approx(side * 3.5)
+    assert own.y_m(6.0) == pytest.approx(side * 5.25)
+    assert own.y_m(20.0) == pytest.approx(side * 1.75 + own.sign * 0.5)
     assert [own.lane_at(t) for t in (0.0, 3.0, 9.0)] == [1, 2, 1]
 
 

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from scegen.concretization.along.runner import Runner, Step, gap_m
 from scegen.concretization.along.spacing import GapAt, level, measured, place
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -17,7 +18,7 @@ MEASURES = st.sampled_from([Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S])
 
 @st.composite
 def runners(draw, name, forward):
-    found = Runner(name, draw(KINDS), forward, 1, draw(st.floats(1.0, 40.0)))
+    found = Runner(name, kind := draw(KINDS), BODIES[kind], forward, 1, draw(st.floats(1.0, 40.0)))
     if draw(st.booleans()):
         begins, target = draw(st.floats(0.0, 6.0)), draw(st.floats(0.0, 40.0))
         found.steps.append(Step(begins, target, draw(st.floats(0.5, 9.0))))

@@ -28,12 +28,12 @@ def test_everybody_is_where_the_story_has_it(name):
     ego = traces["ego"]
     x0, y0, turn = ego.x_m[0], ego.y_m[0], np.exp(-1j * ego.heading_rad[0])
     for runner in story.runners.values():
-        if runner.box is not None:
+        if runner.thing:
             continue
         trace = traces[runner.id]
         place = ((trace.x_m - x0) + 1j * (trace.y_m - y0)) * turn
         told = [runner.x_m(t) for t in trace.time_s]
-        wide = [runner.y_m(t, 3.5) - story.ego.y_m(0.0, 3.5) for t in trace.time_s]
+        wide = [runner.y_m(t) - story.ego.y_m(0.0) for t in trace.time_s]
         # Half a step of the players early, with whatever speed is lost meanwhile.
         early = 0.03 * float(np.ptp(trace.speed_mps))
         assert np.abs(place.real - told).max() < AWAY_M + early, runner.id

@@ -12,6 +12,7 @@ from scegen.motion import simulate
 from scegen.motion.model import Trace
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ArrivalBelow, Travelled
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 from scegen.understanding import read
@@ -36,7 +37,7 @@ def steady(speeds, times) -> Trace:
     speed = np.interp(time, times, speeds)
     s = np.cumsum(speed) * DT
     zero = np.zeros_like(s)
-    return Trace("car", ParticipantKind.CAR, time, s, s, zero, zero, speed)
+    return Trace("car", BODIES[ParticipantKind.CAR], time, s, s, zero, zero, speed)
 
 
 def test_joins_are_steady_stretches_before_the_meeting():

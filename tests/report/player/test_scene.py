@@ -40,7 +40,7 @@ def test_plotted_extremes_are_those_of_the_measures():
     made, _ = scene(scenario)
     names = [p.id for p in scenario.participants]
     ways = [paths[name] for name in names]
-    alone = build_tables(ways, [p.kind for p in scenario.participants], pairs=[(0, 1)])
+    alone = build_tables(ways, [p.body for p in scenario.participants], pairs=[(0, 1)])
     summary = measure(stack_traces([traces[name] for name in names], ways), alone)
     (pair,) = (p for p in made["pairs"] if p["between"] == ["ego", "car_1"])
     least = min(v for v in pair["distance_m"] if v is not None)

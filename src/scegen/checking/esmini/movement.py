@@ -12,7 +12,6 @@ from scegen.checking.opendrive.arms import Arm, match_arms, ramp_of
 from scegen.checking.opendrive.locate import lanes_at
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import Finding, error, warning
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,
@@ -83,7 +82,7 @@ def _jumps(movement: Movement) -> Iterator[Finding]:
 
 def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[Finding]:
     """``esmini.speed``, ``esmini.acceleration``: within what the body or the program allows."""
-    body = BODIES[participant.kind]
+    body = participant.body
     fastest = max(body.top_speed_mps, *(p.target_speed_mps for p in participant.speed_program), 0.0)
     step = int(np.abs(movement.speed_mps).argmax())
     if abs(movement.speed_mps[step]) > fastest + STILL_MPS:

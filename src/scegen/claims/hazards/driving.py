@@ -8,7 +8,6 @@ from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.view import View, lasting, longest_run
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.speed_limits import limit_for_kind_mps
 
 _MOVING_MPS = 0.5
@@ -41,7 +40,7 @@ def slow_driving(view: View, by: str, _: str) -> list[Part]:
 
 def _possible(view: View, by: str, bound: float, *, braking: bool) -> float:
     """The threshold, or most of what body and road allow where that is less."""
-    body = BODIES[view.ways[by].participant.kind]
+    body = view.body(by)
     best = body.max_deceleration_mps2 if braking else body.max_acceleration_mps2
     best = min(best, view.friction * GRAVITY_MPS2)
     return min(bound, limits.OF_WHAT_IS_POSSIBLE * best)

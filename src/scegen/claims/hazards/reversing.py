@@ -10,7 +10,6 @@ from scegen.claims.view import View
 from scegen.measures.distance import distance_series
 from scegen.motion.batch.arrays import SPEED, Floats
 from scegen.motion.model import Path
-from scegen.scenario.bodies import BODIES
 
 _SAMPLE_M = 0.25
 _BACKWARDS_MPS = 0.05
@@ -52,8 +51,8 @@ def _into_the_way(
     """Whether its tail is in the other's way or gets nearer to it, and where that one passes it."""
     path, other = view.ways[by].path, view.ways[to].path
     s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
-    rear_m = BODIES[view.ways[by].participant.kind].rear_m
-    half_m = BODIES[view.ways[to].participant.kind].width_m / 2
+    rear_m = view.body(by).rear_m
+    half_m = view.body(to).width_m / 2
     aside, passes = _from_way(path, s, rear_m, other)
     nearer = np.diff(aside, append=aside[-1]) < 0.0
     into = np.interp(place_m, s, (nearer | (aside < half_m)).astype(np.float64)) > 0.5

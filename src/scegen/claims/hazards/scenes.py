@@ -64,7 +64,7 @@ def scene_of(
             chosen[index[a], index[b]] = None
     scene = build_tables(
         [ways[name] for name in index],
-        [*(p.kind for p in concrete.participants), *concrete.objects],
+        [entity.body for entity in concrete.entities],
         pairs=list(chosen),
         occlusions=[(index[a], index[b], index[c]) for a, b, c in occlusions(concrete)],
         friction=friction,

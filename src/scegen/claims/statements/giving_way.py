@@ -136,4 +136,4 @@ def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:
 def _grounds(view: View, name: str, other: str) -> tuple[Ground, ...]:
     """The grounds that two use; of any two, not only of those whose measures are asked for."""
     one, two = view.ways[name], view.ways[other]
-    return grounds(one.path, one.participant.kind, two.path, two.participant.kind)
+    return grounds(one.path, one.participant.body, two.path, two.participant.body)

@@ -12,6 +12,7 @@ from scegen.road.straight import curve_of
 from scegen.scenario.bends import Bend
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import controlled_arms, has_crosswalk
+from scegen.scenario.functional import Junction
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Side
 
@@ -23,6 +24,7 @@ _AUXILIARY = {
 _SAME_MPS = 0.5 / KPH
 _SAME_DEG = 1.0
 _SAME_M = 0.5
+_SAME_WIDTH_M = 0.01
 Agrees = Callable[[RoadParameters], bool]
 
 
@@ -45,10 +47,7 @@ def claims(told: Told) -> Iterator[Claim]:
     if limit is not None:
         statement = f"the limit is {limit * KPH:.4g} km/h"
         yield _road("speed_limit_mps", statement, partial(_limited, limit))
-    if junction.lanes:
-        lanes = junction.lanes
-        statement = f"lanes per direction: {', '.join(map(str, lanes))}"
-        yield _road("lanes", statement, lambda road: _wide(road, lanes))
+    yield from _lanes(junction)
     carriageway, strips = junction.carriageway, junction.strips
     if carriageway is not Carriageway.UNDIVIDED:
         statement = f"its carriageway is {plain(carriageway)}"
@@ -103,6 +102,16 @@ def claims(told: Told) -> Iterator[Claim]:
         )
 
 
+def _lanes(junction: Junction) -> Iterator[Claim]:
+    if junction.lanes:
+        lanes = junction.lanes
+        statement = f"lanes per direction: {', '.join(map(str, lanes))}"
+        yield _road("lanes", statement, lambda road: _enough(road, lanes))
+    if junction.lane_width_m is not None:
+        width = junction.lane_width_m
+        yield _road("lane_width_m", f"its lanes are {width:g} m wide", partial(_as_wide, width))
+
+
 def _road(part: str, statement: str, agrees: Agrees) -> Claim:
     return Claim(
         id=f"road.{part}",
@@ -123,11 +132,15 @@ def _limited(limit_mps: float, road: RoadParameters) -> bool:
     return all(abs(arm.speed_limit_mps - limit_mps) <= _SAME_MPS for arm in road.arms)
 
 
+def _as_wide(width_m: float, road: RoadParameters) -> bool:
+    return all(abs(arm.lane_width_m - width_m) <= _SAME_WIDTH_M for arm in road.arms)
+
+
 def _has_auxiliary(kind: AuxiliaryLane, road: RoadParameters) -> bool:
     return road.auxiliary is not None and road.auxiliary.kind is kind
 
 
-def _wide(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
+def _enough(road: RoadParameters, lanes: tuple[int, ...]) -> bool:
     """At least as many lanes in: where somebody turns back, one more may be needed.
 
     A one-way road has lanes in at one arm only, and at the other as many out.

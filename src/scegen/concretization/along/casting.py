@@ -80,9 +80,10 @@ def _runner(
         raise TypeError(f"{participant.id} goes across the road")
     beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
     lane = assignment_lane(assignment)
-    runner = Runner(participant.id, participant.kind, forward, lane, 0.0)
+    runner = Runner(participant.id, participant.kind, participant.body, forward, lane, 0.0)
     runner.keeps_left = keeps == "left"
     runner.inner_m = median_half_m(functional.junction.carriageway)
+    runner.lane_width_m = functional.junction.lanes_wide_m
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         outward = -1.0 if keeps == "right" else 1.0

@@ -35,7 +35,6 @@ from scegen.motion.paths import build_paths
 from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import (
@@ -144,7 +143,7 @@ def _written(
     objects = tuple(
         _thing(story, frame, network, name)
         for name, r in story.runners.items()
-        if r.box and not r.opens
+        if r.thing and not r.opens
     )
     concrete = ConcreteScenario(
         name=slug_name(story.logical),
@@ -183,14 +182,14 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
     """A thing in somebody's lane, at its pose in the world."""
     runner = story.runners[name]
     thing = next(t for t in story.things if t.id == name)
-    beyond, y = frame.centre_m(runner.x_m(0.0)), runner.y_m(0.0, LANE_WIDTH_M)
+    beyond, y = frame.centre_m(runner.x_m(0.0)), runner.y_m(0.0)
     line = network.arm_road(frame.ego_arm).line
     if frame.curve is not None and beyond > 0.0:
         line = network.arm_road(1 - frame.ego_arm).line.reversed()
         pose = line.pose(beyond, y)
     else:
         pose = line.pose(line.length_m + frame.gaps_m[frame.ego_arm] + beyond, y)
-    return made_of(name, shape_of(thing.kind), thing.called, pose)
+    return made_of(name, shape_of(thing), thing.called, pose)
 
 
 def _provenance(story: Story, walks: list[Walk]) -> tuple[Change, ...]:
@@ -198,7 +197,7 @@ def _provenance(story: Story, walks: list[Walk]) -> tuple[Change, ...]:
     said = {p.id for p in story.functional.participants if p.speed_mps is not None}
     changes = []
     for runner in story.runners.values():
-        if runner.box is not None:
+        if runner.thing:
             continue
         reason = "as the description says" if runner.id in said else "usual speed"
         changes.append(_change(f"{runner.id}.speed_mps", runner.speed_mps, reason))

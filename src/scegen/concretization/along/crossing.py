@@ -20,9 +20,8 @@ from scegen.concretization.limits import (
 from scegen.concretization.others import Walker
 from scegen.concretization.profile import NEVER_S
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -81,7 +80,7 @@ def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
 
 def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: list[Walk]) -> Walk:
     participant = story.functional.participant(crossing.participant)
-    body = BODIES[participant.kind]
+    body = participant.body
     said = participant.speed_mps
     usual = PACE_MPS[participant.kind]
     speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
@@ -100,7 +99,16 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback
     walk = Walk(
-        participant.id, participant.kind, crossing, speed, from_left, 0.0, setback, 0.0, meets.id
+        participant.id,
+        participant.kind,
+        body,
+        crossing,
+        speed,
+        from_left,
+        0.0,
+        setback,
+        0.0,
+        meets.id,
     )
     walk.act = None if act is None else act.id
     takes, number = walk.runs_s(to_aim + setback), len(walks)
@@ -112,7 +120,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     walk.arrives_s = walk.sets_off_s + takes
     walk.x_m += _ABREAST_M * ((number + 1) // 2) * (1 if number % 2 else -1)
     if _stops(story, walk.id):
-        walk.stops_after_m = setback + abs(meets.y_m(0.0, LANE_WIDTH_M) - edge) + _STAYS_M
+        walk.stops_after_m = setback + abs(meets.y_m(0.0) - edge) + _STAYS_M
     for runner in (meets, *(r for r in story.runners.values() if r is not meets and not r.stands)):
         _brake_before(story, walk, runner)
     return walk
@@ -135,7 +143,7 @@ def _act(story: Story, name: str) -> Act | None:
 
 def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, into: int) -> float:
     """Where its middle is across the road when the front of the other comes to its line."""
-    middle = meets.y_m(0.0, LANE_WIDTH_M)
+    middle = meets.y_m(0.0)
     outcome = story.functional.outcome
     if contact_wanted(story, name, meets.id):
         percent = outcome.impact_percent if outcome is not None else None
@@ -164,7 +172,7 @@ def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> 
         pair = (spacing.participant, spacing.reference)
         if spacing.measure is Measure.LATERAL_OFFSET_M and set(pair) == {name, meets.id}:
             left = spacing.value.middle if pair[0] == name else -spacing.value.middle
-            place = meets.y_m(0.0, LANE_WIDTH_M) + meets.sign * left
+            place = meets.y_m(0.0) + meets.sign * left
             return max(0.0, (edge - place) * into)
     return None
 
@@ -252,7 +260,7 @@ def _go_on(story: Story, walk: Walk, meets: Runner) -> None:
     """Who waits for somebody goes on as soon as that one is out of its way."""
     edge = edge_y_m(story, left=walk.from_left)
     wide = (meets.body.width_m + walk.body.length_m) / 2
-    across = abs(edge - meets.y_m(0.0, LANE_WIDTH_M)) + walk.setback_m + wide
+    across = abs(edge - meets.y_m(0.0)) + walk.setback_m + wide
     gone_s = walk.sets_off_s + walk.runs_s(across) + _LEAST_LEAD_S
     for n, step in enumerate(meets.steps):
         if step.act is not None and goes_on_when_free(story.act(step.act).when):
@@ -279,6 +287,6 @@ def _touches(walk: Walk, meets: Runner, story: Story) -> bool:
         time_s = n * _LOOK_S
         y = begins + into * (walk.way_m(time_s) + walk.body.centre_ahead_m)
         level = abs(sum(meets.ends_m(time_s)) / 2 - walk.x_m) < near
-        if level and abs(y - meets.y_m(time_s, LANE_WIDTH_M)) < wide:
+        if level and abs(y - meets.y_m(time_s)) < wide:
             return True
     return False

@@ -14,7 +14,6 @@ from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.strips import strip_middle_m
 from scegen.concretization.asked import outward
 from scegen.motion.doors import REACH_M, hinge_ahead_m
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import FunctionalScenario
@@ -51,8 +50,9 @@ def cast_doors(
         forward = (standing.arm == entry) == (standing.side.value == keeps)
         box = replace(_DOOR, length_m=_DOOR.width_m, width_m=REACH_M)
         runners[name] = Runner(
-            name, ParticipantKind.DOOR, forward, -1, 0.0,
-            box=box, keeps_left=ego.keeps_left, inner_m=ego.inner_m,
+            name, ParticipantKind.DOOR, box, forward, -1, 0.0,
+            thing=True, keeps_left=ego.keeps_left, inner_m=ego.inner_m,
+            lane_width_m=ego.lane_width_m,
         )  # fmt: skip
 
 
@@ -63,9 +63,9 @@ def hang_doors(
     """Put doors beside the outermost lane, and those whom they endanger within their reach."""
     inward = -outward(functional, Side.LEFT)
     for name in opens(functional).keys() & runners.keys():
-        door, kind = runners[name], functional.participant(name).kind
+        door, vehicle = runners[name], functional.participant(name).body
         middle = strip_middle_m(functional, logical, name)
-        tip = REACH_M - (middle - BODIES[kind].width_m / 2) - LANE_WIDTH_M / 2
+        tip = REACH_M - (middle - vehicle.width_m / 2) - door.lane_width_m / 2
         door.lane, door.offset_m = lane_count, inward * (tip - REACH_M / 2)
         for other in (runners[n] for n in endangered(functional, name) if n in runners):
             said = any(
@@ -96,7 +96,7 @@ def door_before(
 
 def clear_of_m(door: Runner, who: Runner) -> float:
     """How far somebody goes aside, to the left of the ego's way if positive, to clear a door."""
-    away = who.y_m(0.0, LANE_WIDTH_M) - door.y_m(0.0, LANE_WIDTH_M)
+    away = who.y_m(0.0) - door.y_m(0.0)
     needs = (door.body.width_m + who.body.width_m) / 2 + _CLEAR_M - abs(away)
     return copysign(max(needs, _CLEAR_M), away)
 

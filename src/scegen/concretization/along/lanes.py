@@ -15,7 +15,6 @@ from scegen.concretization.along.runner import Runner
 from scegen.concretization.asked import dangers, outward
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import FROM_BESIDE
@@ -198,7 +197,7 @@ def _lanes_aside(
         a, b = spacing.participant, spacing.reference
         level = {a, b} <= runners.keys() and runners[a].forward == runners[b].forward
         if spacing.measure is Measure.LATERAL_OFFSET_M and level and a != b:
-            right = -round(spacing.value.middle / LANE_WIDTH_M)
+            right = -round(spacing.value.middle / runners[a].lane_width_m)
             found[a, b] = right * outward(functional, Side.RIGHT)
     return found
 

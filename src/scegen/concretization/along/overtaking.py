@@ -13,7 +13,6 @@ from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, conta
 from scegen.concretization.asked import outward
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
 from scegen.errors import MotionInfeasibleError
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import Measure
@@ -212,8 +211,8 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     if width_m is not None:
         apart = width_m + (fast.body.width_m + slow.body.width_m) / 2
         kerb = -1 if not fast.keeps_left else 1
-        wanted = slow.y_m(0.0, LANE_WIDTH_M) - kerb * fast.sign * apart
-        return fast.lane, fast.sign * (wanted - fast.y_m(0.0, LANE_WIDTH_M)) + fast.offset_m
+        wanted = slow.y_m(0.0) - kerb * fast.sign * apart
+        return fast.lane, fast.sign * (wanted - fast.y_m(0.0)) + fast.offset_m
     if act.side is not None:
         return max(0, fast.lane + outward(story.functional, act.side)), 0.0
     if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
@@ -306,9 +305,9 @@ def come_back(story: Story) -> None:
 def _dodge_m(story: Story, runner: Runner) -> float:
     """How far left of the innermost lane one on the wrong side drives when it has dodged."""
     outwards = 1 if not runner.keeps_left else -1
-    beside = round(abs(runner.offset_m) / LANE_WIDTH_M) + 1
+    beside = round(abs(runner.offset_m) / runner.lane_width_m) + 1
     beside = beside if beside < story.lane_count else beside - 2
-    return outwards * beside * LANE_WIDTH_M
+    return outwards * beside * runner.lane_width_m
 
 
 def _level(first: Runner, second: Runner, time_s: float) -> bool:

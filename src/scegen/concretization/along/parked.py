@@ -12,12 +12,11 @@ from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
 from scegen.concretization.along.strips import strip_middle_m, strips_along
 from scegen.road.cross_section import CARRIAGEWAY
-from scegen.road.defaults import LANE_WIDTH_M
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Drive, Standing
 from scegen.scenario.roadway import Strip
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, Side
 
 _BEFORE_WALKER_M = 0.9
 _BETWEEN_M = 1.2
@@ -29,15 +28,10 @@ class Parked:
     """One who is parked: the middle of its box lies at ``x_m`` of the road."""
 
     id: str
-    kind: ParticipantKind
+    body: Body
     standing: Standing
     on_left: bool
     x_m: float
-
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return BODIES[self.kind]
 
 
 def standings_beside(story: Story) -> list[Standing]:
@@ -79,12 +73,12 @@ def shift_to_pass(story: Story) -> None:
 
 def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) -> None:
     left = on_left(story, standing)
-    body = BODIES[story.functional.participant(standing.participant).kind]
+    body = story.functional.participant(standing.participant).body
     sign = 1 if left else -1
     middle = strip_middle_m(story.functional, story.logical, standing.participant)
     inner = edge_y_m(story, left=left) + sign * (middle - body.width_m / 2)
     wanted = inner - sign * (gap_m + runner.body.width_m / 2)
-    runner.offset_m += runner.sign * (wanted - runner.y_m(0.0, LANE_WIDTH_M))
+    runner.offset_m += runner.sign * (wanted - runner.y_m(0.0))
 
 
 def park(story: Story, walks: list[Walk]) -> list[Parked]:
@@ -102,21 +96,21 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
     for row in rows:
         placed += _in_a_row(story, row)
     for standing in standings_beside(story):
-        kind = story.functional.participant(standing.participant).kind
-        left, half = on_left(story, standing), BODIES[kind].length_m / 2
+        body = story.functional.participant(standing.participant).body
+        left, half = on_left(story, standing), body.length_m / 2
         if any(standing in row for row in rows):
             continue
         hidden = _hidden(standing, hiding, walks, left)
         if hidden is None:
             passed = story.ego.x_m(_PASSED_AT_S) + free * (2 * half + _BETWEEN_M)
-            placed.append(Parked(standing.participant, kind, standing, left, passed))
+            placed.append(Parked(standing.participant, body, standing, left, passed))
             free += 1
             continue
         sign = story.runners[hidden.meets].sign
         key = (left, hidden.id)
         first = hidden.x_m - sign * (hidden.body.width_m / 2 + _BEFORE_WALKER_M)
         end = ends.get(key, first)
-        placed.append(Parked(standing.participant, kind, standing, left, end - sign * half))
+        placed.append(Parked(standing.participant, body, standing, left, end - sign * half))
         ends[key] = end - sign * (2 * half + _BETWEEN_M)
     return placed
 
@@ -136,16 +130,15 @@ def _in_a_row(story: Story, row: list[Standing]) -> Iterator[Parked]:
     opening = opens(story.functional).keys() & story.runners.keys()
     first = next(n for n, s in enumerate(row) if s.participant in opening)
     door = story.runners[row[first].participant]
-    bodies = [BODIES[story.functional.participant(s.participant).kind] for s in row]
+    bodies = [story.functional.participant(s.participant).body for s in row]
     middle = middle_m(door, bodies[first])
     for n, standing in enumerate(row):
         between = bodies[min(n, first) + 1 : max(n, first)]
         away = (bodies[n].length_m + bodies[first].length_m) / 2 + _BETWEEN_M
         away += sum(body.length_m + _BETWEEN_M for body in between)
         sense = (n > first) - (n < first)
-        kind = story.functional.participant(standing.participant).kind
         x = middle + door.sign * sense * away
-        yield Parked(standing.participant, kind, standing, on_left(story, standing), x)
+        yield Parked(standing.participant, bodies[n], standing, on_left(story, standing), x)
 
 
 def _hidden(standing: Standing, hiding: set[str], walks: list[Walk], left: bool) -> Walk | None:

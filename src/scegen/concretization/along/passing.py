@@ -7,7 +7,6 @@ from math import hypot, sqrt
 
 from scegen.concretization.along.runner import Move, Runner, gap_m
 from scegen.concretization.along.spacing import GapAt, level, place
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.spacings import Measure
 
 JUST_M = 0.5
@@ -38,10 +37,8 @@ def apart_m(first: Runner, second: Runner, time_s: float) -> float:
 
 def _box(runner: Runner, time_s: float) -> tuple[float, float, float, float]:
     """The middle of a box, and the cosine and sine of its heading."""
-    y = runner.y_m(time_s, LANE_WIDTH_M)
-    aside = runner.y_m(time_s + _DELTA_S, LANE_WIDTH_M) - runner.y_m(
-        time_s - _DELTA_S, LANE_WIDTH_M
-    )
+    y = runner.y_m(time_s)
+    aside = runner.y_m(time_s + _DELTA_S) - runner.y_m(time_s - _DELTA_S)
     speed = runner.speed_at_mps(time_s)
     sin = aside / (2 * _DELTA_S) / speed if speed > _NEVER_MPS else 0.0
     sin = max(-0.9, min(0.9, -sin if runner.backs else sin))

@@ -21,7 +21,6 @@ from scegen.concretization.limits import (
     REACTION_S,
 )
 from scegen.errors import MotionInfeasibleError
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -105,9 +104,9 @@ def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[M
     if lane == 0 and story.innermost and into.forward != runner.forward:
         # Nobody crosses a median: who is on the wrong side has been there from the start.
         inner = outward(story.functional, Side.LEFT)
-        runner.lane, runner.offset_m = 0, -inner * (into.lane - 1) * LANE_WIDTH_M
+        runner.lane, runner.offset_m = 0, -inner * (into.lane - 1) * runner.lane_width_m
         return [Move(begins_s, LANE_CHANGE_S, 0, runner.offset_m, act.id, hazard)]
-    width = abs(lane - now) * LANE_WIDTH_M or LANE_WIDTH_M
+    width = max(abs(lane - now), 1) * runner.lane_width_m
     usual = ABRUPT_LANE_CHANGE_S if hazard in _ABRUPT else LANE_CHANGE_S
     lasts = lasting_s(act, width, usual)
     return [Move(begins_s, lasts, lane, 0.0, act.id, hazard)]
@@ -129,7 +128,7 @@ def _swerve(
         if not story.innermost <= aside <= story.lane_count:
             side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
             aside = max(0, lane + outward(story.functional, side))
-        lasts = lasting_s(act, LANE_WIDTH_M, ABRUPT_LANE_CHANGE_S)
+        lasts = lasting_s(act, runner.lane_width_m, ABRUPT_LANE_CHANGE_S)
         out = Move(begins_s, lasts, aside, 0.0, act.id, hazard)
         return [out, Move(out.ends_s + 0.1, lasts, lane, 0.0, act.id, hazard)]
     width = act.lateral_m.middle
@@ -150,12 +149,12 @@ def _swerve(
 
 def _in_lane(story: Story, move: Move) -> Move:
     """The same place across the road, told from the lane that it lies in."""
-    right = -round(move.offset_m / LANE_WIDTH_M)
+    right = -round(move.offset_m / story.ego.lane_width_m)
     step = right * outward(story.functional, Side.RIGHT)
     lane = move.lane + step
     if not step or not 0 <= lane <= story.lane_count:
         return move
-    offset = move.offset_m + right * LANE_WIDTH_M
+    offset = move.offset_m + right * story.ego.lane_width_m
     return Move(move.begins_s, move.lasts_s, lane, offset, move.act, move.hazard)
 
 

@@ -139,7 +139,7 @@ def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool
     runner, ego = story.runners[name], story.ego
     same_way = runner.forward == ego.forward
     away = abs(order[name] - order[ego.id])
-    return (runner.box is not None, not same_way, runner.lane != ego.lane, away)
+    return (runner.thing, not same_way, runner.lane != ego.lane, away)
 
 
 def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float) -> None:
@@ -170,7 +170,7 @@ def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
 
     That is the ego, and whoever does so for a thing; others reveal who stands there in time.
     """
-    near = front.stands and (front.box is not None or back is story.ego)
+    near = front.stands and (front.thing or back is story.ego)
     away = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
     return away if near and front.lane == back.lane else None
 

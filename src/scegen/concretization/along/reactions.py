@@ -12,7 +12,6 @@ from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.amounts import BRAKING, CLOSEST_M, answering_rates_mps2
 from scegen.concretization.limits import REACTION_S
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import AfterAct
 from scegen.scenario.vocabulary import HazardKind
 
@@ -79,7 +78,7 @@ def brakes_for(story: Story, who: str, other: str) -> bool:
 
 def _contact_s(first: Runner, second: Runner) -> float | None:
     """When two touch first."""
-    beside = not (first.moves or second.moves) and not in_line(first, second, 0.0, LANE_WIDTH_M)
+    beside = not (first.moves or second.moves) and not in_line(first, second, 0.0)
     if beside or (first.stands and second.stands):
         return None
     time_s = 0.0
@@ -137,7 +136,7 @@ def _brake_for(story: Story, who: Runner, other: Runner, loose: Step | None = No
     if own is None and not story.concern(who.id, other.id) and _follow(story, who, other):
         return True
     kinds = [h.kind for h in story.hazards if h.kind in BRAKING and who.id in h.by]
-    thing = HazardKind.OBSTACLE if other.box is not None else None
+    thing = HazardKind.OBSTACLE if other.thing else None
     hazard = next(iter(kinds), thing)
     rest = [s for s in who.steps if s is not own]
     before = who.steps
@@ -278,7 +277,7 @@ def _keeps(who: Runner, other: Runner, room_m: float, time_s: float = 0.0) -> bo
     """Whether two have so much free length from a time on while one is in the other's line."""
     while time_s < _LATEST_S:
         gap = gap_m(who, other, time_s)
-        if gap < room_m and in_line(who, other, time_s, LANE_WIDTH_M):
+        if gap < room_m and in_line(who, other, time_s):
             return False
         time_s += leap_s(who, other, gap - room_m, 2 * _STEP_S)
     return True

@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from math import cos, pi, sin
 
 from scegen.concretization.profile import Profile
-from scegen.road.defaults import LANE_WIDTH_M
-from scegen.scenario.bodies import BODIES, Body
+from scegen.scenario.bodies import Body
 from scegen.scenario.functional import MAX_LANES
+from scegen.scenario.roadway import LANE_WIDTH_M
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 FORTH_M, FORTH_MPS = 0.4, 0.3
@@ -60,16 +60,17 @@ class Runner:
 
     ``at_m`` is where its reference point starts, None while that is open; ``lane`` counts from the
     centre line outwards in its own direction (0: the oncoming lane), ``offset_m`` is to its own
-    left of the lane's centre. ``box`` is that of a thing, ``keeps_left`` the side of the traffic,
-    ``inner_m`` how far the lanes lie from the centre line (half a median),
-    ``lane_count`` how many there are and ``strips_m`` how far beyond them the middles of the strips
-    lie whose numbers follow theirs.
+    left of the lane's centre. ``thing``: it is no participant, ``keeps_left`` the side of the
+    traffic, ``inner_m`` how far the lanes lie from the centre line (half a median),
+    ``lane_width_m`` and ``lane_count`` how wide and how many they are and ``strips_m`` how far
+    beyond them the middles of the strips lie whose numbers follow theirs.
     One that ``backs`` reverses from the start on, after the ``FORTH_M`` by which players know which
     way it faces. From ``appears_s`` on it is in the way: a door that opens.
     """
 
     id: str
     kind: ParticipantKind
+    body: Body
     forward: bool
     lane: int
     speed_mps: float
@@ -77,9 +78,10 @@ class Runner:
     at_m: float | None = None
     steps: list[Step] = field(default_factory=list)
     moves: list[Move] = field(default_factory=list)
-    box: Body | None = None
+    thing: bool = False
     keeps_left: bool = False
     inner_m: float = 0.0
+    lane_width_m: float = LANE_WIDTH_M
     lane_count: int = MAX_LANES
     strips_m: tuple[float, ...] = ()
     backs: bool = False
@@ -87,11 +89,6 @@ class Runner:
     _told: tuple[tuple[float, tuple[Step, ...]], Profile] | None = field(
         default=None, init=False, repr=False, compare=False
     )
-
-    @property
-    def body(self) -> Body:
-        """Its size."""
-        return self.box or BODIES[self.kind]
 
     @property
     def sign(self) -> int:
@@ -143,11 +140,11 @@ class Runner:
 
     def _detour_m(self, time_s: float) -> float:
         """How much of its way it has lost to moves aside: the arc of a cosine is longer."""
-        lost, before = 0.0, self._across_m(self.lane, self.offset_m, LANE_WIDTH_M)
+        lost, before = 0.0, self._across_m(self.lane, self.offset_m)
         for move in self.moves:
             if time_s <= move.begins_s:
                 break
-            goal = self._across_m(move.lane, move.offset_m, LANE_WIDTH_M)
+            goal = self._across_m(move.lane, move.offset_m)
             way = self.profile.way_m(move.ends_s) - self.profile.way_m(move.begins_s)
             done = min(1.0, (time_s - move.begins_s) / move.lasts_s)
             bend = (pi * (goal - before)) ** 2 / (8 * max(way, 1.0))
@@ -170,14 +167,14 @@ class Runner:
         lanes = [self.lane, *(m.lane for m in self.moves if m.begins_s <= time_s)]
         return lanes[-1]
 
-    def y_m(self, time_s: float, width_m: float) -> float:
+    def y_m(self, time_s: float) -> float:
         """Where its middle is across the road, to the ego's left of the centre line."""
-        before, place = self._across_m(self.lane, self.offset_m, width_m), 0.0
+        before, place = self._across_m(self.lane, self.offset_m), 0.0
         place = before
         for move in self.moves:
             if time_s <= move.begins_s:
                 break
-            goal = self._across_m(move.lane, move.offset_m, width_m)
+            goal = self._across_m(move.lane, move.offset_m)
             done = min(1.0, (time_s - move.begins_s) / move.lasts_s)
             place = before + (goal - before) * (1 - cos(pi * done)) / 2
             before = goal
@@ -185,15 +182,15 @@ class Runner:
 
     def lane_y_m(self, lane: int) -> float:
         """Where the middle of a lane is across the road."""
-        return self._across_m(lane, 0.0, LANE_WIDTH_M)
+        return self._across_m(lane, 0.0)
 
-    def _across_m(self, lane: int, offset_m: float, width_m: float) -> float:
+    def _across_m(self, lane: int, offset_m: float) -> float:
         outward = 1 if self.keeps_left else -1
         inner_m = self.inner_m if lane >= 1 else -self.inner_m
         beyond = lane - self.lane_count
-        aside = (lane - 0.5) * width_m
+        aside = (lane - 0.5) * self.lane_width_m
         if beyond > 0 and self.strips_m:
-            aside = self.lane_count * width_m + self.strips_m[beyond - 1]
+            aside = self.lane_count * self.lane_width_m + self.strips_m[beyond - 1]
         return self.sign * (offset_m + outward * (aside + inner_m))
 
 
@@ -203,7 +200,7 @@ def gap_m(first: Runner, second: Runner, time_s: float) -> float:
     return max(other_low - high, low - other_high)
 
 
-def in_line(first: Runner, second: Runner, time_s: float, width_m: float) -> bool:
+def in_line(first: Runner, second: Runner, time_s: float) -> bool:
     """Whether their boxes overlap across the road."""
-    apart = abs(first.y_m(time_s, width_m) - second.y_m(time_s, width_m))
+    apart = abs(first.y_m(time_s) - second.y_m(time_s))
     return apart < (first.body.width_m + second.body.width_m) / 2

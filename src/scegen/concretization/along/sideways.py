@@ -9,7 +9,6 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
 from scegen.errors import MotionInfeasibleError
 from scegen.road.cross_section import median_half_m
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
@@ -21,7 +20,7 @@ def edge_y_m(story: Story, *, left: bool) -> float:
     junction = story.functional.junction
     if junction.carriageway is Carriageway.ONE_WAY and left != story.ego.keeps_left:
         return 0.0  # beside the innermost lane there are no others
-    width = median_half_m(junction.carriageway) + story.lane_count * LANE_WIDTH_M
+    width = median_half_m(junction.carriageway) + story.lane_count * story.ego.lane_width_m
     return width * (1 if left else -1)
 
 
@@ -77,7 +76,7 @@ def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner) -> int:
     """1 if it is to the reference's left, as said or as the lanes are; else towards the kerb."""
     if spacing.side is not None:
         return 1 if spacing.side is Side.LEFT else -1
-    apart = (who.y_m(0.0, LANE_WIDTH_M) - other.y_m(0.0, LANE_WIDTH_M)) * other.sign
+    apart = (who.y_m(0.0) - other.y_m(0.0)) * other.sign
     if abs(apart) > 0.1:
         return 1 if apart > 0 else -1
     return -1 if story.functional.junction.driving_side.value == "right" else 1
@@ -90,8 +89,8 @@ def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -
         MotionInfeasibleError: that is no longer on the road.
     """
     moment = NEVER_S if in_the_end else 0.0
-    wanted = other.y_m(moment, LANE_WIDTH_M) + other.sign * left_m
-    more = who.sign * (wanted - who.y_m(moment, LANE_WIDTH_M))
+    wanted = other.y_m(moment) + other.sign * left_m
+    more = who.sign * (wanted - who.y_m(moment))
     aside = more + (who.moves[-1].offset_m if who.moves and in_the_end else who.offset_m)
     if abs(aside) > MOST_OFFSET_M:
         raise MotionInfeasibleError(

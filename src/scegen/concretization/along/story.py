@@ -61,7 +61,7 @@ class Story:
     def words(self, name: str, reference: str) -> frozenset[Approach]:
         """Where somebody is said to be, seen from another; nothing is said of things."""
         found: frozenset[Approach] = frozenset()
-        if reference == self.ego.id and self.runners[name].box is None:
+        if reference == self.ego.id and not self.runners[name].thing:
             found |= self.functional.participant(name).approaches
         for relation in self.functional.relations:
             if (relation.participant, relation.reference) == (name, reference):

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.roads import standing_in_bays
 from scegen.road.cross_section import LANE_TYPES, strips_beside
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.road.model import LaneType
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Heading, LogicalScenario, Walking
@@ -40,7 +39,7 @@ def put_on_strips(
         runner.lane, runner.offset_m = lane_count + 1 + number, 0.0
         if _against_traffic(functional, logical, name):
             outward = 1.0 if runner.keeps_left else -1.0
-            out_m = (lane_count - 0.5) * LANE_WIDTH_M + middles[number]
+            out_m = (lane_count - 0.5) * runner.lane_width_m + middles[number]
             runner.lane, runner.offset_m = 0, -outward * out_m
 
 

@@ -31,24 +31,28 @@ def story_of(
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
     grip = friction_of(functional.environment) * GRAVITY_MPS2
     runners = cast(functional, logical, min(limit, comfortable_mps(functional)))
+    if road is not None:
+        for runner in runners.values():
+            runner.lane_width_m = road.arms[0].lane_width_m
     _keep_on_the_road(functional, runners, limit, grip)
     cast_doors(functional, logical, runners)
     things = _things(functional, logical, runners)
     for thing in things:
         blocked = runners[thing.in_way_of or ""]
-        body = shape_of(thing.kind).body
         runners[thing.id] = Runner(
             thing.id,
             ParticipantKind.CAR,
+            shape_of(thing).body,
             blocked.forward,
             -1,
             0.0,
-            box=body,
+            thing=True,
             keeps_left=blocked.keeps_left,
             inner_m=blocked.inner_m,
+            lane_width_m=blocked.lane_width_m,
         )
     acts = all_acts(functional, logical, runners)
-    people = {name: runner for name, runner in runners.items() if runner.box is None}
+    people = {name: runner for name, runner in runners.items() if not runner.thing}
     count = choose_lanes(functional, logical, people, acts)
     if road is not None:
         count = max(road.arms[0].lanes_in, road.arms[0].lanes_out)

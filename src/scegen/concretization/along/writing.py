@@ -15,9 +15,7 @@ from scegen.concretization.profile import NEVER_S
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M
 from scegen.motion.trigger_steps import just_before_step_s
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import Act, AfterStart
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     AtTime,
     ConcreteParticipant,
@@ -34,6 +32,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Standing
+from scegen.scenario.model import middles
 from scegen.scenario.reversing import MOST_BACK_M, BacksUp
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -49,6 +48,7 @@ _FLUNG_MPS2 = 6.0
 def written_runner(story: Story, frame: Frame, participant: Participant) -> ConcreteParticipant:
     """One along the road."""
     runner = story.runners[participant.id]
+    length, width = middles(participant.length_m, participant.width_m)
     entry = frame.ego_arm if runner.forward else 1 - frame.ego_arm
     changes = _changes(frame, runner)
     last = changes[-1].lane_after if changes else runner.lane
@@ -84,6 +84,8 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
         speed_mps=round(runner.speed_mps, 4),
         motion=motion,
         speed_program=tuple(_phase(story, frame, runner, step) for step in _in_order(runner)),
+        length_m=length,
+        width_m=width,
     )
 
 
@@ -135,7 +137,7 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
         first = all(_apart_m(frame, runner, other, n * _LOOK_S) > apart for n in looks)
         along = other.speed_at_mps(moment) * runner.sign * other.sign
         closing = runner.speed_at_mps(moment) > along + 0.05
-        participant = other.box is None
+        participant = not other.thing
         if closing and participant and first:
             return DistanceBelow(participant=other.id, distance_m=round(apart, 3))
         if participant and step.act is None:
@@ -145,9 +147,7 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
 
 def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
     """The straight distance of two reference points."""
-    here, there = (
-        frame.pose(who.x_m(time_s), who.y_m(time_s, LANE_WIDTH_M)) for who in (one, other)
-    )
+    here, there = (frame.pose(who.x_m(time_s), who.y_m(time_s)) for who in (one, other))
     return hypot(here.x_m - there.x_m, here.y_m - there.y_m)
 
 
@@ -162,6 +162,7 @@ def come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
 def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
     """One who goes across the road; ``length_m`` is how long its way is."""
     participant = story.functional.participant(walk.id)
+    length, width = middles(participant.length_m, participant.width_m)
     meets = story.runners[walk.meets]
     trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
     if not walk.timed:
@@ -174,6 +175,8 @@ def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> Con
         speed_mps=0.0,
         motion=walk_motion(frame, walk),
         speed_program=walk.program_to(trigger, length_m, walk.act, stops=stops),
+        length_m=length,
+        width_m=width,
     )
 
 
@@ -193,14 +196,15 @@ def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
 def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcreteParticipant:
     """One who is parked: its box's middle lies where the story has it."""
     standing: Standing = parked.standing
-    participant, body = story.functional.participant(parked.id), BODIES[parked.kind]
+    participant, body = story.functional.participant(parked.id), parked.body
+    length, width = middles(participant.length_m, participant.width_m)
     away = frame.from_junction_m(standing.arm, parked.x_m)
     # It heads the way of the traffic on its side; its reference point lies behind its middle.
     towards = (parked.on_left == story.ego.keeps_left) == (standing.arm == frame.ego_arm)
     away += body.centre_ahead_m if towards else -body.centre_ahead_m
     return ConcreteParticipant(
         id=parked.id,
-        kind=parked.kind,
+        kind=participant.kind,
         role=participant.role,
         parked=True,
         speed_mps=0.0,
@@ -210,6 +214,8 @@ def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcretePartic
             from_junction_m=round(max(0.0, away), 3),
             strip=participant.strip,
         ),
+        length_m=length,
+        width_m=width,
     )
 
 
@@ -232,7 +238,13 @@ def written_door(story: Story, act: Act, vehicle: ConcreteParticipant) -> Concre
         id=door_of(vehicle.id),
         kind=ParticipantKind.DOOR,
         speed_mps=0.0,
-        motion=SwingingMotion(vehicle=vehicle.id, kind=vehicle.kind, stands=vehicle.motion),
+        motion=SwingingMotion(
+            vehicle=vehicle.id,
+            kind=vehicle.kind,
+            stands=vehicle.motion,
+            length_m=vehicle.length_m,
+            width_m=vehicle.width_m,
+        ),
         speed_program=(phase,),
     )
 
@@ -244,7 +256,7 @@ def ends_s(story: Story, walks: list[Walk]) -> float:
         moments += [move.ends_s for move in runner.moves]
         moments += [runner.profile.settles_s(step.begins_s) for step in runner.steps]
     for walk in walks:
-        across = walk.setback_m + 2 * story.lane_count * LANE_WIDTH_M + walk.body.length_m
+        across = walk.setback_m + 2 * story.lane_count * story.ego.lane_width_m + walk.body.length_m
         moments.append(walk.sets_off_s + walk.runs_s(across))
         meets = story.runners[walk.meets]
         moments.append(meets.profile.time_s(abs(walk.x_m - meets.x_m(0.0)) + meets.body.rear_m))

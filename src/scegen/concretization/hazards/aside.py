@@ -31,7 +31,6 @@ from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocked_lane_ahead
 from scegen.errors import MotionInfeasibleError
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Side
@@ -45,6 +44,10 @@ _BEND_RAD = 0.35
 _ABRUPT = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.SUDDEN_TURN})
 
 
+def _lane_width_m(scene: Setup, draft: DriveDraft) -> float:
+    return scene.road.arms[draft.drive.entry].lane_width_m
+
+
 def come_into_lane(
     scene: Setup, draft: DriveDraft, other: DriveDraft | None, kind: HazardKind | None = None
 ) -> list[Meeting]:
@@ -54,7 +57,9 @@ def come_into_lane(
     length = change_length_m(draft.cruise_mps, seconds)
     act = scene.first_act(draft.id, ActKind.CHANGE_LANE)
     if act is not None and kind is not None:
-        length = draft.cruise_mps * lasting_s(act, LANE_WIDTH_M, length / draft.cruise_mps)
+        length = draft.cruise_mps * lasting_s(
+            act, _lane_width_m(scene, draft), length / draft.cruise_mps
+        )
     end = min(slowing_s_m(each) for each in (draft, other) if each is not None) - _BEFORE_SLOWING_M
     _require_run_up(draft, end - length)
     change_lanes(scene, draft, [(end - length, length, target)], kind)
@@ -149,7 +154,7 @@ def out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meetin
         ring = scene.road.kind is JunctionKind.ROUNDABOUT
         aside = neighbour_lane(scene, draft, oncoming=not ring)
     offset = width if act is not None and act.side is Side.LEFT else -width
-    lasts = usual if act is None else lasting_s(act, width or LANE_WIDTH_M, usual)
+    lasts = usual if act is None else lasting_s(act, width or _lane_width_m(scene, draft), usual)
     length = lasts * draft.cruise_mps
     out = _stray(scene, draft, aside, length, _STAYS_M, hazard.kind, offset_m=offset)
     if beside is None or beside.entry_lane != aside:

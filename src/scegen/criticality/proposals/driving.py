@@ -9,7 +9,6 @@ from scegen.concretization.boxes import overlap
 from scegen.criticality.search.problem import Problem, finishing
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.motion.batch.simulation import simulate_batch
-from scegen.scenario.bodies import BODIES
 
 
 def driven(problem: Problem, x: Floats) -> View:
@@ -64,5 +63,5 @@ def _overlaps(problem: Problem, start_m: Floats) -> list[str]:
     return [
         f"{first.id} and {second.id} overlap at the start"
         for (first, one), (second, other) in combinations(zip(people, poses, strict=True), 2)
-        if overlap(one, BODIES[first.kind], other, BODIES[second.kind])
+        if overlap(one, first.body, other, second.body)
     ]

@@ -13,9 +13,7 @@ import numpy as np
 
 from scegen.claims.boxes import boxes, contact, seen
 from scegen.claims.view import View
-from scegen.measures.bodies import MASS_KG
 from scegen.motion.batch.arrays import COS, SIN
-from scegen.road.defaults import LANE_WIDTH_M
 from scegen.scenario.concrete import (
     Change,
     ConcreteParticipant,
@@ -24,8 +22,6 @@ from scegen.scenario.concrete import (
     Motion,
     OnContact,
 )
-from scegen.scenario.objects import StaticObject
-from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 
 _CRUSHED_M = 0.5
 """So much of a front gives way."""
@@ -39,7 +35,6 @@ _SCRAPED_M = 0.05
 """So deep one lies against the other's side."""
 _SHARPLY = 0.65
 """Between the same acceleration sideways (0.5) and the same speed (1)."""
-_UNPROTECTED = ON_FOOT | {ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE}
 
 
 def halted(concrete: ConcreteScenario, view: View, *, scraping: bool) -> ConcreteScenario:
@@ -101,11 +96,11 @@ def _rate_mps2(
     speed = float(view.speed_mps(who.id)[0, step])
     if speed < _MOVES_MPS:
         return None
-    if who.kind in _UNPROTECTED:
+    if who.body.unprotected:
         return round(max(speed / _FALLS_S, _MOVES_MPS), 3)
     struck = next(entity for entity in concrete.entities if entity.id == other)
-    mass_kg = struck.mass_kg if isinstance(struck, StaticObject) else MASS_KG[struck.kind]
-    heavy = mass_kg / (mass_kg + MASS_KG[who.kind]) > _HEAVY
+    mass_kg = struck.body.mass_kg
+    heavy = mass_kg / (mass_kg + who.body.mass_kg) > _HEAVY
     closing = speed - _along_mps(view, who.id, other, int(step))
     if not heavy or closing < _MOVES_MPS or not _with_its_front(view, who.id, other):
         return _BRAKES_MPS2
@@ -126,10 +121,11 @@ def _stopped_aside(view: View, who: ConcreteParticipant, other: str, time_s: flo
         return motion
     stations_m = np.array([laid.station_m(float(s)) for s in view.place_m(who.id)[0]])
     here_m = stations_m[against.argmax()]
+    width_m = view.concrete.road.arms[motion.entry].lane_width_m
     lane, offset_m = motion.entry_lane, motion.offset_m
     for number, change in enumerate(motion.lane_changes):
         if 0.0 < here_m - change.position_m < change.length_m:
-            over_m = change.offset_m - offset_m - (change.lane_after - lane) * LANE_WIDTH_M
+            over_m = change.offset_m - offset_m - (change.lane_after - lane) * width_m
             first_m = float(aside_m[(stations_m >= change.position_m).argmax()])
             if first_m <= beside_m or over_m == 0.0:
                 return motion  # it is before the other, not beside it

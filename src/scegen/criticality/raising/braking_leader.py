@@ -23,7 +23,6 @@ from scegen.motion.batch.playing import play
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Trace
 from scegen.road.model import RoadNetwork
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ArrivalBelow,
     Change,
@@ -129,7 +128,7 @@ def _with_phases(
     ``closing_m`` is what the follower is to gain on it, if both were equally fast before.
     """
     participant = concrete.participant(leader)
-    body, trace = BODIES[participant.kind], traces[leader]
+    body, trace = participant.body, traces[leader]
     most = _OF_FRICTION * friction * GRAVITY_MPS2
     rate = round(min(_BRAKING_MPS2, body.max_deceleration_mps2, most), _DECIMALS)
     resuming = round(min(_RESUMING_MPS2, body.max_acceleration_mps2, most), _DECIMALS)

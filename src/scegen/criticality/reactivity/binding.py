@@ -118,7 +118,7 @@ def _trace(batch: BatchTraces, concrete: ConcreteScenario, who: str) -> Trace:
     i = concrete.participants.index(participant)
     return Trace(
         participant=who,
-        kind=participant.kind,
+        body=participant.body,
         time_s=batch.time_s,
         s_m=batch.s_m[0, :, i],
         x_m=batch.x_m[0, :, i],

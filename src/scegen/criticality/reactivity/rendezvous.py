@@ -18,7 +18,6 @@ from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import NEGLIGIBLE, Path, Trace
 from scegen.motion.simulation import arrivals_s
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ArrivalBelow,
     Change,
@@ -108,7 +107,7 @@ def held_back(
     if not isinstance(motion, DriveMotion) or way.laid is None or motion.reversal is not None:
         return None
     slow = round(share * join.speed_mps, _DECIMALS)
-    most = BODIES[participant.kind].max_acceleration_mps2
+    most = participant.body.max_acceleration_mps2
     rate = round(min(_SPEEDING_UP_MPS2, most, friction * GRAVITY_MPS2), _DECIMALS)
     speeding_up_s = (join.speed_mps - slow) / rate
     go_s = join.time_s - speeding_up_s

@@ -20,7 +20,6 @@ from scegen.criticality.search.variables import (
 )
 from scegen.motion.batch.arrays import Candidates
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -156,7 +155,7 @@ def _start(
         for phase in participant.speed_program
         if isinstance(phase.trigger, Travelled) and phase.trigger.participant == participant.id
     ]
-    rear = BODIES[participant.kind].rear_m + _ARM_MARGIN_M
+    rear = participant.body.rear_m + _ARM_MARGIN_M
     low = min(start_m, max(rear, start_m - within))
     high = max(start_m, min([start_m + within, *places]))
     return maker.quantity(f"{participant.id}.start_m", start_m, (low, high), speed)
@@ -173,7 +172,7 @@ def speed_range(
     speeds = any(h.kind is HazardKind.SPEEDING and participant.id in h.by for h in concrete.hazards)
     if speeds:
         high = max(speed_mps, min(high, _SPEEDING * limit_mps))
-    return low, min(high, max(speed_mps, BODIES[participant.kind].top_speed_mps))
+    return low, min(high, max(speed_mps, participant.body.top_speed_mps))
 
 
 def _cruise(
@@ -249,7 +248,7 @@ def _recipe(
     item = participant.speed_program[n]
     trigger, owner = item.trigger, index[participant.id]
     name = f"{participant.id}.{item.hazard or 'phase'}_{n}"
-    body = BODIES[participant.kind]
+    body = participant.body
     slows = target.base < before.base
     best = body.max_deceleration_mps2 if slows else body.max_acceleration_mps2
     most = min(max(best, item.rate_mps2), friction * GRAVITY_MPS2)

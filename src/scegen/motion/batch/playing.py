@@ -28,7 +28,7 @@ def play(
     return {
         p.id: Trace(
             participant=p.id,
-            kind=p.kind,
+            body=p.body,
             time_s=time_s,
             s_m=run.s_m[0, :, i],
             x_m=run.x_m[0, :, i],

@@ -158,7 +158,7 @@ class Meetings:
         )
         if who is None:
             return shapely.Point(x[0], y[0])
-        return shapely.union_all(shapely.polygons(box_corners(who.kind, x, y, heading)))
+        return shapely.union_all(shapely.polygons(box_corners(who.body, x, y, heading)))
 
     def _spell(self, one: int, enter_m: float, leave_m: float) -> list[float] | None:
         """From when to when somebody is on common ground; None: never."""
@@ -218,7 +218,7 @@ def meetings_of(
     sights = [*occlusions(concrete), *_sights(concrete)]
     scene = build_tables(
         order,
-        [*(p.kind for p in concrete.participants), *concrete.objects],
+        [entity.body for entity in concrete.entities],
         pairs=list(chosen),
         occlusions=[(index[a], index[b], index[c]) for a, b, c in dict.fromkeys(sights)],
         friction=friction_of(concrete.environment),

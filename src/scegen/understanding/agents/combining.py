@@ -32,13 +32,14 @@ _JUNCTION = (
     "lanes",
     "ring_lanes",
     "speed_limit_mps",
+    "lane_width_m",
     "driving_side",
     "control",
     "carriageway",
     "strips",
     "bend",
 )
-_NUMBERS = frozenset({"arms", "lanes", "ring_lanes", "speed_limit_mps"})
+_NUMBERS = frozenset({"arms", "lanes", "ring_lanes", "speed_limit_mps", "lane_width_m"})
 _ENVIRONMENT = (
     "weather",
     "time_of_day",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
@@ -15,11 +16,12 @@ from scegen.understanding.amounts.outcomes import Judge
 from scegen.understanding.amounts.placed import MEASURES, Spacer
 from scegen.understanding.amounts.releasing import Releaser
 from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.sizes import SIZES, owns, size_of
 from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.struck import Struck
 from scegen.understanding.amounts.timing import Clock
 from scegen.understanding.chunks import Chunk
-from scegen.understanding.frames import Measured, Numbers, amounts
+from scegen.understanding.frames import AmountFrame, Measured, Numbers, amounts
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import Quantity
@@ -56,21 +58,17 @@ def read_amounts(
     for number in (n for n in measured if n.frame.role in FIELDS):
         if not filler.read(number):
             _note(number, context)
-    for number in measured:
-        role = number.frame.role
-        if role in MEASURES:
-            done = spacer.read(number)
-        elif role == "driven":
-            done = releaser.driven(number)
-        elif role == "delay":
-            done = clock.delay(number)
-        elif role == "impact":
-            done = judge.impact(number)
-        elif role == "relative_speed":
-            done = relative(number, text, context)
-        else:
-            done = role in FIELDS or role == "speed"
-        if not done:
+    takers: dict[str, Callable[[Measured], bool]] = {
+        **dict.fromkeys(MEASURES, spacer.read),
+        **dict.fromkeys(SIZES, lambda number: size_of(number, text, found, context.draft)),
+        "driven": releaser.driven,
+        "delay": clock.delay,
+        "impact": judge.impact,
+        "relative_speed": lambda number: relative(number, text, context),
+    }
+    for number in (n for n in measured if n.frame.role not in FIELDS and n.frame.role != "speed"):
+        take = takers.get(number.frame.role)
+        if take is None or not take(number):
             _note(number, context)
     Struck(text, context, found).settle()
     clock.order()
@@ -89,8 +87,15 @@ def _measured(quantity: Quantity, numbers: Numbers, text: Sentences) -> Measured
 
 
 def _of_who_is_there(number: Measured, text: Sentences, context: Context) -> Measured:
-    """``the car ahead (25 m, 60 km/h)``: a bare length beside one who is ahead is how far."""
-    if number.frame.instead != _UNSAID:
+    """A bare length: how large the noun is before which it stands, or how far one is ahead.
+
+    ``a 12 m bus``; ``the car ahead (25 m, 60 km/h)``.
+    """
+    frame = number.frame
+    named = frame.role in SIZES or (frame.role == "other" and frame.instead != _UNSAID)
+    if frame.dimension == "length" and not named and owns(number, text.chunks) is not None:
+        return replace(number, frame=AmountFrame("length", "long", instead=_UNSAID))
+    if frame.instead != _UNSAID:
         return number
     who = text.adjacent(number.i)
     along = (Approach.AHEAD, Approach.BEHIND)

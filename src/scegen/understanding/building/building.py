@@ -177,6 +177,7 @@ class Builder:
             ("crosses", crosses, crosses_basis),
             ("light", light, light_basis),
             ("speed_mps", entity.speed, entity.speed_basis),
+            *((name, amount.value, amount.basis) for name, amount in entity.sizes.items()),
         ):
             if value:
                 self._proofs.add(f"{path}.{name}", basis or entity.basis)
@@ -197,6 +198,7 @@ class Builder:
             crosses=crosses,
             light=light,
             speed_mps=entity.speed,
+            **{name: amount.value for name, amount in entity.sizes.items()},
         )
 
     def _crosses(

@@ -136,6 +136,8 @@ class Writer:
         found = []
         for item in self._happenings.items:
             self._proofs.add(f"objects.{item.name}.kind", item.basis)
+            for name, amount in item.sizes.items():
+                self._proofs.add(f"objects.{item.name}.{name}", amount.basis)
             found.append(
                 Thing(
                     id=item.name,
@@ -144,6 +146,7 @@ class Writer:
                     hides=tuple(e.name for e in item.hides),
                     side=item.side,
                     called=item.called,
+                    **{name: amount.value for name, amount in item.sizes.items()},
                 )
             )
         return tuple(found)

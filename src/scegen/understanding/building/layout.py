@@ -94,6 +94,8 @@ class Layout:
             self._proofs.add("junction.ring_lanes", lanes_basis)
         if self._around.speed_limit_mps is not None:
             self._proofs.add("junction.speed_limit_mps", self._around.limit_basis)
+        if self._around.lane_width_m is not None:
+            self._proofs.add("junction.lane_width_m", self._around.lane_width_basis)
         self._proofs.add("junction.driving_side", self._around.side_basis, "right-hand traffic")
         carriageway = self._carriageway(kind, lanes)
         strips = self._strips(kind, carriageway)
@@ -108,6 +110,7 @@ class Layout:
             arm_angles_deg=angles,
             lanes=lanes,
             ring_lanes=ring,
+            lane_width_m=self._around.lane_width_m,
             speed_limit_mps=self._around.speed_limit_mps,
             driving_side=self._around.side or DrivingSide.RIGHT,
             control=control,

@@ -94,5 +94,6 @@ def _mention(draft: Draft, mention: Mention) -> None:
         if "instead" in head.data:
             draft.note(head.i, head.j, head.data["instead"])
     for mod in mention.mods:
-        if mod.cat == "label" and mod.value in _QUALITIES:
+        said = any(m.cat == "quantity" and m.j == mod.i for m in mention.mods)  # "12 m long"
+        if mod.cat == "label" and mod.value in _QUALITIES and not said:
             draft.note(mod.i, mod.j, "colour, age and size are not modelled")

@@ -9,6 +9,7 @@ from scegen.scenario.functional import MAX_LANES, Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.words.lane_widths import lane_width_m
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 from scegen.units import speed_mps
@@ -35,6 +36,9 @@ class Surroundings:
         lanes: lanes per direction.
         lanes_basis: the words or the reason.
         lanes_in_all: what the text counts, where it seems to count both directions together.
+        lane_width_m: how wide its lanes are.
+        lane_width_basis: the words for it.
+        width_terms: the quantities that say so.
         side: driving side.
         side_basis: its words.
         two_lane: the words "two lanes" without "per direction": those of a roundabout's ring.
@@ -50,6 +54,9 @@ class Surroundings:
     lanes: int | None = None
     lanes_basis: Basis | None = None
     lanes_in_all: int | None = None
+    lane_width_m: float | None = None
+    lane_width_basis: Basis | None = None
+    width_terms: list[Term] = field(default_factory=list)
     side: DrivingSide | None = None
     side_basis: Basis | None = None
     highway: Basis | None = None
@@ -58,7 +65,8 @@ class Surroundings:
     @property
     def measured(self) -> list[Term]:
         """Quantities of the road, and of nobody on it."""
-        return [t for t in (self.limit_term, self.sight_term) if t is not None]
+        found = (self.limit_term, self.sight_term)
+        return [*(t for t in found if t is not None), *self.width_terms]
 
     def environment(self) -> Environment:
         """The environment of the scenario."""
@@ -88,11 +96,8 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.side, found.side_basis = DrivingSide(term.value), basis
         elif term.cat == "limit" or ("pace" in term.data and tokens[term.j - 1].low == "limit"):
             _limit(found, terms, k)
-        elif (sight := _sight_m(tokens, term)) is not None:
-            found.amounts["visual_range_m"], found.bases["visual_range_m"] = sight, basis
-            found.sight_term = term
-        elif term.cat == "num" and (held := _friction(tokens, term)) is not None:
-            found.amounts["friction"], found.bases["friction"] = held, basis
+        elif _measured(found, terms, k, tokens):
+            pass
         elif term.cat == "quantity" and _zone(tokens, term):
             _limit(found, [*terms[: k + 1], term], k)
         elif term.cat == "num":
@@ -105,6 +110,22 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
         elif term.cat == "place" and term.value == "highway":
             found.highway = found.highway or basis
     return found
+
+
+def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """How far one sees, how wide the lanes are, how the tyres hold; whether a term says that."""
+    term, basis = terms[k], Basis(terms[k].i, terms[k].j)
+    if (sight := _sight_m(tokens, term)) is not None:
+        found.amounts["visual_range_m"], found.bases["visual_range_m"] = sight, basis
+        found.sight_term = term
+    elif (width := lane_width_m(terms, k, tokens)) is not None:
+        found.lane_width_m, found.lane_width_basis = width, basis
+        found.width_terms.append(term)
+    elif term.cat == "num" and (held := _friction(tokens, term)) is not None:
+        found.amounts["friction"], found.bases["friction"] = held, basis
+    else:
+        return False
+    return True
 
 
 def _sight_m(tokens: list[Token], term: Term) -> float | None:

@@ -1,4 +1,4 @@
-"""Objects are what the concrete scenario says, as large and in the same place.
+"""Everybody is as large as the concrete scenario says; objects are what it says, and where.
 
 One that is an obstacle lies on a lane; any other stands beside the road.
 """
@@ -12,6 +12,7 @@ from scegen.checking.opendrive.tolerances import heading_step
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.openscenario.storyboard import Entity, WorldPoint
 from scegen.checking.results import Finding, error
+from scegen.scenario.bodies import Body
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import HazardKind
 
@@ -22,14 +23,20 @@ SIZE_M = 0.001
 
 
 def check_objects(situation: Situation) -> Iterator[Finding]:
-    """``xosc.object``: kind, size and place; obstacles on a lane, other things beside the road."""
+    """``xosc.size``: the boxes of all. ``xosc.object``: what a thing is and where it lies.
+
+    Obstacles lie on a lane, other things beside the road.
+    """
     concrete = situation.concrete
     if concrete is None:
         return
     entities = {entity.name: entity for entity in situation.storyboard.entities}
     obstacles = {name for h in concrete.hazards if h.kind is HazardKind.OBSTACLE for name in h.by}
+    for one in concrete.entities:
+        if one.id in entities:  # xosc.participants tells the others
+            yield from _as_large(one.id, one.body, entities[one.id])
     for thing in concrete.objects:
-        if thing.id in entities:  # xosc.participants tells the others
+        if thing.id in entities:
             yield from _as_said(thing, entities[thing.id])
             yield from _placed(situation, thing, blocks=thing.id in obstacles)
 
@@ -38,10 +45,13 @@ def _as_said(thing: StaticObject, entity: Entity) -> Iterator[Finding]:
     if (entity.kind, entity.category) != ("MiscObject", thing.category.value):
         said = f"{entity.kind} {entity.category}".strip()
         yield error(RULE, thing.id, f"is a {said}, not a MiscObject {thing.category}")
-    wanted = (thing.length_m, thing.width_m, thing.height_m)
+
+
+def _as_large(name: str, body: Body, entity: Entity) -> Iterator[Finding]:
+    wanted = (body.length_m, body.width_m, body.height_m)
     size = entity.size_m
     if size is None or max(abs(a - b) for a, b in zip(size, wanted, strict=True)) > SIZE_M:
-        yield error(RULE, thing.id, f"has a box of {size}, not {wanted} m")
+        yield error("xosc.size", name, f"has a box of {size}, not {wanted} m")
 
 
 def _placed(situation: Situation, thing: StaticObject, *, blocks: bool) -> Iterator[Finding]:
