@@ -15,7 +15,7 @@ def reported(text):
         ("The ego must react suddenly because a boy crosses the road.", "suddenly"),
         ("A northbound van brakes.", "northbound"),
         ("A van parks quickly.", "quickly"),
-        ("The ego drives past a van that is 12 m long.", "12 m"),
+        ("The ego drives past a van that is 3 m high.", "3 m"),
     ],
 )
 def test_what_fills_no_field_is_reported(text, word):

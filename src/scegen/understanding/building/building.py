@@ -29,6 +29,7 @@ from scegen.understanding.building.in_lane import (
     lanes_of,
     past_people,
     settle_along,
+    settle_numbers,
 )
 from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.left_turns import onto_the_road
@@ -106,6 +107,7 @@ class Builder:
                 settle_ramp(self._draft, ego, junction.auxiliary, beside_ego=beside)
         else:
             alongside(self._draft, ego, self._draft.tokens)
+        settle_numbers(self._draft, ego, junction)
         self._name(ego)
         groups = some_of(self._draft, self._happenings, junction.kind, self._proofs)
         participants = tuple(

@@ -11,8 +11,10 @@ from scegen.scenario.vocabulary import (
     Maneuver,
 )
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.semantics.numbered_lanes import EITHER
 
 _FEWEST_WITH_A_MIDDLE = 3
+_UNSETTLED = "from which side lanes are counted is not said, so the number names none"
 
 
 def settle_along(draft: Draft, ego: Entity) -> None:
@@ -78,7 +80,38 @@ def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
     if name.isdigit():
         return frozenset({int(name)}) if int(name) <= count else frozenset()
     inner = "right" if junction.driving_side is DrivingSide.LEFT else "left"
+    number, _, side = name.partition(" from ")
+    if side:
+        inwards, outwards = int(number), count + 1 - int(number)
+        found = {inner: {inwards}, EITHER: {inwards, outwards}}.get(side, {outwards})
+        return frozenset(found) if int(number) <= count else frozenset()
     return frozenset({1 if name == inner else count})
+
+
+def settle_numbers(draft: Draft, ego: Entity, junction: Junction) -> None:
+    """Lanes by number, where nothing says from which side they are counted.
+
+    The middle one is the same from either. Either is open of one lane alone, in which somebody is,
+    or the ego with others in file. Of several, or where these would be all lanes, the numbers only
+    tell who is beside the ego; else they are reported.
+    """
+    told = [e for e in draft.entities if e.start_lane and e.start_lane[0].endswith(EITHER)]
+    unsettled = [e for e in told if len(lanes_of(e, junction)) != 1]
+    count = min(junction.lanes, default=1)
+    in_file = {Approach.AHEAD, Approach.BEHIND}
+    alone = [
+        e for e in unsettled if e is ego or not 0 < len(e.approaches) <= len(e.approaches & in_file)
+    ]
+    alike = len({e.lane for e in unsettled}) == 1 and (len(unsettled) == 1 or alone == [ego])
+    if alike and 0 < len(lanes_of(unsettled[0], junction)) < count:
+        return
+    beside = [e for e in told if e is not ego and e.approaches == {Approach.ADJACENT}]
+    for entity in unsettled:
+        _, basis = entity.start_lane or ("", entity.basis)
+        entity.start_lane = None
+        expressed = entity in beside or (entity is ego and beside)
+        if not expressed and basis.i is not None:
+            draft.note(basis.i, basis.j or basis.i, _UNSETTLED)
 
 
 def circulates(entity: Entity, junction: Junction) -> bool:

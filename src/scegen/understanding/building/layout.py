@@ -343,7 +343,7 @@ class Layout:
         if implied is None or not (ring or named or around.highway is not None):
             return (), None, None  # as many as it takes
         count = _MOST_LANES if "middle" in named or self._middle_lane() else _FEWEST_TO_NAME
-        count = max(count, *(int(name) for name in named if name.isdigit()), 0)
+        count = max(count, *(int(name.split()[0]) for name in named if name[0].isdigit()), 0)
         return (count,) * arms, (2 if ring else None), implied
 
     def _middle_lane(self) -> bool:
