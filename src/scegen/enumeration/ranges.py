@@ -20,7 +20,13 @@ from scegen.scenario.speed_limits import (
     implied_limit_mps,
     limit_for_kind_mps,
 )
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import (
+    Approach,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+)
 
 Range = tuple[float, float, float, str]
 """Low, high, default, reason."""
@@ -40,6 +46,8 @@ MOST_FOR_KIND_MPS: dict[ParticipantKind, float] = {
     ParticipantKind.BUS: 100 / 3.6,
 }
 """What speed limitation devices let them drive (EU directives 92/6/EEC and 2002/85/EC)."""
+
+_MOVES_MPS = 1.0
 
 OFFSET_S: Range = (-2.0, 2.0, 0.0, "arrives at the conflict within 2 s of the ego")
 AHEAD_OFFSET_S: Range = (-4.0, -1.0, -2.0, "arrives before the ego, on the same arm")
@@ -75,7 +83,13 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
     if share in {CRUISING_SHARE, USUAL_SHARE}:
         limit = min(limit, MOST_FOR_KIND_MPS.get(kind, limit), comfortable_mps(functional))
     low, high, default, reason = share
-    return low * limit, high * limit, default * limit, f"{reason}, limit {limit:.4g} m/s"
+    low, high, default = low * limit, high * limit, default * limit
+    pace = functional.ego.speed_mps
+    if share in {CRUISING_SHARE, USUAL_SHARE} and pace is not None and pace.low > _MOVES_MPS:
+        # Who drives in line with the ego may be as slow as that is said to be.
+        in_line = participant.approaches & {Approach.AHEAD, Approach.BEHIND}
+        low, default = (min(low, pace.low), min(default, pace.high)) if in_line else (low, default)
+    return low, high, default, f"{reason}, limit {limit:.4g} m/s"
 
 
 def offset_range(
