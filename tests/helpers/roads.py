@@ -66,6 +66,24 @@ SCENARIOS: dict[str, FunctionalScenario] = {
         [("swerving", "lead", "ego"), ("stopping", "lead", "ego")],
         acts=[act("jinks", "lead", "swerve"), act("halts", "lead", "stop", when=after("jinks"))],
     ),
+    "overtakes_and_brakes": road(
+        [ego(70), one("fast", "car", BEHIND, ["overtake"], speed=90)],
+        [("overtaking", "fast", "ego"), ("hard_braking", "fast", "ego")],
+        acts=[act("slows", "fast", "brake", target_speed_mps=kmh(40))],
+    ),
+    "overtakes_and_then_stops": road(
+        [ego(None, ["overtake"]), one("slow", "truck", AHEAD)],
+        [("overtaking", "ego", "slow")],
+        acts=[
+            act("passes", "ego", "overtake", into="slow"),
+            act("halts", "ego", "stop", when=after("passes")),
+        ],
+    ),
+    "crawls_behind_one_that_stops": road(
+        [ego(15), one("lead", "truck", AHEAD)],
+        [("stopping", "lead", "ego")],
+        acts=[act("halts", "lead", "stop")],
+    ),
     "called_slow_at_a_speed": road(
         [ego(120), one("other", "truck", RIGHT_LANE, ["lane_change"], speed=80)],
         [("slow_driving", "other", "ego"), ("cut_in", "other", "ego")],

@@ -28,7 +28,7 @@ from scegen.claims.statements.maneuvers import LANE_M, overtaken
 from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
-from scegen.claims.view import View, lasting
+from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.doors import WAY_M
 from scegen.scenario.acts import (
@@ -51,7 +51,8 @@ _OPENS_BEFORE_S = Interval(low=0.0, high=4.0)
 """Whoever is farther away when a door opens has time to look for another way."""
 _BESIDE_M = 0.5
 _SWERVES_M = 0.3
-_SWERVE_RESTS_S = 0.5
+_TURNS_BACK_S = 1.0
+"""Who swerves out and comes back later than this does so by something else."""
 _SPEED_OVER_S = 0.1
 _THEN_S = Interval(low=0.0, high=2.0)
 """Where no delay is said, one act follows another within the time of a slow reaction."""
@@ -433,19 +434,23 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
 def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
     """When a move to the side, once under way, first comes to rest sideways or turns round.
 
-    A swerve is over when it has come to rest sideways for a moment: out, and back if it goes back.
+    A swerve is over when it has come to rest sideways for a moment, an overtake when who has gone
+    out has come back; if it does, either.
     """
     moved = lateral_m(view, act.participant, told.drive(act.participant))
+    steps = np.arange(view.steps)
     speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    under_way = (np.abs(speed) > ASIDE_MPS) & (np.arange(view.steps) >= begins[:, None])
-    goes = first(under_way)
-    if act.kind is ActKind.SWERVE:
-        soon = max(1, round(_SWERVE_RESTS_S / view.dt_s))
-        rests = lasting(np.abs(speed), soon, greatest=True) <= ASIDE_MPS
-        over = first((np.arange(rests.shape[1]) > goes[:, None]) & rests)
-        return np.where(over < rests.shape[1], over, view.steps)
+    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
     sense = np.sign(at(speed, goes))[:, None]
-    return first((np.arange(view.steps) > goes[:, None]) & (sense * speed <= ASIDE_MPS))
+    over = first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))
+    if act.kind is ActKind.CHANGE_LANE:
+        return over
+    # A body that straightens up swings back a little: who comes back does so farther.
+    comes = sense * (at(moved, over)[:, None] - moved) > _SWERVES_M
+    back = first(comes & (steps >= over[:, None]))
+    there = first((sense * speed >= -ASIDE_MPS) & (steps > back[:, None]))
+    either = act.kind is ActKind.OVERTAKE or (back - over) * view.dt_s <= _TURNS_BACK_S
+    return np.where((there < view.steps) & either, there, over)
 
 
 def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:

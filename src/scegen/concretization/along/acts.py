@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.amounts import spelled_out
 from scegen.concretization.asked import dangers
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -41,14 +41,21 @@ _ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF, ActKind.OPEN_DO
 
 
 def _passing_first(hazard: Hazard, runners: Mapping[str, Runner], acts: list[Act]) -> list[Act]:
-    """Who comes in front of the one it overtakes has passed it before."""
+    """Who comes in front of the one it overtakes, or brakes there, has passed it before."""
+    passed = next((name for name in hazard.to if name in runners), None)
     for n, act in enumerate(acts):
-        back = act.kind is ActKind.CHANGE_LANE and act.participant in hazard.by
-        passed = act.into in hazard.to and act.into in runners
-        if back and passed and not does(acts, act.participant, frozenset({ActKind.OVERTAKE})):
-            name = f"pass_of_{act.participant}"[:40]
-            before = Act(id=name, participant=act.participant, kind=ActKind.OVERTAKE, into=act.into)
-            return [*acts[:n], before, *acts[n:]]
+        back = act.kind is ActKind.CHANGE_LANE and act.into in hazard.to and act.into in runners
+        slows = act.kind in _SLOWS and act.when is None
+        if act.participant not in hazard.by or not (back or slows):
+            continue
+        if passed is None or does(acts, act.participant, frozenset({ActKind.OVERTAKE})):
+            continue
+        name = f"pass_of_{act.participant}"[:40]
+        into = act.into if back else passed
+        before = Act(id=name, participant=act.participant, kind=ActKind.OVERTAKE, into=into)
+        if slows:
+            act = act.model_copy(update={"when": AfterAct(act=name, since="end")})  # noqa: PLW2901
+        return [*acts[:n], before, act, *acts[n + 1 :]]
     return acts
 
 
