@@ -7,8 +7,8 @@ somebody meets a light, it is laid once more around everybody, when all times ar
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from math import isfinite
 from typing import NamedTuple
 
@@ -26,7 +26,7 @@ from scegen.motion.rules.intergreen import (
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.concrete import AtTime
 from scegen.scenario.control import LIGHTS, oncoming_arms
-from scegen.scenario.functional import Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.signals import SignalGroup, SignalPlan
 from scegen.scenario.vocabulary import ANIMALS, AtLight, Control, JunctionKind
 
@@ -50,16 +50,24 @@ _LATE_S = 0.3
 _WAITS_S, _STOOD_S = 4.0, 100.0
 """Who is said to wait for green stands so long; and who stands there when it begins."""
 _LEAST_WAIT_S = 0.5
+_TO_THE_LINE_S = 4.0
+"""Who sets off late is over the line so soon after."""
 _FEW = 1e-3
+_EXACTLY = 10.0
+"""So much more than room counts it that one sets off when that is said."""
 
 
 @dataclass(frozen=True)
 class Lights:
-    """The lights of a scene on the clock of its ego's course, and who must obey them."""
+    """The lights of a scene on the clock of its ego's course, and who must obey them.
+
+    ``delays_s`` is how long after green those set off of whom that is said.
+    """
 
     plan: SignalPlan
     obeying: frozenset[str]
     waiting: frozenset[str] = frozenset()
+    delays_s: Mapping[str, float] = field(default_factory=dict)
 
     def wait(self, draft: DriveDraft, offset_s: float) -> None:
         """Let a drive so late stand at its line until green: at red, or if that is said."""
@@ -71,11 +79,14 @@ class Lights:
         since = (crosses_s(draft, offset_s) - group.green_from_s) % self.plan.cycle_s
         if since < group.green_s - _LATE_S and draft.id not in self.waiting:
             return
-        goes = crosses_s(draft, offset_s) + self.plan.cycle_s - since + _STARTS_S
-        draft.waits_s, draft.course_ = _LEAST_WAIT_S, None
+        goes = crosses_s(draft, offset_s) + self.plan.cycle_s - since
+        goes += self.delays_s.get(draft.id, _STARTS_S)
+        # One that sets off late has stood for longer: it came to rest before green.
+        least = self.delays_s[draft.id] + _STARTS_S if draft.id in self.delays_s else _LEAST_WAIT_S
+        draft.waits_s, draft.course_ = least, None
         again = next(phase for phase in draft.course.phases if phase.resumes)
         longer = goes - (offset_s + again.begins_s)
-        draft.waits_s, draft.course_ = _LEAST_WAIT_S + max(0.0, longer), None
+        draft.waits_s, draft.course_ = least + max(0.0, longer), None
 
 
 def stands_at_red(participant: Participant) -> bool:
@@ -97,12 +108,17 @@ def crosses_s(draft: DriveDraft, offset_s: float) -> float:
 
 
 class _Shown(NamedTuple):
-    """What the light of an arm is to show at a time, for who drives or for who crosses it."""
+    """What the light of an arm is to show at a time, for who drives or for who crosses it.
+
+    ``after_s``: so long after green has begun, where that is said.
+    """
 
     arm: int
     afoot: bool
     time_s: float
     wanted: AtLight
+    after_s: float | None = None
+    who: str = ""
 
 
 def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
@@ -117,13 +133,20 @@ def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
     waiting = frozenset(p.id for p in functional.participants if p.light is AtLight.WAITS)
     if plan.working:
         plan = _suiting(plan, list(_driven(scene, offsets_s)))
-    return Lights(plan, obeying, waiting)
+    return Lights(plan, obeying, waiting, green_delays_s(functional))
+
+
+def green_delays_s(functional: FunctionalScenario) -> dict[str, float]:
+    """How long after green those set off of whom it is said."""
+    said = ((p.id, p.green_delay_s) for p in functional.participants)
+    return {name: delay.middle for name, delay in said if delay is not None}
 
 
 def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
     """Of those who drive and are placed, as is said, or as the rules want it."""
     functional, logical = scene.functional, scene.logical
     runners, obeying = light_runners(functional, logical), must_obey(functional, logical)
+    delays = green_delays_s(functional)
     for name in at_lights(functional, logical):
         said = functional.participant(name).light
         if name not in offsets_s or name not in scene.drives:
@@ -139,7 +162,8 @@ def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
             rests = (late + phase.begins_s for phase in phases if phase.target_mps == 0.0)
             time_s = next(rests, np.inf)
         if wanted is not None and isfinite(time_s):
-            yield _Shown(draft.drive.entry, afoot=False, time_s=time_s, wanted=wanted)
+            after_s = delays.get(name)
+            yield _Shown(draft.drive.entry, False, time_s, wanted, after_s, name)
 
 
 def _walked(scene: Setup, leaves_s: Callable[[str], float]) -> Iterator[_Shown]:
@@ -155,12 +179,32 @@ def _walked(scene: Setup, leaves_s: Callable[[str], float]) -> Iterator[_Shown]:
 def _suiting(plan: SignalPlan, shown: Iterable[_Shown]) -> SignalPlan:
     """The plan so much later that it shows what it is to, as well as it can."""
     best, best_worth = plan, -np.inf
-    for late in np.arange(0.0, plan.cycle_s, _STEP_S):
+    shown = list(shown)
+    exact = [_late_s(plan, each) for each in shown if each.after_s is not None]
+    for late in (*exact, *np.arange(0.0, plan.cycle_s, _STEP_S)):
         tried = shifted(plan, float(late))
         worth = sum(_worth(tried, each) for each in shown)
         if worth > best_worth + _FEW:
             best, best_worth = tried, worth
     return best
+
+
+def _wait_as_long(scene: Setup, shown: Sequence[_Shown]) -> None:
+    """Several who set off so long after green, each: one plan can suit one of them only."""
+    for draft in scene.drives.values():
+        own = next((each for each in shown if each.who == draft.id), None)
+        if own is None or draft.waits_s is None or scene.signals is None:
+            continue
+        cycle_s = scene.signals.cycle_s
+        early_s = (_late_s(scene.signals, own) + cycle_s / 2) % cycle_s - cycle_s / 2
+        draft.waits_s, draft.course_ = max(draft.waits_s - early_s, _LEAST_WAIT_S), None
+
+
+def _late_s(plan: SignalPlan, shown: _Shown) -> float:
+    """By how much a plan must be later for green to begin so long before, less than a cycle."""
+    group = plan.group_of(shown.arm, afoot=shown.afoot)
+    begins_s = 0.0 if group is None else group.green_from_s
+    return (shown.time_s - (shown.after_s or 0.0) - begins_s) % plan.cycle_s
 
 
 def shifted(plan: SignalPlan, later_s: float) -> SignalPlan:
@@ -182,6 +226,8 @@ def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:
     crossed = _crossed_arms(scene)
     afoot_s = max((walked_s(scene.network, a) for a in crossed), default=0.0) + LEAST_GREEN_AFOOT_S
     green = max(LEAST_GREEN_S, afoot_s - between) if crossed else LEAST_GREEN_S
+    late_s = max(green_delays_s(scene.functional).values(), default=0.0)
+    green = max(green, late_s + _TO_THE_LINE_S) if late_s else green
     groups = [
         SignalGroup(
             id=number + 1,
@@ -234,6 +280,9 @@ def _worth(plan: SignalPlan, shown: _Shown) -> float:
     if group is None:
         return 0.0
     since = (shown.time_s - group.green_from_s) % plan.cycle_s
+    if shown.after_s is not None:
+        off = (since - shown.after_s + plan.cycle_s / 2) % plan.cycle_s - plan.cycle_s / 2
+        return 2 * plan.cycle_s - 10 * _EXACTLY * abs(off)
     begins, ends = plan.window_s(group, shown.wanted)
     ends = min(ends, begins + _WITHIN_S.get(shown.wanted, ends))
     after, before = _ROOM_S[shown.wanted]
@@ -257,6 +306,7 @@ def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
         late = {name: draft.offset_s for name, draft in scene.drives.items()}
         shown = [*_driven(scene, late), *_walked(scene, leaves_s)]
         scene.signals = _suiting(scene.signals, shown)
+        _wait_as_long(scene, [each for each in shown if each.after_s is not None])
     for draft in scene.drives.values():
         if draft.waits_s is None or draft.lets_by is not None:
             continue

@@ -141,6 +141,9 @@ def said_numbers(functional: FunctionalScenario) -> tuple[ParameterRange, ...]:
         found += _quantities("outcome", functional.outcome)
     sized = [(one.id, one.length_m, one.width_m) for one in functional.participants]
     sized += [(one.id, one.length_m, one.width_m) for one in functional.objects]
+    for person in functional.participants:
+        if person.green_delay_s is not None:
+            found.append(_stated(f"{person.id}.green_delay_s", person.green_delay_s))
     for name, length, width in sized:
         found += [_stated(f"{name}.length_m", length)] if length is not None else []
         found += [_stated(f"{name}.width_m", width)] if width is not None else []

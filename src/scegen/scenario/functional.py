@@ -64,6 +64,7 @@ from scegen.scenario.vocabulary import (
 MAX_ARMS = 8
 MAX_LANES = 4
 """Lanes per direction on a road without a junction; at junctions one less."""
+MOST_GREEN_DELAY_S = 10.0
 _SHOWN = 4
 """Phrases that a line names."""
 ARM_COUNTS: dict[JunctionKind, tuple[int, int]] = {
@@ -194,6 +195,7 @@ class Participant(FrozenModel):
     shows as it goes, and how it meets that, None if not said; people on foot only go at ``green``
     or ``red``. An emergency vehicle ``on_call`` has its siren and its lights on: everybody gives
     way to it where their ways cross or join, and it need not wait for signs and lights.
+    One that waits sets off ``green_delay_s`` after its light has turned green, None if not said.
     ``length_m`` and ``width_m`` are its size, None where it is as large as its kind usually is.
     """
 
@@ -210,6 +212,7 @@ class Participant(FrozenModel):
     strip: Strip | None = None
     crosses: CrossedArm | None = None
     light: AtLight | None = None
+    green_delay_s: Annotated[Interval, between(0.0, MOST_GREEN_DELAY_S)] | None = None
     speed_mps: Interval | None = None
     length_m: Annotated[Interval, between(*LENGTHS_M)] | None = None
     width_m: Annotated[Interval, between(*WIDTHS_M)] | None = None
@@ -218,6 +221,9 @@ class Participant(FrozenModel):
     def _somebody(self) -> Participant:
         if self.kind is ParticipantKind.DOOR:
             msg = f"{self.id}: a door is no participant; its vehicle has the act open_door"
+            raise ValueError(msg)
+        if self.green_delay_s is not None and self.light is not AtLight.WAITS:
+            msg = f"{self.id}: green_delay_s is of one who waits for green, with `light: waits`"
             raise ValueError(msg)
         if self.on_call and self.kind is not ParticipantKind.EMERGENCY_VEHICLE:
             msg = f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}"

@@ -60,6 +60,8 @@ class Entity:
     """Whether it walks as the ego drove before it turned (else against that)."""
     light: tuple[AtLight, Basis] | None = None
     """How it meets its light."""
+    green_delay: Any = None
+    """How long after green it sets off, as an amount."""
     start_lane: tuple[str, Basis] | None = None
     """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     held: Basis | None = None

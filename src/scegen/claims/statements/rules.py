@@ -7,10 +7,10 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import NEVER, Claim, Judged, always, rule_claim, yes_or_no
-from scegen.claims.moments import first
+from scegen.claims.claim import NEVER, Claim, Judged, always, rule_claim, within, yes_or_no
+from scegen.claims.moments import STANDS_MPS, first
 from scegen.claims.statements.touching import hit_s
-from scegen.claims.told import Told
+from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View, longest_run
 from scegen.motion.batch.arrays import Bools, Floats, Ints
@@ -30,6 +30,7 @@ from scegen.motion.rules.stopping import (
 )
 from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.logical import Drive
+from scegen.scenario.model import Interval
 from scegen.scenario.signals import SignalState
 from scegen.scenario.vocabulary import AtLight
 
@@ -78,6 +79,15 @@ def _as_said(told: Told) -> Iterator[Claim]:
         else:
             test = partial(always, holds=False)
         yield rule_claim(f"light.{name}", statement, test, scale=2.0, field=field)
+        if person.green_delay_s is not None and name in drives:
+            delay = person.green_delay_s
+            yield rule_claim(
+                f"green_delay.{name}",
+                f"{name} sets off {amount(delay)} s after its light has turned green",
+                partial(_sets_off, drives[name], delay),
+                tolerance=TIME_S,
+                field=f"participants.{name}.green_delay_s",
+            )
 
 
 def _shown(
@@ -136,6 +146,22 @@ def _waits(drive: Drive, view: View) -> Judged:
     goes = _shown(drive.participant, drive.entry, AtLight.WAITS, view)
     margin = np.where(rests, np.minimum(stopped, goes.margin), -NEVER)
     return Judged(margin, goes.measured, goes.time_s)
+
+
+def _sets_off(drive: Drive, delay_s: Interval, view: View) -> Judged:
+    """How long after green it moves off from where it has rested at its line."""
+    name, plan = drive.participant, view.concrete.signals
+    group = None if plan is None else plan.group_of(drive.entry)
+    rests, _ = _rest_at_line(drive, view)
+    before = np.arange(view.steps) < _over_line(name, view, OVER_LINE_M)[:, None]
+    stood = before & (view.speed_mps(name) <= STANDS_MPS)
+    time_s = view.time_of(view.steps - 1 - stood[:, ::-1].argmax(axis=1))
+    if plan is None or group is None or not plan.working:
+        return Judged(np.full(view.count, -NEVER), np.full(view.count, np.nan), time_s)
+    half = plan.cycle_s / 2
+    since = (time_s - group.green_from_s + half) % plan.cycle_s - half
+    margin = within(since, delay_s, TIME_S)
+    return Judged(np.where(rests & stood.any(axis=1), margin, -NEVER), since, time_s)
 
 
 def _comes_to_rest(drive: Drive, view: View) -> Judged:

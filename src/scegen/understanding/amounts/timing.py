@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.vocabulary import AtLight
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Word
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Doing, Trigger, amount_of
+from scegen.understanding.happenings import Doing, Trigger, amount_of, exactly
 from scegen.understanding.words.quantities import quantity_at
 
 _ANY = frozenset(ActKind)
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
+_GREEN_REACH = 9
 _LATER = frozenset({"later", "afterwards", "thereafter", "that"})
 
 
@@ -26,6 +28,9 @@ class Clock(Teller):
         """
         if self._since(number) == "before":
             return self._earlier(number)
+        if self._since(number) == "after" and (waiting := self._at_green(number)) is not None:
+            waiting.green_delay = waiting.green_delay or exactly(number)
+            return True
         doing = self.likewise(number, _ANY) or self._delayed(number) or self._comes_in(number)
         if doing is None or doing.when is not None:
             return False
@@ -35,6 +40,19 @@ class Clock(Teller):
             return False
         doing.when = Trigger("after" if base else "start", basis, amount_of(number), base, since)
         return True
+
+    def _at_green(self, number: Measured) -> Entity | None:
+        """``sets off 0.8 s after the light has turned green``: who waits for that."""
+        _, end = self._text.bounds(number.i)
+        ends = [k for k in range(number.j, end) if self._text.tokens[k].low in {",", "and"}]
+        said = self._text.low(number.j, min([*ends[:1], number.j + _GREEN_REACH, end]))
+        if " green " not in said:
+            return None
+        doing = self._delayed(number)
+        who = [doing.entity] if doing is not None else self._text.subject_before(number.i)
+        waits = [e for e in self._context.draft.entities if e.light and e.light[0] is AtLight.WAITS]
+        named = [e for e in waits if e in who]
+        return next(iter(named or ([] if who else waits)), None)
 
     def _earlier(self, number: Measured) -> bool:
         """``the van enters 1.5 s before the ego gets there``: the other's act comes later."""

@@ -167,6 +167,7 @@ class Builder:
         strip, strip_basis = entity.strip or (None, None)
         crosses, crosses_basis = self._crosses(entity, maneuvers, junction)
         light, light_basis = self._light(entity, maneuvers, junction)
+        delay = entity.green_delay if light is AtLight.WAITS else None
         for name, value, basis in (
             ("parked", entity.parked, entity.parked_basis),
             ("approaches", entity.approaches, entity.approach_basis),
@@ -178,6 +179,7 @@ class Builder:
             ("strip", strip, strip_basis),
             ("crosses", crosses, crosses_basis),
             ("light", light, light_basis),
+            ("green_delay_s", delay, delay.basis if delay is not None else None),
             ("speed_mps", entity.speed, entity.speed_basis),
             *((name, amount.value, amount.basis) for name, amount in entity.sizes.items()),
         ):
@@ -199,6 +201,7 @@ class Builder:
             strip=strip,
             crosses=crosses,
             light=light,
+            green_delay_s=delay.value if delay is not None else None,
             speed_mps=entity.speed,
             **{name: amount.value for name, amount in entity.sizes.items()},
         )
