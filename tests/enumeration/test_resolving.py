@@ -132,3 +132,15 @@ def test_a_file_without_description_and_evidence_gives_the_same(describe):
     )
     bare = told.model_copy(update={"description": "", "evidence": ()})
     assert enumerate_scenarios(told).scenarios == enumerate_scenarios(bare).scenarios
+
+
+def test_who_is_said_to_wait_for_one_who_crosses_is_whose_way_it_crosses(describe):
+    people = [EGO, {"id": "lead", "approaches": ["ahead"]}]
+    child = {"id": "child", "kind": "pedestrian", "maneuvers": ["cross"]}
+    waits = {"id": "waits", "participant": "lead", "kind": "wait", "into": "child"}
+    crossing = {"kind": "crossing_pedestrian", "by": ["child"]}
+    said = describe("straight", 2, [*people, child], [crossing], more={"acts": [waits]})
+    silent = describe("straight", 2, [*people, child], [crossing])
+    for functional, sufferer in ((said, "lead"), (silent, "ego")):
+        for scenario in enumerate_scenarios(functional).scenarios:
+            assert scenario.hazards[0].to == (sufferer,)

@@ -84,6 +84,16 @@ SCENARIOS: dict[str, FunctionalScenario] = {
         [("stopping", "lead", "ego")],
         acts=[act("halts", "lead", "stop")],
     ),
+    "the_lead_lets_one_cross": road(
+        [ego(), one("lead", "car", AHEAD), one("walker", "pedestrian", ["right"], CROSS)],
+        [("crossing_pedestrian", "walker", "lead")],
+        acts=[act("waits", "lead", "wait", into="walker"), act("halts", "ego", "stop")],
+    ),
+    "hits_a_corner_of_a_truck": road(
+        [ego(30), one("wreck", "truck", AHEAD, STAY)],
+        spacings=[apart("wreck", "ego", "overlap_percent", 25.0, "contact", side="right")],
+        outcome=ends("collision", "ego", "wreck"),
+    ),
     "called_slow_at_a_speed": road(
         [ego(120), one("other", "truck", RIGHT_LANE, ["lane_change"], speed=80)],
         [("slow_driving", "other", "ego"), ("cut_in", "other", "ego")],

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from scegen.scenario.acts import LETS_BY
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Party
 from scegen.scenario.outcome import Outcome
@@ -73,8 +74,15 @@ def _by_the_words(
             return _placed(functional, Approach.BEHIND, Approach.AHEAD, seen_from)
         case Party.LEADER:
             return _placed(functional, Approach.AHEAD, Approach.BEHIND, seen_from)
+        case Party.YIELDING:
+            return yielding(functional, seen_from)
         case _:
             return known_by_itself(functional, party)
+
+
+def yielding(functional: FunctionalScenario, others: tuple[str, ...]) -> list[str]:
+    """Those who are said to wait for one of these, or to give way to it."""
+    return [a.participant for a in functional.acts if a.kind in LETS_BY and a.into in others]
 
 
 def known_by_itself(functional: FunctionalScenario, party: Party) -> list[str]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 
-from scegen.enumeration.presuming import Parties, known_by_itself
+from scegen.enumeration.presuming import Parties, known_by_itself, yielding
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -150,6 +150,8 @@ def _found(scene: _View, party: Party, seen_from: tuple[str, ...]) -> list[str]:
                 for name in scene.assignments
                 if any(_meet(scene, name, other) for other in seen_from)
             ]
+        case Party.YIELDING:
+            return yielding(scene.functional, seen_from)
         case Party.OTHERS:
             ego = scene.functional.ego.id
             return [n for n, a in scene.assignments.items() if n != ego and _moves(a)]

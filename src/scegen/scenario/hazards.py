@@ -22,8 +22,8 @@ class Party(StrEnum):
     ``tailgated``: whom somebody tailgates. ``leader``, ``follower``: next ahead and behind in the
     lane of the other side. ``beside``: in the lane next to it. ``oncoming``: on the other's road,
     towards it. ``crossing``: whose way meets the other's. ``walker``, ``cyclist``: who goes over
-    the road on foot, by bicycle; ``animal``: one that does. ``standing``: who stands or is
-    parked. ``thing``: an object that causes nothing else. ``ego``. ``other``: the first other
+    the road on foot, by bicycle; ``animal``: one that does. ``yielding``: who is said to wait for
+    the other or to give way to it. ``standing``: who stands or is parked. ``thing``: an object that causes nothing else. ``ego``. ``other``: the first other
     vehicle that drives; ``others``: everybody else who moves.
     """
 
@@ -36,6 +36,7 @@ class Party(StrEnum):
     WALKER = "walker"
     CYCLIST = "cyclist"
     ANIMAL = "animal"
+    YIELDING = "yielding"
     STANDING = "standing"
     THING = "thing"
     EGO = "ego"
@@ -321,7 +322,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a child runs out onto the road",
         ),
         causes=(Party.WALKER,),
-        suffers=_EGO_OR_OTHERS,
+        suffers=(Party.YIELDING, *_EGO_OR_OTHERS),
         moves=Motion.ACROSS,
         needs={Case.ANYWHERE: (Arrangement.OVER,)},
         acts=(ActKind.CROSS,),
@@ -333,7 +334,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a cyclist crosses from the right on the crosswalk",
         ),
         causes=(Party.CYCLIST,),
-        suffers=_EGO_OR_OTHERS,
+        suffers=(Party.YIELDING, *_EGO_OR_OTHERS),
         moves=Motion.ACROSS,
         needs={Case.ANYWHERE: (Arrangement.OVER,)},
         acts=(ActKind.CROSS,),
@@ -345,7 +346,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a deer jumps onto the road",
         ),
         causes=(Party.ANIMAL,),
-        suffers=_EGO_OR_OTHERS,
+        suffers=(Party.YIELDING, *_EGO_OR_OTHERS),
         moves=Motion.ACROSS,
         needs={Case.ANYWHERE: (Arrangement.OVER,)},
         acts=(ActKind.CROSS,),

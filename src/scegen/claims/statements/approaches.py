@@ -15,6 +15,7 @@ from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.scenario.logical import Walking
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import (
     ON_FOOT,
     Approach,
@@ -103,6 +104,8 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
     else:
         walks = told.functional.participant(name).kind in ON_FOOT
         lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
+        if _overlaps(told, name, reference):
+            lane = max(lane, frame.half_width + box.half_width)
         choices = []
         for word in words:
             if word is Approach.ADJACENT:
@@ -119,6 +122,14 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
                 choices.append(_comes(told, view, name, reference, word, turned, moves))
     measured = turned if words <= _COURSES else place.x
     return Judged(np.max(choices, axis=0), measured, np.zeros(view.count))
+
+
+def _overlaps(told: Told, name: str, reference: str) -> bool:
+    """Whether a share of a width is said to overlap: then one is ahead by as little as that."""
+    return any(
+        s.measure is Measure.OVERLAP_PERCENT and {s.participant, s.reference} == {name, reference}
+        for s in told.functional.spacings
+    )
 
 
 def _course(view: View, name: str, frame: Boxes) -> Floats:

@@ -20,7 +20,7 @@ from scegen.concretization.limits import (
 from scegen.concretization.others import Walker
 from scegen.concretization.profile import NEVER_S
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
-from scegen.scenario.acts import Act, ActKind, AfterStart, WhenMeasure
+from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.spacings import Measure
@@ -127,7 +127,10 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
 
 
 def _meets(story: Story, name: str) -> str:
-    """Whose way it crosses: who suffers it, else the ego."""
+    """Whose way it crosses: who lets it go first, else who suffers it, else the ego."""
+    for act in story.functional.acts:
+        if act.kind in LETS_BY and act.into == name and act.participant in story.runners:
+            return act.participant
     for hazard in story.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in story.runners]
