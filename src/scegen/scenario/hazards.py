@@ -23,8 +23,9 @@ class Party(StrEnum):
     lane of the other side. ``beside``: in the lane next to it. ``oncoming``: on the other's road,
     towards it. ``crossing``: whose way meets the other's. ``walker``, ``cyclist``: who goes over
     the road on foot, by bicycle; ``animal``: one that does. ``yielding``: who is said to wait for
-    the other or to give way to it. ``standing``: who stands or is parked. ``thing``: an object that causes nothing else. ``ego``. ``other``: the first other
-    vehicle that drives; ``others``: everybody else who moves.
+    the other or to give way to it. ``standing``: who stands or is parked. ``thing``: an object that
+    causes nothing else. ``ego``. ``other``: the first other vehicle that drives; ``others``:
+    everybody else who moves.
     """
 
     TAILGATED = "tailgated"

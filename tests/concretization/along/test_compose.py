@@ -25,7 +25,6 @@ from scegen.scenario.spacings import Measure
 AT_JUNCTIONS = {
     ActKind.TURN,
     ActKind.REVERSE,
-    ActKind.WAIT,
     ActKind.ENTER,
     ActKind.GIVE_WAY,
 }
