@@ -92,7 +92,9 @@ def attach(prep: Prep, state: State) -> None:
     head = _head_of(prep, state)
     whom = prep.on_mention
     if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
-        prep.on_mention = None  # "falls onto the road ahead of the ego from the pavement"
+        # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
+        # side of its own: "turns in front of a car from the left"
+        prep.on_mention = whom if _does_it(state.events[-1]) and _from_a_side(prep) else None
     if head is not None:
         prep.on_mention = head
     if prep.on_mention is not None:
@@ -104,6 +106,16 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _does_it(event: Event) -> bool:
+    """Whether it is the ego that does it."""
+    return any(h.data.get("ego") for m in event.subject for h in m.heads)
+
+
+def _from_a_side(prep: Prep) -> bool:
+    place = prep.target
+    return isinstance(place, Place) and place.kind in {"side", "direction"}
 
 
 def _names_it_again(target: object, mention: Mention) -> bool:

@@ -23,6 +23,7 @@ _STEADY = frozenset(
      "approach", "speed", "tailgate", "follow", "light", "hide", "appear", "walk",
      "unknown", "inert", "pass", "lose_control", "swerve", "reverse", "crawl", "merge", "unpark"}
 )  # fmt: skip
+_ROADS = frozenset({"road", "highway", "lane"})
 _SIDEWAYS = frozenset({"lane_change", "merge", "cut_in"})
 
 
@@ -180,7 +181,8 @@ class Placer:
             self._apart(entities, basis)
             return
         word = self._draft.tokens[prep.word.i].low
-        edge = self._draft.tokens[target.j - 1].low == "edge" and prep.value == "in"
+        edge = self._draft.tokens[target.j - 1].low == "edge" or self._of_the_road(target, event)
+        edge = edge and prep.value == "in"
         entities = [e for e in entities if not (edge and e.is_vehicle)]  # within its lane
         approaches = place_approaches(target, word if word in word_list("past") else prep.value)
         approaches = _between_lanes(approaches, event)
@@ -207,6 +209,13 @@ class Placer:
             kerb = target.kind in {"sidewalk", "shoulder"} and prep.value == "from"
             entity.pulls_out = entity.pulls_out or kerb
             self._draft.place(entity, reference, set(approaches), basis)
+
+    def _of_the_road(self, side: Place, event: Event | None) -> bool:
+        """``rides on the right side of the road``: on the kerb's side, in the lane that is there."""
+        moves = event is not None and event.name in {"move", "walk"}
+        of = next((p for p in event.pps if p.word.i == side.j), None) if event is not None else None
+        road = of is not None and isinstance(of.target, Place) and of.target.kind in _ROADS
+        return moves and road and self._draft.kerb in side.dirs
 
     def _in_the_egos_lane(
         self, prep: Prep, lane: Place, entities: list[Entity], basis: Basis

@@ -34,10 +34,12 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         chunks: the chunks of the text.
         k: index of a chunk.
     """
-    auxiliary = False
-    preposed = False
-    k = _behind_insertion(chunks, k)
-    for chunk in chunks[k + 1 : k + 9]:
+    auxiliary = preposed = False
+    last = k + 8
+    while k < min(last, len(chunks) - 1):
+        behind = _behind_insertion(chunks, k)
+        last, k = last + behind - k, behind + 1
+        chunk = chunks[k] if k < len(chunks) else None
         if isinstance(chunk, Event):
             return auxiliary or chunk.form != "ing"
         if isinstance(chunk, Word):
@@ -69,6 +71,7 @@ def _behind_insertion(chunks: list[Chunk], k: int) -> int:
     )
     verb = chunks[end + 1] if end + 1 < len(chunks) else None
     finite = isinstance(verb, Event) and verb.form in {"s", "ed"} and not verb.nominal
+    finite = finite or (isinstance(verb, Word) and verb.cat == "aux")
     return end if opens and finite and not ends else k
 
 

@@ -124,6 +124,9 @@ def _fraction(tokens: list[Token], i: int) -> Number | None:
         return Number(value, 4) if lows[3] in _ARTICLES else None
     unit = _unit_at(tokens, i + 1) if lows[0] == "a" and len(lows) > 1 else None
     named = unit is not None and unit[0] == "length" and len(lows[1]) > 2
+    before = [t.low for t in tokens[max(i - 2, 0) : i]]
+    if before[-1:] in (["into"], ["in"], ["from"]) or before == ["out", "of"]:
+        return None  # "out of a yard"
     return Number(1.0, 1) if named else None  # "a second" may be another one
 
 
