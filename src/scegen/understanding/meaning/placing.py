@@ -211,7 +211,7 @@ class Placer:
             self._draft.place(entity, reference, set(approaches), basis)
 
     def _of_the_road(self, side: Place, event: Event | None) -> bool:
-        """``rides on the right side of the road``: on the kerb's side, in the lane that is there."""
+        """``rides on the right side of the road``: in the lane that is there."""
         moves = event is not None and event.name in {"move", "walk"}
         of = next((p for p in event.pps if p.word.i == side.j), None) if event is not None else None
         road = of is not None and isinstance(of.target, Place) and of.target.kind in _ROADS
