@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Callable
 from math import sin, sqrt
 
+from scegen.concretization.amounts import pace_across_mps
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
@@ -51,7 +52,7 @@ def place_walkers(scene: Setup) -> None:
         aside = _abreast_m(side_by_side[place])
         side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
-        speed = _speed(scene, participant)
+        speed = _speed(scene, participant, crossing.arm)
         motion = CrossingMotion(
             arm=crossing.arm,
             start_side=crossing.start,
@@ -69,12 +70,16 @@ def _abreast_m(number: int) -> float:
     return (number + 1) // 2 * _ABREAST_M * (1 if number % 2 else -1)
 
 
-def _speed(scene: Setup, participant: Participant) -> float:
+def _speed(scene: Setup, participant: Participant, arm: int) -> float:
     usual = PACE_MPS[participant.kind]
     low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
     least = min(max(low, 0.9 * usual), high)
     speed = float(scene.rng.uniform(least, max(min(high, 1.2 * usual), least)))
     speed = min(max(speed, low, 0.3), max(high, 0.3))
+    if participant.speed_mps is None:
+        road = scene.network.arm_road(arm)
+        width = road.edge_t_m(1) - road.edge_t_m(-1)
+        speed = pace_across_mps(scene.acts, participant.id, width) or speed
     scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
     return round(speed, 3)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from scegen.scenario.definitions import Word
 from scegen.scenario.model import FrozenModel, Identifier, Interval
@@ -76,7 +76,7 @@ class ActKind(Word):
         "a vehicle through a junction (maneuver `straight`)",
         "steps off the kerb when the ego is 30 m away",
     )
-    REVERSE = "reverse", "begins to drive backwards", "a U-turn (`turn`)", "backs up for 3 s"
+    REVERSE = "reverse", "begins to drive backwards", "a U-turn (`turn`)", "backs up"
     OPEN_DOOR = (
         "open_door",
         "a parked vehicle opens a door on the side of the traffic",
@@ -93,6 +93,14 @@ class ActKind(Word):
 
 LETS_BY = frozenset({ActKind.GIVE_WAY, ActKind.WAIT})
 """What one does for another that goes first, where one is named."""
+LASTING = frozenset(ActKind) - {
+    ActKind.GIVE_WAY,
+    ActKind.OVERTAKE,
+    ActKind.TURN,
+    ActKind.ENTER,
+    ActKind.REVERSE,
+}
+"""What may take as long as is said; the others follow from ways and speeds."""
 
 
 class AfterStart(FrozenModel):
@@ -151,7 +159,8 @@ class Act(FrozenModel):
 
     ``target_speed_mps`` is the speed that it ends at, ``rate_mps2`` how fast its speed changes
     on the way (a magnitude: the kind says which way), ``duration_s`` how long the act takes, of one
-    who waits how long it stands,
+    who waits how long it stands, of one who crosses from kerb to kerb, of one who swerves until it
+    is as far aside as it goes,
     ``distance_m`` how far it goes on doing it. ``side`` is its own left or right, ``into`` names
     whose lane it comes into, of one who overtakes whom, of one who waits or gives way for whom;
     ``lateral_m`` how far it goes sideways, ``lateral_mps`` its greatest
@@ -170,3 +179,12 @@ class Act(FrozenModel):
     lateral_m: Interval | None = None
     lateral_mps: Interval | None = None
     when: When | None = None
+
+    @model_validator(mode="after")
+    def _may_last(self) -> Act:
+        if self.duration_s is not None and self.kind not in LASTING:
+            msg = (
+                f"acts.{self.id}: how long it takes to {self.kind.replace('_', ' ')} follows from "
+            )
+            raise ValueError(f"{msg}ways and speeds; leave duration_s out")
+        return self

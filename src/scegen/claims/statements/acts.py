@@ -288,6 +288,10 @@ def _sideways(told: Told, act: Act) -> Iterator[Claim]:
         statement = f"{name} goes sideways at {amount(act.lateral_mps)} m/s"
         tolerance = 2 * tolerances.LATERAL_M
         yield _claim(told, act, "lateral_mps", statement, "m/s", _fast_aside, tolerance=tolerance)
+    if act.duration_s is not None:
+        statement = f"{name} takes {amount(act.duration_s)} s to go aside"
+        tolerance = 2 * tolerances.TIME_S
+        yield _claim(told, act, "duration_s", statement, "s", _lasts_aside, tolerance=tolerance)
     if act.into is not None:
         statement = f"{name} comes into the lane of {act.into}"
         yield _claim(told, act, "into", statement, "m", _into)
@@ -437,12 +441,7 @@ def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
     A swerve is over when it has come to rest sideways for a moment, an overtake when who has gone
     out has come back; if it does, either.
     """
-    moved = lateral_m(view, act.participant, told.drive(act.participant))
-    steps = np.arange(view.steps)
-    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
-    sense = np.sign(at(speed, goes))[:, None]
-    over = first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))
+    steps, (moved, speed, sense, over) = np.arange(view.steps), _aside_over(told, act, begins, view)
     if act.kind is ActKind.CHANGE_LANE:
         return over
     # A body that straightens up swings back a little: who comes back does so farther.
@@ -451,6 +450,29 @@ def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
     there = first((sense * speed >= -ASIDE_MPS) & (steps > back[:, None]))
     either = act.kind is ActKind.OVERTAKE or (back - over) * view.dt_s <= _TURNS_BACK_S
     return np.where((there < view.steps) & either, there, over)
+
+
+def _aside_over(
+    told: Told, act: Act, begins: Ints, view: View
+) -> tuple[Floats, Floats, Floats, Ints]:
+    """Way and speed to the left (c, t), to which side it goes, and when it no longer does so."""
+    moved = lateral_m(view, act.participant, told.drive(act.participant))
+    steps = np.arange(view.steps)
+    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
+    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
+    sense = np.sign(at(speed, goes))[:, None]
+    return moved, speed, sense, first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))
+
+
+def _lasts_aside(told: Told, act: Act, view: View) -> Judged:
+    """From when it leaves its line until its rear has come as far aside as its middle."""
+    begins = _begins(told, act, view)
+    _, _, _, over = _aside_over(told, act, begins, view)
+    speed = np.maximum(at(view.speed_mps(act.participant), over), 1.0)
+    took = view.time_of(over - begins) + view.body(act.participant).centre_ahead_m / speed
+    wanted = act.duration_s or Interval(low=0.0, high=0.0)
+    margin = within(took, wanted, 2 * tolerances.TIME_S)
+    return Judged(np.where(over < view.steps, margin, np.nan), took, view.time_of(over))
 
 
 def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:

@@ -9,13 +9,13 @@ import numpy as np
 
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, passes
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import SIDEWAYS, at
+from scegen.claims.moments import SIDEWAYS, at, first
 from scegen.claims.statements.ramps import by_ramp
 from scegen.claims.statements.touching import touched
-from scegen.claims.told import KPH, Told, either
-from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
+from scegen.claims.told import KPH, Told, amount, either
+from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS, TIME_S
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
@@ -23,6 +23,7 @@ from scegen.scenario.acts import LETS_BY, ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
+from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import (
     ON_FOOT,
     HazardKind,
@@ -65,6 +66,7 @@ def claims(told: Told) -> Iterator[Claim]:
                 "m",
                 partial(_crosses, told, crossing),
             )
+            yield from _in_its_time(told, crossing)
         if crossing is not None and crossing.arm in told.functional.junction.crosswalks:
             does = f"{person.id} crosses on the crosswalk"
             test = partial(_on_crosswalk, crossing)
@@ -220,6 +222,33 @@ def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
     hit = touched(told, view, crossing.participant)
     margin = np.where(hit & (beyond < 0.0), 0.0, beyond)
     return Judged(margin, end, view.time_of(last))
+
+
+def _in_its_time(told: Told, crossing: Crossing) -> Iterator[Claim]:
+    """How long it takes from kerb to kerb, where that is said."""
+    for act in told.acts_of(crossing.participant):
+        if act.kind is ActKind.CROSS and act.duration_s is not None:
+            yield _claim(
+                f"cross.{act.participant}.takes",
+                f"{act.participant} takes {amount(act.duration_s)} s from kerb to kerb",
+                f"acts.{act.id}.duration_s",
+                "s",
+                partial(_takes, crossing, act.duration_s),
+                fixed=False,
+            )
+
+
+def _takes(crossing: Crossing, wanted: Interval, view: View) -> Judged:
+    """From when its middle is over one kerb until it is over the other."""
+    arm = arms_of(view)[crossing.arm]
+    _, offset = arm.place(boxes(view, crossing.participant))
+    right, left = arm.edges_m
+    from_left = crossing.start is Side.LEFT
+    on, off = (offset < left, offset < right) if from_left else (offset > right, offset > left)
+    begins, ends = first(on), first(off)
+    took = view.time_of(ends - begins)
+    margin = within(took, wanted, 2 * TIME_S)
+    return Judged(np.where(ends < view.steps, margin, np.nan), took, view.time_of(ends))
 
 
 def _on_crosswalk(crossing: Crossing, view: View) -> Judged:

@@ -9,7 +9,7 @@ from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
-from scegen.concretization.amounts import goes_on_when_free
+from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
 from scegen.concretization.asked import allowed
 from scegen.concretization.limits import (
     HARD_BRAKING_MPS2,
@@ -82,8 +82,12 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     participant = story.functional.participant(crossing.participant)
     body = participant.body
     said = participant.speed_mps
+    width = edge_y_m(story, left=True) - edge_y_m(story, left=False)
     usual = PACE_MPS[participant.kind]
+    acts = story.logical.acts or story.functional.acts
     speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
+    if said is None:
+        speed = pace_across_mps(acts, participant.id, width) or speed
     meets = story.runners[_meets(story, participant.id)]
     ego_arm = story.logical.assignment(story.ego.id)
     same_arm = isinstance(ego_arm, Drive) and crossing.arm == ego_arm.entry

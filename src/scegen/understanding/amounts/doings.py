@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import LASTING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.teller import Teller
@@ -11,6 +11,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import STILL, Amount, Doing, Trigger, amount_of, exactly
+from scegen.understanding.lexicon import word_list
 
 _SOON = 3
 """So near after a time, a noun tells what takes it ("needs 6 s for its lane change")."""
@@ -22,7 +23,7 @@ FIELDS: dict[str, tuple[str, frozenset[ActKind]]] = {
     "rate": ("rate_mps2", _ALONG),
     "speed_after": ("target_speed_mps", _ALONG),
     "speed_change": ("target_speed_mps", _ALONG),
-    "duration": ("duration_s", _ANY),
+    "duration": ("duration_s", LASTING),
     "distance": ("distance_m", _ANY),
     "lateral_speed": ("lateral_mps", _ASIDE),
     "lateral_move": ("lateral_m", _ASIDE),
@@ -51,7 +52,7 @@ class Filler(Teller):
             doing = self._said_of_it(number)
             doing = doing or self._made(number, role, event)
             if doing is None:
-                taken = number.around.preceded("takes")
+                taken = any(number.around.preceded(w) for w in word_list("taking_time"))
                 return not taken and self._before_the_next(number)
         doing = doing or self._made(number, role, event)
         return doing is not None and self._give(doing, number, name)

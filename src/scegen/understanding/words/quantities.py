@@ -93,7 +93,9 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
         spread = _tolerance(tokens, end, dimension, name, first.value)
         if spread is not None:
             return _around(tokens, i, values[0], spread, dimension)
-        if end < len(tokens) and tokens[end].low in _RANGE_WORDS:
+        apart = dimension == "time" and not opened  # "for 1.5 s and 4 s later": two times
+        joined = _RANGE_WORDS - {"and"} if apart else _RANGE_WORDS
+        if end < len(tokens) and tokens[end].low in joined:
             second = _second_number(tokens, end + 1)
             if second is not None and second[1] == dimension:
                 return _build(tokens, i, second[2], [*values, second[0]], dimension)
