@@ -14,7 +14,8 @@ import numpy as np
 
 from scegen.concretization.deeds import is_open
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.moments import Moments, is_lengthwise
+from scegen.concretization.measures import LENGTHWISE
+from scegen.concretization.moments import Moments
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
 from scegen.scenario.acts import (
@@ -115,7 +116,7 @@ def _said(scene: Setup) -> Iterator[Residual]:
     known = {*scene.drives, *scene.walks, *scene.stands}
     for spacing in scene.functional.spacings:
         pair = spacing.participant, spacing.reference
-        if is_lengthwise(spacing.measure) and spacing.at != CONTACT and known >= {*pair}:
+        if spacing.measure in LENGTHWISE and spacing.at != CONTACT and known >= {*pair}:
             at = None if spacing.at == START else scene.act(spacing.at)
             if at is None or at.participant in known:
                 said = WhenMeasure(
@@ -129,7 +130,7 @@ def _said(scene: Setup) -> Iterator[Residual]:
         when = act.when
         if act.participant not in known:
             continue
-        if isinstance(when, WhenMeasure) and is_lengthwise(when.measure):
+        if isinstance(when, WhenMeasure) and when.measure in LENGTHWISE:
             if known >= {when.participant, when.reference}:
                 yield _measured(when, act)
         elif isinstance(when, AfterStart):

@@ -6,9 +6,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes, gap_m, same_way, seen
+from scegen.claims.boxes import Boxes
 from scegen.concretization.boxes import box_on
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.measures import missing_m
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous
@@ -16,14 +17,8 @@ from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.spacings import Measure
 
-_LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _TWICE = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
 _ASIDE = _TWICE | {ActKind.CHANGE_LANE}
-
-
-def is_lengthwise(measure: Measure) -> bool:
-    """Whether a measure is one along the road."""
-    return measure in _LENGTHWISE
 
 
 @dataclass
@@ -151,13 +146,4 @@ class Moments:
         ego = self.scene.functional.ego.id
         own, other = (who, reference) if who == ego else (reference, who)
         at = np.array([time_s])
-        (frame, own_mps), (box, other_mps) = self.track(own, at), self.track(other, at)
-        speed, others = float(own_mps[0]), float(other_mps[0])
-        gap = float(gap_m(frame, box)[0])
-        if measure is Measure.GAP_M:
-            return gap - value
-        along = float(same_way(frame, box)[0])
-        follows = float(seen(frame, box).x[0]) > 0.0 or along < 0.0
-        if measure is Measure.HEADWAY_S:
-            return gap - value * (speed if follows else others)
-        return gap - value * ((speed - others * along) if follows else (others * along - speed))
+        return float(missing_m(measure, value, self.track(own, at), self.track(other, at))[0])

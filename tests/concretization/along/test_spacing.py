@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from scegen.concretization.along.runner import Runner, Step, gap_m
-from scegen.concretization.along.spacing import GapAt, level, measured, place
+from scegen.concretization.along.spacing import GapAt, level, place
+from scegen.concretization.measures import missing_m
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind
@@ -40,7 +42,13 @@ def test_the_measure_placed_is_the_measure_found(data, measure, value, time_s, a
         assume(back.speed_at_mps(time_s) > 0.2)
     tie = GapAt("who", "other", measure, value, time_s, ahead, said=True)
     who.at_m = place(tie, who, other)
-    assert measured(measure, who, other, time_s) == pytest.approx(value, rel=1e-6)
+    at = np.array([time_s])
+    (missing,) = missing_m(measure, value, other.track(at), who.track(at))
+    assert missing == pytest.approx(0.0, abs=1e-6)
+    gap = gap_m(who, other, time_s)
+    closing = back.speed_at_mps(time_s) - along
+    speeds = {Measure.GAP_M: 1.0, Measure.TTC_S: closing}
+    assert gap == pytest.approx(value * speeds.get(measure, back.speed_at_mps(time_s)), rel=1e-6)
 
 
 @given(st.data(), st.floats(0.0, 20.0), st.booleans())

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import ceil, floor
 
+import numpy as np
+
 from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.along.sideways import edge_y_m
-from scegen.concretization.along.spacing import LENGTHWISE
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
 from scegen.concretization.asked import allowed
@@ -17,7 +18,8 @@ from scegen.concretization.limits import (
     REACTION_S,
     starting_mps2,
 )
-from scegen.concretization.others import Walker
+from scegen.concretization.measures import LENGTHWISE
+from scegen.concretization.others import Walker, gained
 from scegen.concretization.profile import NEVER_S
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
@@ -61,13 +63,6 @@ class Walk(Walker):
     stops_after_m: float | None = None
     timed: bool = False
     act: str | None = None
-
-    def way_m(self, time_s: float) -> float:
-        """How far it has come."""
-        since, gains = max(0.0, time_s - self.sets_off_s), self.speed_mps / self.rate_mps2
-        way = self.speed_mps * (since - gains / 2)
-        way = way if since > gains else self.rate_mps2 * since**2 / 2
-        return way if self.stops_after_m is None else min(way, self.stops_after_m)
 
 
 def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
@@ -290,10 +285,9 @@ def _touches(walk: Walk, meets: Runner, story: Story) -> bool:
     begins = edge_y_m(story, left=walk.from_left) - into * walk.setback_m
     wide = (meets.body.width_m + walk.body.length_m) / 2
     near = (meets.body.length_m + walk.body.width_m) / 2
-    for n in range(int(_LATEST_S / _LOOK_S)):
-        time_s = n * _LOOK_S
-        y = begins + into * (walk.way_m(time_s) + walk.body.centre_ahead_m)
-        level = abs(sum(meets.ends_m(time_s)) / 2 - walk.x_m) < near
-        if level and abs(y - meets.y_m(time_s)) < wide:
-            return True
-    return False
+    times = np.arange(0.0, _LATEST_S, _LOOK_S)
+    way, _ = gained(walk.speed_mps, walk.rate_mps2, times - walk.sets_off_s)
+    way = way if walk.stops_after_m is None else np.minimum(way, walk.stops_after_m)
+    y = begins + into * (way + walk.body.centre_ahead_m)
+    there, _ = meets.track(times)
+    return bool(np.any((np.abs(there.x - walk.x_m) < near) & (np.abs(there.y - y) < wide)))

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from math import inf
+import numpy as np
 
+from scegen.claims.boxes import gap_m
 from scegen.concretization.along.crossing import Walk, cross
 from scegen.concretization.along.moments import perform_waiting, time_what_is_known
 from scegen.concretization.along.overtaking import come_back, overtake
 from scegen.concretization.along.parked import shift_to_pass, strips_m
-from scegen.concretization.along.passing import apart_m, leap_s
 from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.reactions import contacts, react
-from scegen.concretization.along.runner import Runner, gap_m
+from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import offset_all
 from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.boxes import apart
 from scegen.errors import MotionInfeasibleError
 
 _WIDER = (1.0, 1.3, 1.7, 2.2, 3.0)
@@ -78,12 +79,9 @@ def closest_s(story: Story, at_least_s: float) -> float:
 
 def _nearest_s(first: Runner, second: Runner, until_s: float) -> float:
     """When two are nearest along the road; the contact, if they touch."""
-    best, when, time_s = inf, 0.0, 0.0
-    while time_s < until_s:
-        if apart_m(first, second, time_s) <= 0:
-            return time_s
-        gap = gap_m(first, second, time_s)
-        if gap < best - _NEARER_M:
-            best, when = gap, time_s
-        time_s += leap_s(first, second, min(gap, gap - best), _LOOK_S)
-    return when
+    times = np.arange(0.0, until_s, _LOOK_S)
+    one, other = first.track(times)[0], second.track(times)[0]
+    touch = apart(one, other, 0.0) <= 0.0
+    gap = gap_m(one, other)
+    # Who keeps a distance is as near at first as later.
+    return float(times[np.argmax(touch if touch.any() else gap < gap.min() + _NEARER_M)])

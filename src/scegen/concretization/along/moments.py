@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from scegen.concretization.along.auxiliary import ON_RAMP_S, merging
 from scegen.concretization.along.doors import door_before
 from scegen.concretization.along.performing import perform
-from scegen.concretization.along.spacing import LENGTHWISE, measured
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import goes_on_when_free
+from scegen.concretization.measures import LENGTHWISE, missing_m
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT
@@ -117,9 +119,7 @@ def _when_measured_s(story: Story, when: WhenMeasure) -> float:
     if not {when.participant, when.reference} <= story.runners.keys():
         return NEVER_S
     first, second = story.runners[when.participant], story.runners[when.reference]
-    steps = int(_LATE_S / _LOOK_S)
-    for n in range(steps):
-        time_s = n * _LOOK_S
-        if measured(when.measure, first, second, time_s) <= when.value.middle:
-            return time_s
-    return NEVER_S
+    times = np.arange(0.0, _LATE_S, _LOOK_S)
+    value = when.value.middle
+    reached = missing_m(when.measure, value, second.track(times), first.track(times)) <= 0.0
+    return float(times[np.argmax(reached)]) if reached.any() else NEVER_S

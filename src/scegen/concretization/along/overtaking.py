@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from scegen.concretization.along.passing import JUST_M, apart_m, just_missed_s
+import numpy as np
+
+from scegen.claims.boxes import free, gap_m
+from scegen.concretization.along.passing import JUST_M, just_missed_s, keep_apart
 from scegen.concretization.along.reactions import brakes_for
-from scegen.concretization.along.runner import Move, Runner, Step, gap_m
+from scegen.concretization.along.runner import Move, Runner, Step
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
 from scegen.concretization.asked import outward
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.batch.arrays import Bools
+from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import Measure
@@ -21,7 +26,7 @@ from scegen.scenario.vocabulary import HazardKind
 _CLEAR_M = 6.0
 _ROUNDS = 20
 _LONG_BACK_S = 2.5
-_LOOK_S, _LONGEST_S = 0.05, 60.0
+_LOOK_S, _LONGEST_S, _PASSES_S = 0.05, 60.0, 4.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 """Who strays has left the way of who comes so long before they are level: after this share of its
 change back."""
@@ -197,9 +202,8 @@ def _makes_room(story: Story, slow: Runner) -> bool:
     return any(a.kind is ActKind.CHANGE_LANE and a.participant == slow.id for a in story.acts)
 
 
-def _is_past(fast: Runner, slow: Runner, clear_m: float, time_s: float) -> bool:
-    ahead = (fast.x_m(time_s) - slow.x_m(time_s)) * fast.sign > 0
-    return ahead and gap_m(fast, slow, time_s) >= clear_m
+def _is_past(fast: Runner, slow: Runner, clear_m: float, times_s: Array) -> Bools:
+    return free(fast.track(times_s)[0], slow.track(times_s)[0]).rear >= clear_m
 
 
 def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[int, float]:
@@ -251,32 +255,22 @@ def _latest_out_s(
     fast: Runner, slow: Runner, place: tuple[int, float], lasts_s: float, earliest_s: float
 ) -> float:
     """The latest moment to pull out at which one still gets past close by, without touching."""
-    reaches = _when(lambda t: gap_m(fast, slow, t) <= JUST_M, earliest_s)
+    reaches = _when(partial(_level, fast, slow, JUST_M), earliest_s)
     kept = list(fast.moves)
     low, high = earliest_s, max(reaches, earliest_s)
     for _ in range(_ROUNDS):
         middle = (low + high) / 2
         fast.moves = [*kept, Move(middle, lasts_s, *place)]
-        times = [middle + _LOOK_S * n for n in range(int((lasts_s + 4.0) / _LOOK_S))]
-        touches = any(_too_near(fast, slow, t) for t in times)
-        low, high = (low, middle) if touches else (middle, high)
+        past = keep_apart(fast, slow, JUST_M, middle, middle + lasts_s + _PASSES_S)
+        low, high = (middle, high) if past else (low, middle)
     fast.moves = kept
     return low
 
 
-def _too_near(first: Runner, second: Runner, time_s: float) -> bool:
-    return apart_m(first, second, time_s) < JUST_M
-
-
-def _when(true: Callable[[float], bool], from_s: float) -> float:
+def _when(true: Callable[[Array], Bools], from_s: float) -> float:
     """The first moment at which something holds, from another one on; that one if never."""
-    n = 0
-    while n * _LOOK_S < _LONGEST_S:
-        time_s = from_s + n * _LOOK_S
-        if true(time_s):
-            return time_s
-        n += 1
-    return from_s
+    times = from_s + np.arange(0.0, _LONGEST_S, _LOOK_S)
+    return float(times[np.argmax(true(times))])
 
 
 def come_back(story: Story) -> None:
@@ -310,8 +304,8 @@ def _dodge_m(story: Story, runner: Runner) -> float:
     return outwards * beside * runner.lane_width_m
 
 
-def _level(first: Runner, second: Runner, time_s: float) -> bool:
-    return gap_m(first, second, time_s) <= 0
+def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bools:
+    return gap_m(first.track(times_s)[0], second.track(times_s)[0]) <= within_m
 
 
 def _meeting_s(story: Story, runner: Runner, from_s: float) -> tuple[str, float] | None:
@@ -320,7 +314,8 @@ def _meeting_s(story: Story, runner: Runner, from_s: float) -> tuple[str, float]
     for other in story.runners.values():
         if other.forward == runner.forward:
             continue
-        level = _when(partial(_level, runner, other), from_s)
-        if gap_m(runner, other, level) <= 0:
-            found.append((level, other.id))
+        are_level = partial(_level, runner, other, 0.0)
+        moment = _when(are_level, from_s)
+        if are_level(np.array([moment]))[0]:
+            found.append((moment, other.id))
     return (min(found)[1], min(found)[0]) if found else None

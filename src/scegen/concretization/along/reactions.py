@@ -6,10 +6,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import ceil, floor
 
-from scegen.concretization.along.passing import apart_m, leap_s
-from scegen.concretization.along.runner import Runner, Step, gap_m, in_line
+import numpy as np
+
+from scegen.claims.boxes import Boxes, free
+from scegen.concretization.along.runner import Runner, Step, gap_m
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.amounts import BRAKING, CLOSEST_M, answering_rates_mps2
+from scegen.concretization.boxes import apart
 from scegen.concretization.limits import REACTION_S
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.scenario.acts import AfterAct
@@ -17,6 +20,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 _LATEST_S = 40.0
 _STEP_S = 0.05
+_TIMES_S = np.arange(0.0, _LATEST_S, _STEP_S)
 _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDS = 12
@@ -46,10 +50,11 @@ def react(story: Story) -> list[tuple[str, str]]:
 def contacts(story: Story) -> Iterator[tuple[str, str, float]]:
     """(who runs into somebody, into whom, when), for every pair that touches."""
     names = list(story.runners)
+    tracks = {name: runner.track(_TIMES_S)[0] for name, runner in story.runners.items()}
     for n, first in enumerate(names):
         for second in names[n + 1 :]:
             a, b = story.runners[first], story.runners[second]
-            time_s = _contact_s(a, b)
+            time_s = None if a.stands and b.stands else _contact_s(tracks[first], tracks[second])
             if time_s is not None:
                 who, other = _who_runs_in(a, b, time_s)
                 if not _same_way(story, who, other) and brakes_for(story, other, who):
@@ -76,18 +81,10 @@ def brakes_for(story: Story, who: str, other: str) -> bool:
     return any(h.kind in BRAKING and who in h.by and other in h.to for h in story.hazards)
 
 
-def _contact_s(first: Runner, second: Runner) -> float | None:
+def _contact_s(first: Boxes, second: Boxes) -> float | None:
     """When two touch first."""
-    beside = not (first.moves or second.moves) and not in_line(first, second, 0.0)
-    if beside or (first.stands and second.stands):
-        return None
-    time_s = 0.0
-    while time_s < _LATEST_S:
-        apart = apart_m(first, second, time_s)
-        if apart <= 0:
-            return time_s
-        time_s += leap_s(first, second, apart, _STEP_S)
-    return None
+    touch = apart(first, second, 0.0) <= 0.0
+    return float(_TIMES_S[np.argmax(touch)]) if touch.any() else None
 
 
 def _who_runs_in(first: Runner, second: Runner, time_s: float) -> tuple[str, str]:
@@ -115,8 +112,9 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
         return
     kept = who.steps
     who.steps = [s for s in kept if s is not step]
+    own = who.track(_TIMES_S)[0]
     for other in story.runners.values():
-        contact = None if other is who else _contact_s(who, other)
+        contact = None if other is who else _contact_s(own, other.track(_TIMES_S)[0])
         if contact is None or _who_runs_in(who, other, contact)[0] != who.id:
             continue
         if contact_wanted(story, who.id, other.id):
@@ -275,9 +273,7 @@ def _steps(time_s: float) -> int:
 
 def _keeps(who: Runner, other: Runner, room_m: float, time_s: float = 0.0) -> bool:
     """Whether two have so much free length from a time on while one is in the other's line."""
-    while time_s < _LATEST_S:
-        gap = gap_m(who, other, time_s)
-        if gap < room_m and in_line(who, other, time_s):
-            return False
-        time_s += leap_s(who, other, gap - room_m, 2 * _STEP_S)
-    return True
+    times = np.arange(time_s, _LATEST_S, 2 * _STEP_S)
+    clear = free(who.track(times)[0], other.track(times)[0])
+    gap = np.maximum(clear.front, clear.rear)
+    return not np.any((gap < room_m) & (np.maximum(clear.left, clear.right) < 0.0))

@@ -7,9 +7,13 @@ line (``y``, m). Times count from the start of the scenario (s).
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import cos, pi, sin
+from math import pi
 
+import numpy as np
+
+from scegen.claims.boxes import Boxes
 from scegen.concretization.profile import Profile
+from scegen.motion.model import Array
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import MAX_LANES
 from scegen.scenario.roadway import LANE_WIDTH_M
@@ -18,6 +22,8 @@ from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 FORTH_M, FORTH_MPS = 0.4, 0.3
 """One that reverses goes so far forwards first, at this speed: esmini takes a trajectory's sense
 from how it begins."""
+_TURNS_MPS, _MOST_TURNED = 0.5, 0.9
+"""Who is slower does not turn its body to the side; the greatest sine of its angle to the road."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,26 +137,44 @@ class Runner:
             self._told = key, profile
         return self._told[1]
 
+    def track(self, times_s: Array) -> tuple[Boxes, Array]:
+        """Its boxes over time, turned as it moves to the side, and its speeds."""
+        way, speed = self.profile.at_times(times_s)
+        y, aside, lost = self._sideways(times_s)
+        x = self._place_m(way - lost)
+        turned = np.where(speed > _TURNS_MPS, aside / np.maximum(speed, _TURNS_MPS), 0.0)
+        sin = np.clip(-turned if self.backs else turned, -_MOST_TURNED, _MOST_TURNED)
+        cos = self.sign * np.sqrt(1.0 - sin * sin)
+        ahead, half = self.body.centre_ahead_m, self.body.length_m / 2
+        return Boxes(x + ahead * cos, y + ahead * sin, cos, sin, half, self.body.width_m / 2), speed
+
     def x_m(self, time_s: float) -> float:
         """Where its reference point is."""
-        way = self.profile.way_m(time_s) - self._detour_m(time_s)
-        if self.backs and way > FORTH_M:
-            way = 2 * FORTH_M - way
-        return (self.at_m or 0.0) + self.sign * way
+        lost = self._sideways(np.asarray(time_s))[2]
+        return float(self._place_m(self.profile.way_m(time_s) - lost))
 
-    def _detour_m(self, time_s: float) -> float:
-        """How much of its way it has lost to moves aside: the arc of a cosine is longer."""
-        lost, before = 0.0, self._across_m(self.lane, self.offset_m)
+    def _place_m(self, way_m: Array) -> Array:
+        forth = np.minimum(way_m, 2 * FORTH_M - way_m) if self.backs else way_m
+        return (self.at_m or 0.0) + self.sign * forth
+
+    def _sideways(self, times_s: Array) -> tuple[Array, Array, Array]:
+        """Where its middle is across the road, how fast it goes there, and the way lost to that.
+
+        The arc of a cosine is longer than the road beside it.
+        """
+        before = self._across_m(self.lane, self.offset_m)
+        place = np.full_like(times_s, before, dtype=float)
+        rate, lost = np.zeros_like(place), np.zeros_like(place)
         for move in self.moves:
-            if time_s <= move.begins_s:
-                break
             goal = self._across_m(move.lane, move.offset_m)
             way = self.profile.way_m(move.ends_s) - self.profile.way_m(move.begins_s)
-            done = min(1.0, (time_s - move.begins_s) / move.lasts_s)
+            done = np.clip((times_s - move.begins_s) / move.lasts_s, 0.0, 1.0)
+            place += (goal - before) * (1 - np.cos(pi * done)) / 2
+            rate += (goal - before) * pi / (2 * move.lasts_s) * np.sin(pi * done)
             bend = (pi * (goal - before)) ** 2 / (8 * max(way, 1.0))
-            lost += bend * (done / 2 - sin(2 * pi * done) / (4 * pi))
+            lost += bend * (done / 2 - np.sin(2 * pi * done) / (4 * pi))
             before = goal
-        return lost
+        return place, rate, lost
 
     def ends_m(self, time_s: float) -> tuple[float, float]:
         """The rear and the front of its box along the road, the lower first."""
@@ -169,16 +193,7 @@ class Runner:
 
     def y_m(self, time_s: float) -> float:
         """Where its middle is across the road, to the ego's left of the centre line."""
-        before, place = self._across_m(self.lane, self.offset_m), 0.0
-        place = before
-        for move in self.moves:
-            if time_s <= move.begins_s:
-                break
-            goal = self._across_m(move.lane, move.offset_m)
-            done = min(1.0, (time_s - move.begins_s) / move.lasts_s)
-            place = before + (goal - before) * (1 - cos(pi * done)) / 2
-            before = goal
-        return place
+        return float(self._sideways(np.asarray(time_s))[0])
 
     def lane_y_m(self, lane: int) -> float:
         """Where the middle of a lane is across the road."""
@@ -198,9 +213,3 @@ def gap_m(first: Runner, second: Runner, time_s: float) -> float:
     """Free length along the road between two; negative where they are level."""
     (low, high), (other_low, other_high) = first.ends_m(time_s), second.ends_m(time_s)
     return max(other_low - high, low - other_high)
-
-
-def in_line(first: Runner, second: Runner, time_s: float) -> bool:
-    """Whether their boxes overlap across the road."""
-    apart = abs(first.y_m(time_s) - second.y_m(time_s))
-    return apart < (first.body.width_m + second.body.width_m) / 2
