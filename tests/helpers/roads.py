@@ -94,6 +94,18 @@ SCENARIOS: dict[str, FunctionalScenario] = {
         spacings=[apart("wreck", "ego", "overlap_percent", 25.0, "contact", side="right")],
         outcome=ends("collision", "ego", "wreck"),
     ),
+    "stops_as_near_as_said_from_a_headway": road(
+        [ego(70), one("lead", "van", AHEAD, speed=70)],
+        [("hard_braking", "lead", "ego"), ("stopping", "lead", "ego")],
+        acts=[
+            act("slows", "lead", "brake", target_speed_mps=kmh(0)),
+            act("halts", "ego", "stop"),
+        ],
+        spacings=[
+            apart("ego", "lead", "headway_s", 2.0, "slows"),
+            {**apart("ego", "lead", "gap_m", 1.0, "halts"), "at_rest": True},
+        ],
+    ),
     "called_slow_at_a_speed": road(
         [ego(120), one("other", "truck", RIGHT_LANE, ["lane_change"], speed=80)],
         [("slow_driving", "other", "ego"), ("cut_in", "other", "ego")],

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from scegen.claims.boxes import gap_m
@@ -50,6 +52,7 @@ def lay(story: Story) -> list[Walk]:
                 where=act.participant,
                 hint="Change the value of its trigger, or the speeds or distances of the two.",
             )
+        _rest_as_said(story)
         overtake(story)
         perform_waiting(story, following)
         come_back(story)
@@ -64,6 +67,28 @@ def lay(story: Story) -> list[Walk]:
         if not unwanted:
             break
     return walks
+
+
+def _rest_as_said(story: Story) -> None:
+    """Who stops so far behind another brakes later where its place leaves it too much room."""
+    for spacing in story.functional.spacings:
+        pair = spacing.participant, spacing.reference
+        if not spacing.at_rest or not story.runners.keys() >= {*pair}:
+            continue
+        act = story.act(spacing.at)
+        runner = story.runners[act.participant]
+        step = next((s for s in runner.steps if s.act == act.id), None)
+        if step is None or step.timed or not story.is_loose(act):
+            continue
+        rest = np.array([_LATEST_S])
+        one, other = (story.runners[name].track(rest)[0] for name in pair)
+        too_far_m = float(gap_m(one, other)[0]) - spacing.value.middle
+        late_s = too_far_m / max(runner.speed_at_mps(step.begins_s), 0.1)
+        if 0.0 < late_s < _LATER_S and step.target_mps == 0.0:
+            later = replace(step, begins_s=step.begins_s + late_s)
+            runner.steps = [later if s is step else s for s in runner.steps]
+            story.begins_s[act.id] += late_s
+            story.ends_s[act.id] += late_s
 
 
 def closest_s(story: Story, at_least_s: float) -> float:

@@ -35,6 +35,10 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             ended = _opened_by(owned[0], chunk)
             k += 1 + 2 * len(owned[::2])
             continue
+        if isinstance(chunk, Event) and chunk.name == "door" and _its(chunk):
+            found += [_who(chunk, found), replace(chunk, mods=[], form="s")]
+            k += 1
+            continue
         if _opens_one(chunks[k : k + 2], tokens):
             found.append(Event("door", chunk.i, chunks[k + 1].j, "s", lemma="open"))
             k += 2
@@ -82,6 +86,11 @@ def _called(door: Event, before: list[Chunk]) -> bool:
     return article or (bool(before) and getattr(before[-1], "cat", "") == "det")
 
 
+def _its(door: Event) -> bool:
+    """``its door opens``: of somebody named before."""
+    return any((m.cat, m.value) == ("possessive", "its") for m in door.mods)
+
+
 def _opened_by(owner: Chunk, door: Event) -> list[Chunk]:
     """A clause that says that it opens."""
     if not isinstance(owner, Mention):
@@ -98,10 +107,21 @@ def _opens(i: int, tokens: list[Token]) -> int | None:
     return None
 
 
-def _who(door: Thing, before: list[Chunk]) -> Mention:
-    mentions = [c for c in before if isinstance(c, Mention) and c.head is not None]
-    mentions = [m for m in mentions if m.head is not None and m.head.form != "s"]
-    parked = [m for m in mentions if any(mod.value == "parked" for mod in m.mods)]
+def _parks(after: list[Chunk]) -> bool:
+    """``a van is parked``: what the verb after somebody says."""
+    verb = next((c for c in after if not isinstance(c, Word)), None)
+    return isinstance(verb, Event) and verb.name == "park"
+
+
+def _who(door: Thing | Event, before: list[Chunk]) -> Mention:
+    parked = [
+        c
+        for k, c in enumerate(before)
+        if isinstance(c, Mention)
+        and c.head is not None
+        and c.head.form != "s"
+        and (any(mod.value == "parked" for mod in c.mods) or _parks(before[k + 1 :]))
+    ]
     if parked:
         known = parked[-1]
         return replace(known, i=door.i, j=door.j, pps=[], prep=None, same_as=known, joined=None)
