@@ -2,12 +2,13 @@
 
 import pytest
 from lxml import etree
-from mutating import changed
+from mutating import changed, on_road
 from pydantic import ValidationError
 from saying import missed
 from told import act, apart, first, raised, told, who
 
 from scegen.checking import check_folder
+from scegen.errors import MotionInfeasibleError
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
 from scegen.motion import build_paths
@@ -89,6 +90,32 @@ def test_lanes_are_as_wide_as_is_said(width_m):
     arms = tuple(arm.model_copy(update={"lane_width_m": 3.5}) for arm in concrete.road.arms)
     usual = concrete.road.model_copy(update={"arms": arms})
     assert "road.lane_width_m" in missed(functional, concrete.model_copy(update={"road": usual}))
+
+
+def with_a_ramp(kind, length_m):
+    leaves = kind == "off_ramp"
+    place, does = (["ahead"], "exit") if leaves else (["adjacent", "right"], "merge")
+    van = who("van", "van", place, [does], speed=25.0)
+    return told(
+        "straight", [EGO | {"speed_mps": 25.0}, van], lanes=2, carriageway="divided",
+        auxiliary=kind, auxiliary_length_m=length_m,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("length_m", [110.0, 400.0])
+@pytest.mark.parametrize("kind", ["on_ramp", "off_ramp", "lane_drop"])
+def test_a_lane_for_a_part_of_the_road_is_as_long_as_is_said(kind, length_m):
+    functional = with_a_ramp(kind, length_m)
+    concrete = first(functional)
+    assert concrete.road.auxiliary.length_m == length_m
+    assert not missed(functional, concrete)
+    other = concrete.road.auxiliary.model_copy(update={"length_m": length_m + 20})
+    assert "road.auxiliary_length_m" in missed(functional, on_road(concrete, auxiliary=other))
+
+
+def test_a_lane_that_is_too_short_for_those_who_use_it_is_told():
+    with pytest.raises(MotionInfeasibleError, match="would need"):
+        first(with_a_ramp("on_ramp", 40.0))
 
 
 def test_nobody_is_longer_than_what_may_be_on_the_road():

@@ -61,6 +61,20 @@ def test_what_is_too_long_is_told():
 
 
 @pytest.mark.parametrize(
+    ("text", "length_m"),
+    [
+        ("A van merges from a 150 m acceleration lane in front of the ego.", 150.0),
+        ("A van merges from an acceleration lane of 150 m in front of the ego.", 150.0),
+        ("A van leaves by a 200 m long deceleration lane in front of the ego.", 200.0),
+        ("The acceleration lane is 180 m long; a van merges from it before the ego.", 180.0),
+        ("A van 6 m long merges from the acceleration lane 30 m ahead of the ego.", None),
+    ],
+)
+def test_a_lane_that_ends_is_as_long_as_is_said(text, length_m):
+    assert read(text).junction.auxiliary_length_m == length_m
+
+
+@pytest.mark.parametrize(
     ("text", "width_m"),
     [
         ("The ego follows a car on a road with lanes 2.75 m wide.", 2.75),

@@ -72,9 +72,8 @@ def plan_road(
     )
     auxiliary = None
     if junction.auxiliary is not None:
-        auxiliary = Auxiliary(
-            kind=junction.auxiliary, length_m=AUXILIARY_LENGTH_M, taper_m=AUXILIARY_TAPER_M
-        )
+        length = junction.auxiliary_length_m or AUXILIARY_LENGTH_M
+        auxiliary = Auxiliary(kind=junction.auxiliary, length_m=length, taper_m=AUXILIARY_TAPER_M)
     return RoadParameters(
         kind=junction.kind,
         arms=arms,

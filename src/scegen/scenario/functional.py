@@ -32,6 +32,7 @@ from scegen.scenario.model import (
 )
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.roadway import (
+    AUXILIARY_LENGTHS_M,
     LANE_WIDTH_M,
     LANE_WIDTHS_M,
     NOT_BESIDE_A_SHOULDER,
@@ -90,7 +91,8 @@ class Junction(FrozenModel):
     one arm at most: who crosses does so there. ``strips`` lie all along the lanes. A road without a
     junction may have another ``carriageway`` than the usual, a ``bend``, which the ego enters at
     arm 0 if its side is said, and an ``auxiliary`` lane beside those in the direction that enters
-    at arm 0, the ego's; ``lanes`` does not count it.
+    at arm 0, the ego's; ``lanes`` does not count it; ``auxiliary_length_m`` is how long it has its
+    full width, None as long as is usual and needed.
     """
 
     kind: JunctionKind
@@ -107,6 +109,9 @@ class Junction(FrozenModel):
     strips: VocabularySet[Strip] = frozenset()
     bend: Bend | None = None
     auxiliary: AuxiliaryLane | None = None
+    auxiliary_length_m: float | None = Field(
+        default=None, ge=AUXILIARY_LENGTHS_M[0], le=AUXILIARY_LENGTHS_M[1]
+    )
 
     @property
     def through_lanes(self) -> int:
@@ -170,6 +175,9 @@ class Junction(FrozenModel):
         beside = self.strips & NOT_BESIDE_A_SHOULDER
         if Strip.HARD_SHOULDER in self.strips and beside:
             msg = f"strips: a road has a hard_shoulder or a {min(beside)}, not both"
+            raise ValueError(msg)
+        if self.auxiliary_length_m is not None and self.auxiliary is None:
+            msg = "auxiliary_length_m is of an auxiliary lane; say which in auxiliary"
             raise ValueError(msg)
         if self.auxiliary is not None and self.strips - {Strip.HARD_SHOULDER}:
             beside = self.strips - {Strip.HARD_SHOULDER}

@@ -8,6 +8,8 @@ LANE_WIDTH_M = 3.5
 """The usual width of a lane."""
 LANE_WIDTHS_M = (2.0, 6.0)
 """The narrowest and the widest lane."""
+AUXILIARY_LENGTHS_M = (20.0, 500.0)
+"""The shortest and the longest lane for a part of the road."""
 
 
 class Carriageway(Word):

@@ -64,6 +64,10 @@ def claims(told: Told) -> Iterator[Claim]:
     if junction.auxiliary is not None:
         auxiliary = junction.auxiliary
         yield _road("auxiliary", _AUXILIARY[auxiliary], partial(_has_auxiliary, auxiliary))
+    if junction.auxiliary_length_m is not None:
+        length = junction.auxiliary_length_m
+        statement = f"its lane beside the others is {length:g} m long"
+        yield _road("auxiliary_length_m", statement, partial(_as_long, length))
     if junction.arm_angles_deg:
         angles = junction.arm_angles_deg
         statement = f"its arms lie at {', '.join(f'{angle:g}' for angle in angles)} degrees"
@@ -138,6 +142,10 @@ def _as_wide(width_m: float, road: RoadParameters) -> bool:
 
 def _has_auxiliary(kind: AuxiliaryLane, road: RoadParameters) -> bool:
     return road.auxiliary is not None and road.auxiliary.kind is kind
+
+
+def _as_long(length_m: float, road: RoadParameters) -> bool:
+    return road.auxiliary is not None and abs(road.auxiliary.length_m - length_m) <= _SAME_M
 
 
 def _enough(road: RoadParameters, lanes: tuple[int, ...]) -> bool:

@@ -24,6 +24,7 @@ ON_RAMP_S = 3.0
 GAINS_MPS2, LOSES_MPS2 = 1.5, 1.5
 """Comfortable rates with which who merges gains speed, and who leaves loses it."""
 _SETTLES_M, _SPARE_M = 40.0, 30.0
+_LEAST_SETTLES_M = 5.0
 _LEAST_M = 60.0
 _LONGEST_M = 600.0
 _ROUND_M = 10.0
@@ -46,9 +47,13 @@ def joint_m(
     moves = _moves_m(functional, runners)
     if not moves:
         return otherwise_m
-    if functional.junction.auxiliary is AuxiliaryLane.OFF_RAMP:
-        return max(ends for _, ends in moves) + _SETTLES_M
-    return min(begins for begins, _ in moves) - _SETTLES_M
+    first, last = min(begins for begins, _ in moves), max(ends for _, ends in moves)
+    said = functional.junction.auxiliary_length_m
+    settles = _SETTLES_M
+    if said is not None:
+        settles = min(settles, max(said - (last - first), _LEAST_SETTLES_M))
+    leaves = functional.junction.auxiliary is AuxiliaryLane.OFF_RAMP
+    return last + settles if leaves else first - settles
 
 
 def fitted(
@@ -69,12 +74,16 @@ def fitted(
         off = road.auxiliary.kind is AuxiliaryLane.OFF_RAMP
         farthest = max(farthest, joint - begins if off else ends - joint)
     needed = ceil((farthest + _SPARE_M) / _ROUND_M) * _ROUND_M if farthest else 0.0
-    if needed > _LONGEST_M:
+    said = functional.junction.auxiliary_length_m
+    most = said or _LONGEST_M
+    if farthest > most - (_SPARE_M if said is None else 0.0):
         raise MotionInfeasibleError(
-            f"those who use the auxiliary lane would need {needed:.0f} m of it",
+            f"those who use the auxiliary lane would need {farthest:.0f} m of it",
             where="junction.auxiliary",
-            hint=f"At most {_LONGEST_M:g} m are built: let them change lanes sooner or nearer.",
+            hint=f"At most {most:g} m are built: let them change lanes sooner or nearer.",
         )
+    if said is not None:
+        return road
     length = max(road.auxiliary.length_m, needed)
     update = {"auxiliary": road.auxiliary.model_copy(update={"length_m": length})}
     return road.model_copy(update=update)

@@ -38,6 +38,7 @@ _NO_LIGHT_HERE = "lights stand at intersections only: this is read as one, with 
 _AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
 _DRIVEN_OVER = "no median is built where somebody meets the oncoming, or a direction has one lane"
 _NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
+_NO_LANE_SO_LONG = "no such lane is built here, so it has no length"
 _INNER_SHOULDER = "no shoulder is built along the median; here it is on the outer one"
 _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
@@ -104,6 +105,7 @@ class Layout:
             strips=strips,
             bend=self._bend(kind, angles),
             auxiliary=(auxiliary := self._auxiliary(kind)),
+            auxiliary_length_m=self._auxiliary_length_m(auxiliary),
             crosswalks=self._crosswalks(kind, auxiliary),
             kind=kind,
             arms=arms,
@@ -179,6 +181,15 @@ class Layout:
             return None
         self._proofs.add("junction.auxiliary", found[1])
         return found[0]
+
+    def _auxiliary_length_m(self, auxiliary: AuxiliaryLane | None) -> float | None:
+        length, basis = self._around.auxiliary_length_m, self._around.auxiliary_length_basis
+        if auxiliary is not None and length is not None:
+            self._proofs.add("junction.auxiliary_length_m", basis)
+            return length
+        if basis is not None:
+            self._note(basis, _NO_LANE_SO_LONG)
+        return None
 
     def _crosswalks(self, kind: JunctionKind, auxiliary: AuxiliaryLane | None) -> frozenset[int]:
         """One over a road without a junction; at junctions they are wherever somebody crosses."""

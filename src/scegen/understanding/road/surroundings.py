@@ -9,7 +9,7 @@ from scegen.scenario.functional import MAX_LANES, Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.lane_widths import lane_width_m
+from scegen.understanding.words.lane_widths import auxiliary_length_m, lane_width_m
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 from scegen.units import speed_mps
@@ -38,6 +38,8 @@ class Surroundings:
         lanes_in_all: what the text counts, where it seems to count both directions together.
         lane_width_m: how wide its lanes are.
         lane_width_basis: the words for it.
+        auxiliary_length_m: how long a ramp's lane is, or one that ends.
+        auxiliary_length_basis: the words for it.
         width_terms: the quantities that say so.
         side: driving side.
         side_basis: its words.
@@ -56,6 +58,8 @@ class Surroundings:
     lanes_in_all: int | None = None
     lane_width_m: float | None = None
     lane_width_basis: Basis | None = None
+    auxiliary_length_m: float | None = None
+    auxiliary_length_basis: Basis | None = None
     width_terms: list[Term] = field(default_factory=list)
     side: DrivingSide | None = None
     side_basis: Basis | None = None
@@ -113,13 +117,16 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
 
 
 def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> bool:
-    """How far one sees, how wide the lanes are, how the tyres hold; whether a term says that."""
+    """How far one sees, how large lanes are, how the tyres hold; whether a term says that."""
     term, basis = terms[k], Basis(terms[k].i, terms[k].j)
     if (sight := _sight_m(tokens, term)) is not None:
         found.amounts["visual_range_m"], found.bases["visual_range_m"] = sight, basis
         found.sight_term = term
     elif (width := lane_width_m(terms, k, tokens)) is not None:
         found.lane_width_m, found.lane_width_basis = width, basis
+        found.width_terms.append(term)
+    elif (length := auxiliary_length_m(terms, k, tokens)) is not None:
+        found.auxiliary_length_m, found.auxiliary_length_basis = length, basis
         found.width_terms.append(term)
     elif term.cat == "num" and (held := _friction(tokens, term)) is not None:
         found.amounts["friction"], found.bases["friction"] = held, basis

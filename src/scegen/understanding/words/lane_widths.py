@@ -1,10 +1,10 @@
-"""How wide lanes are: "lanes 2.75 m wide", "3.25 m lanes", "the lane width is 11 ft"."""
+"""How wide lanes are, and how long one that ends: "3.25 m lanes", "a merging lane 180 m long"."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scegen.scenario.roadway import LANE_WIDTHS_M
+from scegen.scenario.roadway import AUXILIARY_LENGTHS_M, LANE_WIDTHS_M
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -27,6 +27,33 @@ def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | 
     if said and (_before_lanes(terms, k, tokens) or _after_lanes(terms, k, tokens)):
         return float(value.low)
     return None
+
+
+def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
+    """The length of a ramp's lane, or of one that ends, where a term gives one that can be built.
+
+    Args:
+        terms: the terms of the text.
+        k: index of the term.
+        tokens: its tokens.
+    """
+    term = terms[k]
+    if (term.cat, term.value) != ("quantity", "length"):
+        return None
+    value = term.data["quantity"].exact
+    low, high = AUXILIARY_LENGTHS_M
+    if not low <= value.low == value.high <= high:
+        return None
+    long = term.j < len(tokens) and tokens[term.j].low in word_list("long")
+    if any("auxiliary" in t.data and t.i == term.j + long for t in terms[k + 1 : k + 3]):
+        return float(value.low)  # "a 180 m acceleration lane"
+    lane = next((t for t in reversed(terms[:k]) if t.cat in {"place", "actor"}), None)
+    if lane is None or "auxiliary" not in lane.data:
+        return None
+    between = {t.low for t in tokens[lane.j : term.i]}
+    said = long or between & word_list("long") or between == {"of"}
+    near = between <= word_list("between_widths") | word_list("long")
+    return float(value.low) if said and near else None
 
 
 def _before_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> bool:
