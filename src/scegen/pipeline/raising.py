@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from scegen.criticality import OfflineProposer, Proposer, prove_as_it_is, raise_criticality
 from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
 from scegen.pipeline.options import Options
+from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
     from scegen.llm import Session
@@ -56,7 +57,7 @@ def chosen_target(
     if options.target is None:
         if numbers_given:
             return None
-        if functional is not None and _drives_past(functional):
+        if functional is not None and (_drives_past(functional) or _draws_away(functional)):
             return AVOIDED
         outcome = functional.outcome.kind if functional and functional.outcome else None
         return _TARGETS.get(outcome, NEAR_MISS)
@@ -66,15 +67,31 @@ def chosen_target(
 
 
 def _drives_past(functional: FunctionalScenario) -> bool:
-    """Whether the ego goes through a junction past others that stand on other arms all the time."""
-    told = functional.outcome or functional.hazards or functional.acts or functional.spacings
-    in_line = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
-    if told or functional.junction.kind is JunctionKind.STRAIGHT:
+    """Whether the ego goes past others that stand on other arms or beside the lanes."""
+    if functional.outcome or functional.hazards or functional.acts or functional.spacings:
         return False
-    return all(
-        p.maneuvers == {Maneuver.STAY} and p.approaches and not p.approaches & in_line
-        for p in functional.participants
-        if p.id != functional.ego.id
+    in_line = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
+    crossing = functional.junction.kind is not JunctionKind.STRAIGHT
+    others = [p for p in functional.participants if p.id != functional.ego.id]
+    return bool(others) and all(
+        p.maneuvers == {Maneuver.STAY}
+        and (p.strip is not None or (crossing and p.approaches and not p.approaches & in_line))
+        for p in others
+    )
+
+
+def _draws_away(functional: FunctionalScenario) -> bool:
+    """Whether all that is told is that those ahead of the ego leave it behind."""
+    ahead = {p.id for p in functional.participants if p.approaches == {Approach.AHEAD}}
+    others = {p.id for p in functional.participants} - {functional.ego.id}
+    leaving = {HazardKind.SUDDEN_ACCELERATION}
+    told = [*functional.hazards, *functional.acts]
+    return (
+        functional.outcome is None
+        and bool(told)
+        and others <= ahead
+        and all(h.kind in leaving and {*h.by} <= ahead for h in functional.hazards)
+        and all(a.kind is ActKind.ACCELERATE and a.participant in ahead for a in functional.acts)
     )
 
 

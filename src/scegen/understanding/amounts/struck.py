@@ -134,8 +134,8 @@ class Struck(Teller):
         direct = scene.event.object is place
         flank = bool({"left", "right"} & set(place.dirs))
         at = place.prep is not None and place.prep.value == "in"
-        if at and not own and scene.event.name == "collide" and scene.targets:
-            return scene.targets[0]  # "hits us in the side"
+        if at and scene.event.name == "collide" and scene.targets:
+            return scene.targets[0]  # "hits us in the side", "is hit on its right side"
         into = place.prep is not None and place.prep.value == "into"
         met = direct or (into and (flank or not scene.event.passive))
         if met and own and scene.actors:  # "a car behind hits its rear"
@@ -143,8 +143,6 @@ class Struck(Teller):
             return (
                 next((e for e in ending.between if not e.ego), None) if scene.actors[0].ego else ego
             )
-        if own and scene.event.passive and place.prep is not None and place.prep.value == "in":
-            return scene.targets[0] if scene.targets else None  # "is hit on its right side"
         if own or not direct:
             doer = scene.actors[0] if scene.actors else None
             hit_by = scene.event.passive and place.prep is not None and place.prep.value == "by"

@@ -17,6 +17,7 @@ from scegen.scenario.vocabulary import (
     AtLight,
     Control,
     CrossedArm,
+    HazardKind,
     JunctionKind,
     Maneuver,
     Role,
@@ -250,7 +251,8 @@ class Builder:
         return [b for b in dict.fromkeys(found) if b != entity.approach_basis]
 
     def _hazard(self, danger: Danger) -> Hazard:
-        to = [e for e in danger.to if e not in danger.by]
+        on_foot = danger.kind in {HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_ANIMAL}
+        to = [e for e in danger.to if e not in danger.by and not (on_foot and self._passed(e))]
         field = f"hazards.{danger.kind.value}"
         self._proofs.add(field, danger.basis)
         return Hazard(
@@ -258,6 +260,11 @@ class Builder:
             by=tuple(e.name for e in (*danger.by, *danger.items)),
             to=tuple(e.name for e in to),
         )
+
+    def _passed(self, entity: Entity) -> bool:
+        """Who stands or is overtaken hides those who come out in front: they meet somebody else."""
+        passed = (d.to for d in self._draft.dangers if d.kind is HazardKind.OVERTAKING)
+        return entity.still or any(entity in to for to in passed)
 
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.scenario.roadway import BAYS, Strip
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Place, Prep
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.lexicon import word_list
@@ -37,7 +37,7 @@ def on_strips(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
         if event.name in _SETTING_OFF:
             _set_off(context, own, clause.actors)
         parked = event.name == "park" and any(e.pulls_out for e in clause.actors)
-        if event.name in _ARRIVING and not (parked or any(e.still for e in clause.actors)):
+        if event.name in _ARRIVING and not (parked or any(map(_stands, clause.actors))):
             continue  # "pulls up at a stop": not there at first
         _put(context, own, clause.actors)
         left = event.object if event.name == "leave" else None
@@ -49,6 +49,10 @@ def _put(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
     for prep in preps:
         word = context.tokens[prep.word.i].low
         target = prep.target if isinstance(prep.target, Place) else None
+        if target is not None and target.kind == "sidewalk" and prep.outer is None:
+            for entity in whom:  # "waits at the kerb"
+                if _waits(entity):
+                    _is_on(context, entity, Strip.PAVEMENT, Basis(prep.word.i, target.j))
         for strip, basis in _strip_of(target):
             there = Basis(prep.word.i, basis.j)
             if word in word_list("on_strips") and prep.outer is None:
@@ -56,6 +60,15 @@ def _put(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
                     _is_on(context, entity, strip, there)
             elif prep.value == "from" or prep.outer is not None or _out_of(prep, context):
                 _leaves(context, whom, strip, there)
+
+
+def _waits(entity: Entity) -> bool:
+    """Who is on foot and goes nowhere."""
+    return not entity.is_vehicle and entity.maneuvers == {Maneuver.STAY}
+
+
+def _stands(entity: Entity) -> bool:
+    return entity.still or _waits(entity)
 
 
 def _set_off(context: Context, preps: list[Prep], whom: list[Entity]) -> None:

@@ -35,6 +35,10 @@ def _by_ramp(entity: Entity, basis: Basis) -> None:
     entity.by_ramp = entity.by_ramp or basis
 
 
+def _walks_up(entity: Entity, _: Basis) -> None:
+    entity.walks_up = True
+
+
 def _exits(entity: Entity, basis: Basis) -> None:
     entity.exits = entity.exits or basis
 
@@ -54,6 +58,8 @@ def _through(entity: Entity, basis: Basis) -> None:
 def _parks(entity: Entity, basis: Basis) -> None:
     """Unless the text says before or after that it drives."""
     at = basis.i or 0
+    if entity.ego:
+        _was_parked(entity, basis)
     if entity.is_vehicle and not entity.ego and entity.sets_off < at:
         _parked(entity, basis)
     entity.pulls_out = entity.pulls_out or entity.sets_off > at
@@ -71,6 +77,7 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "through": _through,
     "by_ramp": _by_ramp,
     "exits": _exits,
+    "walks_up": _walks_up,
     "forgets": _forgets,
 }
 """Mark -> what it sets; ``forgets``: what was said of its way before no longer holds."""

@@ -103,7 +103,8 @@ def noun(words: list[str]) -> NounTest:
 
 def _in_front(p: Prep, context: Context) -> bool:
     words = context.tokens[p.word.i : p.word.j]
-    return p.word.cat == "locus" and p.value == "ahead" and all(t.low != "ahead" for t in words)
+    ahead = p.word.cat == "locus" and p.value == "ahead" and p.outer != "from"
+    return ahead and all(t.low != "ahead" for t in words)
 
 
 def prep(words: list[str]) -> PrepTest:

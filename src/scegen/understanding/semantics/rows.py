@@ -25,9 +25,9 @@ from scegen.scenario.parsing import parse
 from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, Maneuver
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.conditions import Test, condition
-from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.semantics.marks import MARKS
-from scegen.understanding.semantics.patterns import end, noun, phrases
+from scegen.understanding.semantics.patterns import end, noun, people, phrases
 from scegen.understanding.semantics.rewriting import REWRITES
 from scegen.understanding.semantics.values import VALUES, WORDS
 from scegen.understanding.semantics.who import who
@@ -90,9 +90,12 @@ def _hazard(kind: HazardKind, by: str, to: str, words: Words) -> Effect:
     culprits, victims = who(by), who(to)
 
     def effect(clause: Clause, context: Context) -> None:
-        context.draft.hazard(
-            kind, words(clause, context), culprits(clause, context), victims(clause, context)
-        )
+        basis, suffer = words(clause, context), victims(clause, context)
+        met = [p for p in clause.event.pps if p.word.cat == "locus" and suffer]
+        for phrase in met:  # "pulls out in front of a bus": in whose way
+            if any(e in suffer for e in people([phrase])):
+                basis = span(clause.event, phrase.word.i, end(phrase))
+        context.draft.hazard(kind, basis, culprits(clause, context), suffer)
 
     return effect
 

@@ -62,6 +62,7 @@ ENTITY: dict[str, EntityTest] = {
     "turns": lambda e, _: bool(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT}),
     "headed": lambda e, _: e.heading is not None,
     "pulls_out": lambda e, _: e.pulls_out,
+    "walks_up": lambda e, _: e.walks_up,
     "unmoved": lambda e, _: e.moves is None,
     "opposite": lambda e, _: "opposite" in e.dirs,
     "oncoming": lambda e, c: c.oncoming(e),
