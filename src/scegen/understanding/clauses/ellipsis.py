@@ -44,6 +44,8 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         title = verb is not None and verb.nominal and not verb.subject
         if verb is None or title or not _ends(chunks, k + 2):
             continue  # "Cut-out: lead 60 km/h, ego 80 km/h": the title is nobody's
+        if _further(chunk, chunks, k, verb):
+            continue
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
@@ -55,6 +57,20 @@ def _second_of_two(chunks: list[Chunk], k: int) -> bool:
     first = chunks[k - 2] if k > 1 else None
     placed = first.prep if isinstance(first, Mention) else None
     return placed is not None and placed.value == "between"
+
+
+def _further(mention: Mention, chunks: list[Chunk], k: int, verb: Event) -> bool:
+    """``waits for a car from the left and a van from the right``: for both.
+
+    Whom the verb governs has a phrase of place of its own there, and so has the second one.
+    """
+    last = next((c for c in reversed(chunks[: k - 1]) if isinstance(c, Mention)), None)
+    governs = next((p for p in verb.pps if p.target is last and p.word.cat == "prep"), None)
+    if last is None or governs is None or not last.pps or last.i < verb.i:
+        return False
+    mention.joined = last
+    verb.pps.append(replace(governs, target=mention))
+    return True
 
 
 def _likewise(events: list[Event], tokens: list[Token]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
@@ -24,7 +24,7 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
             continue
         owner = _possessor(chunks, k) or _likewise(chunks, k, tokens) or _bracketed(chunks, k)
         told_by = [e for e in events if any(m is chunk.term for m in e.mods)]
-        owner = owner or _awaited(chunks, k, told_by)
+        owner = owner or _awaited(chunks, k, told_by) or _from_a_side(chunks, k)
         if owner is None:
             continue
         for holder in holders:
@@ -73,6 +73,17 @@ def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | Non
     said = isinstance(at, Word) and at.cat == "prep"
     governed = isinstance(who, Mention) and who.prep is not None and not who.possessor
     return who if waits and said and governed and isinstance(who, Mention) else None
+
+
+def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:
+    """``lets a car from the left at 50 km/h pass``: the car's."""
+    who, off, side, at = (chunks[k - n] if k >= n else None for n in (4, 3, 2, 1))
+    placed = isinstance(side, Place) and side.kind in {"side", "direction"}
+    preps = [w.value for w in (off, at) if isinstance(w, Word) and w.cat == "prep"]
+    named = placed and len(preps) > 1 and preps[0] == "from" and isinstance(who, Mention)
+    if not named or not isinstance(who, Mention) or who.possessor:
+        return None
+    return who if any(p.target is side for p in who.pps) else None
 
 
 def _is_comma(chunk: Chunk) -> bool:
