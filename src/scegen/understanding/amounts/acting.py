@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.letting_by import let_by
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Event, Mention, Place
@@ -251,6 +251,15 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     named = [e for e in (*owners, *scene.targets, *ahead, *cut) if e is not doing.entity]
     if named:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
+    known = any(p.entity is doing.into or p.reference is doing.into
+                for p in context.draft.placements)  # fmt: skip
+    if ahead and named and doing.entity.ego and not known and not context.junction.crossing:
+        # "changes to the right lane in front of a truck": that one is there
+        words_ = next(p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
+        basis = Basis(words_.word.i, named[0].basis.j)
+        context.draft.place(named[0], None, {Approach.ADJACENT}, basis)
+        if doing.side is not None:
+            named[0].beside = named[0].beside or (doing.side.value, basis)
 
 
 def _to_standstill(doing: Doing, text: Sentences) -> None:
