@@ -1,4 +1,4 @@
-"""How long a crossing, a change of lane or a swerve takes is what the files do."""
+"""How long and how far a crossing, a change of lane, a swerve or a reversing goes is as said."""
 
 import pytest
 from mutating import changed
@@ -93,3 +93,37 @@ def test_durations_are_read_or_reported(text, times):
     assert {a.kind.value: a.duration_s.middle for a in found.acts if a.duration_s} == times
     assert all(a.when is None or getattr(a.when, "delay_s", None).high == 0.0 for a in found.acts)
     assert bool(times) or " s" in " ".join(u.text for u in found.unsupported)
+
+
+@pytest.mark.parametrize(("road", "speed"), [("straight", 1.3), ("straight", 3.0), ("t", 1.3)])
+def test_who_stops_on_the_road_stops_so_far_from_the_kerb(road, speed):
+    walker = who("walker", "pedestrian", ["right"], ["cross"], speed=speed)
+    acts = [act("goes", "walker", "cross", distance_m=2.5)]
+    functional = told(road, [EGO, walker], acts=acts)
+    concrete = first(functional)
+    assert "maneuver.cross.walker.stops" not in missed(functional, concrete)
+    motion = concrete.participant("walker").motion
+    farther = {"stops_after_m": motion.stops_after_m + 1.0}
+    go, stop = concrete.participant("walker").speed_program
+    later = stop.trigger.model_copy(update={"distance_m": stop.trigger.distance_m + 1.0})
+    program = (go, stop.model_copy(update={"trigger": later}))
+    strayed = changed(concrete, "walker", farther, speed_program=program)
+    assert "maneuver.cross.walker.stops" in missed(functional, strayed)
+
+
+@pytest.mark.parametrize("metres", [0.8, 4.0])
+def test_who_reverses_goes_so_far_back(metres):
+    back = act("back", "ego", "reverse", distance_m=metres)
+    behind = who("child", "pedestrian", ["behind"], ["stay"])
+    ego = who("ego", maneuvers=["straight"], speed=1.0)
+    functional = told("straight", [ego, behind], [("reversing", "ego", "child")], acts=[back])
+    concrete = first(functional)
+    assert "act.back.distance_m" not in missed(functional, concrete)
+    never = changed(concrete, "ego", speed_program=concrete.ego.speed_program[:-1])
+    assert "act.back.distance_m" in missed(functional, never)
+
+
+@pytest.mark.parametrize("kind", ["turn", "overtake", "change_lane", "swerve"])
+def test_what_goes_no_way_of_its_own_has_no_distance(kind):
+    with pytest.raises(ValidationError, match="leave distance_m out"):
+        told("straight", [EGO], acts=[act("does", "ego", kind, distance_m=4.0)])

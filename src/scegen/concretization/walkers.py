@@ -53,16 +53,24 @@ def place_walkers(scene: Setup) -> None:
         side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
         speed = _speed(scene, participant, crossing.arm)
+        setback, far = _setback_m(scene, crossing.arm, participant, speed), _far_m(scene, crossing)
         motion = CrossingMotion(
             arm=crossing.arm,
             start_side=crossing.start,
             from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=_setback_m(scene, crossing.arm, participant, speed),
+            setback_m=setback,
+            stops_after_m=None if far is None else round(setback + far, 3),
         )
         path = crossing_path(scene.network, motion, participant.id)
         scene.walks[participant.id] = WalkDraft(
             participant.id, participant.kind, participant.body, crossing, speed, motion, path
         )
+
+
+def _far_m(scene: Setup, crossing: Crossing) -> float | None:
+    """How far from the kerb one stops of whom that is said."""
+    own = (a for a in scene.acts if a.participant == crossing.participant and _crosses(a))
+    return next((a.distance_m.middle for a in own if a.distance_m is not None), None)
 
 
 def _abreast_m(number: int) -> float:
@@ -191,7 +199,7 @@ def stop_in_the_way(scene: Setup) -> None:
         walks = [scene.walks[n] for n in hazard.by if n in scene.walks]
         for walk in walks if hazard.kind is HazardKind.STOPPING else ():
             found = partner_of(scene, walk)
-            if found is not None:
+            if found is not None and not walk.stops:
                 _end_at(scene, walk, found[1])
 
 

@@ -101,6 +101,10 @@ LASTING = frozenset(ActKind) - {
     ActKind.REVERSE,
 }
 """What may take as long as is said; the others follow from ways and speeds."""
+FAR = frozenset(
+    {ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF, ActKind.REVERSE}
+) | {ActKind.CROSS}
+"""What may go on for as far as is said; who crosses then stops there, before the far kerb."""
 
 
 class AfterStart(FrozenModel):
@@ -160,11 +164,11 @@ class Act(FrozenModel):
     ``target_speed_mps`` is the speed that it ends at, ``rate_mps2`` how fast its speed changes
     on the way (a magnitude: the kind says which way), ``duration_s`` how long the act takes, of one
     who waits how long it stands, of one who crosses from kerb to kerb, of one who swerves until it
-    is as far aside as it goes,
-    ``distance_m`` how far it goes on doing it. ``side`` is its own left or right, ``into`` names
-    whose lane it comes into, of one who overtakes whom, of one who waits or gives way for whom;
-    ``lateral_m`` how far it goes sideways, ``lateral_mps`` its greatest
-    speed sideways. ``when`` is None where the text does not say what sets it off.
+    is as far aside as it goes. ``distance_m`` is how far it goes on doing it, of one who crosses
+    how far from the kerb it stops. ``side`` is its own left or right, ``into`` names whose lane it
+    comes into, of one who overtakes whom, of one who waits or gives way for whom; ``lateral_m`` how
+    far it goes sideways, ``lateral_mps`` its greatest speed sideways. ``when`` is None where the
+    text does not say what sets it off.
     """
 
     id: Identifier
@@ -182,9 +186,11 @@ class Act(FrozenModel):
 
     @model_validator(mode="after")
     def _may_last(self) -> Act:
+        does = self.kind.replace("_", " ")
         if self.duration_s is not None and self.kind not in LASTING:
-            msg = (
-                f"acts.{self.id}: how long it takes to {self.kind.replace('_', ' ')} follows from "
-            )
-            raise ValueError(f"{msg}ways and speeds; leave duration_s out")
+            msg = f"acts.{self.id}: how long it takes to {does} follows from ways and speeds; "
+            raise ValueError(f"{msg}leave duration_s out")
+        if self.distance_m is not None and self.kind not in FAR:
+            msg = f"acts.{self.id}: how far one goes to {does} is not made; "
+            raise ValueError(f"{msg}leave distance_m out")
         return self

@@ -29,7 +29,7 @@ from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
 from scegen.motion.doors import WAY_M
 from scegen.scenario.acts import (
     Act,
@@ -78,6 +78,10 @@ def claims(told: Told) -> Iterator[Claim]:
             yield _claim(told, act, "duration_s", statement, "s", _stands, tolerance=tolerance)
         if act.kind is ActKind.OPEN_DOOR:
             yield from _opens(told, act)
+        if act.kind is ActKind.REVERSE and act.distance_m is not None:
+            statement = f"{act.participant} goes {amount(act.distance_m)} m back"
+            tolerance = tolerances.GAP_M
+            yield _claim(told, act, "distance_m", statement, "m", _goes_back, tolerance=tolerance)
         yield from _triggered(told, act, does)
 
 
@@ -268,6 +272,17 @@ def _goes_on(told: Told, act: Act, view: View) -> Judged:
     wanted = act.distance_m or Interval(low=0.0, high=0.0)
     margin = np.where(run.happens, within(gone, wanted, tolerances.DISTANCE_M), np.nan)
     return Judged(margin, gone, view.time_of(run.end))
+
+
+def _goes_back(told: Told, act: Act, view: View) -> Judged:
+    """The way that it goes backwards; a contact before leaves it open."""
+    back = np.maximum(-view.row(act.participant, SPEED), 0.0).sum(axis=1) * view.dt_s
+    wanted = act.distance_m or Interval(low=0.0, high=0.0)
+    margin = within(back, wanted, tolerances.GAP_M)
+    hit = np.isfinite(hit_s(told, view, act.participant)) & (back < wanted.low)
+    return Judged(
+        np.where(hit, np.maximum(margin, 0.0), margin), back, view.time_of(view.last_step)
+    )
 
 
 def _sideways(told: Told, act: Act) -> Iterator[Claim]:

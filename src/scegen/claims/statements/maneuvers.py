@@ -15,7 +15,7 @@ from scegen.claims.moments import SIDEWAYS, at, first
 from scegen.claims.statements.ramps import by_ramp
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, amount, either
-from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS, TIME_S
+from scegen.claims.tolerances import GAP_M, SAME_LANE_M, STANDS_MPS, TIME_S
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
@@ -67,6 +67,8 @@ def claims(told: Told) -> Iterator[Claim]:
                 partial(_crosses, told, crossing),
             )
             yield from _in_its_time(told, crossing)
+        if crossing is not None:
+            yield from _as_far(told, crossing)
         if crossing is not None and crossing.arm in told.functional.junction.crosswalks:
             does = f"{person.id} crosses on the crosswalk"
             test = partial(_on_crosswalk, crossing)
@@ -106,7 +108,9 @@ def _stays_in_lane(drive: Drive, view: View) -> Judged:
 
 def _stops(told: Told, name: str) -> bool:
     """Whether it is said to stop on its way."""
-    acts = any(act.kind in {ActKind.STOP, ActKind.WAIT} for act in told.acts_of(name))
+    own = told.acts_of(name)
+    acts = any(act.kind in {ActKind.STOP, ActKind.WAIT} for act in own)
+    acts |= any(act.kind is ActKind.CROSS and act.distance_m is not None for act in own)
     return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 
 
@@ -236,6 +240,32 @@ def _in_its_time(told: Told, crossing: Crossing) -> Iterator[Claim]:
                 partial(_takes, crossing, act.duration_s),
                 fixed=False,
             )
+
+
+def _as_far(told: Told, crossing: Crossing) -> Iterator[Claim]:
+    """How far from the kerb it stops, where that is said."""
+    for act in told.acts_of(crossing.participant):
+        if act.kind is ActKind.CROSS and act.distance_m is not None:
+            yield _claim(
+                f"cross.{act.participant}.stops",
+                f"{act.participant} stops {amount(act.distance_m)} m from the kerb",
+                f"acts.{act.id}.distance_m",
+                "m",
+                partial(_stops_at, crossing, act.distance_m),
+                fixed=False,
+            )
+
+
+def _stops_at(crossing: Crossing, wanted: Interval, view: View) -> Judged:
+    """Where its middle is in the end, from the kerb that it has left; unless it has been hit."""
+    arm = arms_of(view)[crossing.arm]
+    _, offset = arm.place(boxes(view, crossing.participant))
+    right, left = arm.edges_m
+    end = at(offset, view.last_step)
+    far = left - end if crossing.start is Side.LEFT else end - right
+    stands = at(view.speed_mps(crossing.participant), view.last_step) <= STANDS_MPS
+    margin = np.where(stands, within(far, wanted, GAP_M), np.nan)
+    return Judged(margin, far, view.time_of(view.last_step))
 
 
 def _takes(crossing: Crossing, wanted: Interval, view: View) -> Judged:

@@ -116,8 +116,8 @@ def _speeds(
         stays = isinstance(assignment, Standing) or (
             isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
         )
-        if _backs(functional, runner.id):
-            _reverse(runner, said.get(runner.id))
+        if (back := _backs(functional, runner.id)) is not None:
+            _reverse(runner, said.get(runner.id), back)
         elif stays or _sets_off(functional, runner.id):
             runner.speed_mps = 0.0
         elif runner.id in said:
@@ -151,19 +151,26 @@ def _sets_off(functional: FunctionalScenario, name: str) -> bool:
     return first is not None and first.kind is ActKind.SET_OFF
 
 
-def _backs(functional: FunctionalScenario, name: str) -> bool:
-    """Whether the first thing that one does is to reverse."""
+def _backs(functional: FunctionalScenario, name: str) -> Act | None:
+    """How one reverses of whom that is the first thing that it does."""
     first: Act | None = next((a for a in functional.acts if a.participant == name), None)
-    return first is not None and first.kind is ActKind.REVERSE
+    return first if first is not None and first.kind is ActKind.REVERSE else None
 
 
-def _reverse(runner: Runner, said: Interval | None) -> None:
-    """Hardly forwards, then back at the speed that is said, or a usual one."""
+def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
+    """Hardly forwards, then back at the speed that is said, or a usual one, as far as is said."""
     speed = said.middle if said is not None else sum(REVERSING_MPS) / 2
     runner.backs = True
     runner.speed_mps = min(FORTH_MPS, speed)
     begins = 1.02 * FORTH_M / runner.speed_mps
+    if act.distance_m is None:
+        runner.steps = [Step(begins, speed, REVERSING_MPS2)]
+        return
+    far = act.distance_m.middle
+    speed = min(speed, (REVERSING_MPS2 * far) ** 0.5)
     runner.steps = [Step(begins, speed, REVERSING_MPS2)]
+    slows = FORTH_M + far - speed**2 / (2 * REVERSING_MPS2)
+    runner.steps.append(Step(runner.profile.time_s(slows), 0.0, REVERSING_MPS2))
 
 
 def _make_faster(

@@ -88,12 +88,15 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     same_arm = isinstance(ego_arm, Drive) and crossing.arm == ego_arm.entry
     from_left = (crossing.start is Side.LEFT) == same_arm
     act = _act(story, participant.id)
+    far = None if act is None or act.distance_m is None else act.distance_m.middle
     edge = edge_y_m(story, left=from_left)
     strip = strips.get("left" if from_left else "right", 0.0)
     into = -1 if from_left else 1
     aim = _aim_y_m(story, participant.id, meets, body, speed, into)
     to_aim = abs(aim - edge) - body.centre_ahead_m
-    least = speed**2 / (2 * starting_mps2(participant.kind)) + _HOLDS_S * speed - to_aim
+    gains = speed**2 / (2 * starting_mps2(participant.kind))
+    steady = to_aim if far is None else min(to_aim, far - gains)
+    least = gains + _HOLDS_S * speed - steady
     setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback
@@ -118,7 +121,9 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
             walk.sets_off_s = max(walks[0].arrives_s - takes, _LEAST_LEAD_S)
     walk.arrives_s = walk.sets_off_s + takes
     walk.x_m += _ABREAST_M * ((number + 1) // 2) * (1 if number % 2 else -1)
-    if _stops(story, walk.id):
+    if far is not None:
+        walk.stops_after_m = setback + far
+    elif _stops(story, walk.id):
         walk.stops_after_m = setback + abs(meets.y_m(0.0) - edge) + _STAYS_M
     for runner in (meets, *(r for r in story.runners.values() if r is not meets and not r.stands)):
         _brake_before(story, walk, runner)

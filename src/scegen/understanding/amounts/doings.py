@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import LASTING, ActKind
+from scegen.scenario.acts import FAR, LASTING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.teller import Teller
@@ -17,14 +17,13 @@ _SOON = 3
 """So near after a time, a noun tells what takes it ("needs 6 s for its lane change")."""
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
-_ANY = frozenset(ActKind)
 _GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 FIELDS: dict[str, tuple[str, frozenset[ActKind]]] = {
     "rate": ("rate_mps2", _ALONG),
     "speed_after": ("target_speed_mps", _ALONG),
     "speed_change": ("target_speed_mps", _ALONG),
     "duration": ("duration_s", LASTING),
-    "distance": ("distance_m", _ANY),
+    "distance": ("distance_m", FAR),
     "lateral_speed": ("lateral_mps", _ASIDE),
     "lateral_move": ("lateral_m", _ASIDE),
 }
