@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from math import inf
 
 import numpy as np
 
-from scegen.claims.boxes import same_way, seen
 from scegen.concretization.amounts import (
     BRAKING,
     CLOSEST_M,
@@ -18,7 +17,15 @@ from scegen.concretization.amounts import (
     goes_on_when_free,
 )
 from scegen.concretization.asked import contact_wanted
-from scegen.concretization.boxes import apart
+from scegen.concretization.braking import (
+    STEP_S,
+    Contact,
+    answer_each,
+    apart_by,
+    brake_late,
+    had_ahead,
+    touch_s,
+)
 from scegen.concretization.courses import Sort, SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import same_arm
@@ -27,55 +34,35 @@ from scegen.concretization.moments import Moments
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
 
-_STEP_S = 0.05
 _AFTER_S = 8.0
-_ROUNDS = 16
-_BEFORE_S = 1.0
 _ALONG = 0.5
 _GONE_M = 0.1
 _GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0)
-
-
-@dataclass(frozen=True, slots=True)
-class _Contact:
-    """``who`` touches ``other``, or ``runs_in``: from behind, into who crosses or comes back."""
-
-    time_s: float
-    who: str
-    other: str
-    runs_in: bool
 
 
 def answer(scene: Setup, moments: Moments) -> None:
     """Let everybody brake who would run into somebody ahead, or who crosses as the text says."""
     # Who stops in somebody's way does so when it is said to, whatever is done about it.
     moments.sets_off_s |= {n: moments.leaves_s(n) for n, w in scene.walks.items() if w.stops}
-    settled: set[tuple[str, str]] = set()
-    for _ in range(2 * len(scene.drives)):
-        found = [
-            contact
-            for contact in _contacts(scene, moments)
-            if contact.runs_in and (contact.who, contact.other) not in settled
-        ]
-        if not found:
-            return
-        first = min(found, key=lambda c: (c.time_s, c.who))
-        _brake_for(scene, moments, scene.drives[first.who], first)
-        settled.add((first.who, first.other))
+    contacts, brakes = partial(_contacts, scene, moments), partial(_brake_for, scene, moments)
+    answer_each(contacts, brakes, 2 * len(scene.drives))
 
 
 def _times(moments: Moments) -> Array:
     """From the start until everybody has arrived where it goes."""
     drives = moments.scene.drives
     ends = max(moments.offsets_s[n] + float(d.course.time_s[-1]) for n, d in drives.items())
-    return np.arange(0.0, ends + _AFTER_S, _STEP_S)
+    return np.arange(0.0, ends + _AFTER_S, STEP_S)
 
 
-def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
-    """Unwanted contacts; with walkers only where the text says when they set off."""
+def _contacts(scene: Setup, moments: Moments) -> Iterator[Contact]:
+    """Who runs in: from behind, or into who crosses or comes back; none that is wanted.
+
+    Into walkers only where the text says when they set off.
+    """
     times = _times(moments)
     tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks)}
-    touching: dict[frozenset[str], Array] = {}
+    touching: dict[frozenset[str], float | None] = {}
     for name in scene.drives:
         for other, there in tracks.items():
             if other == name or contact_wanted(scene.functional, name, other):
@@ -86,35 +73,23 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[_Contact]:
                 continue
             pair = frozenset((name, other))
             if pair not in touching:
-                free_m = apart(tracks[name], there, 0.0)
-                touching[pair] = times[(free_m <= 0.0) & (times < _parts_s(moments, name, other))]
-            if not touching[pair].size:
-                continue
-            first_s = touching[pair][:1]
-            before = moments.track(name, first_s - _BEFORE_S)[0]
-            then = moments.track(other, first_s - _BEFORE_S)[0]
-            ahead = float(seen(before, then).x[0]) > 0.0
-            along = float(same_way(before, then)[0]) > _ALONG
-            follows = (
-                along
-                and other in scene.drives
-                and same_arm(scene.drives[name], scene.drives[other])
-            )
-            runs_in = ahead and (follows or other not in scene.drives or _comes_back(scene, other))
-            yield _Contact(float(first_s[0]), name, other, runs_in)
+                until = _parts_s(moments, name, other)
+                touching[pair] = touch_s(times, tracks[name], there, until)
+            at = touching[pair]
+            if at is not None and _runs_in(scene, moments, Contact(at, name, other)):
+                yield Contact(at, name, other)
+
+
+def _runs_in(scene: Setup, moments: Moments, contact: Contact) -> bool:
+    ahead, along = had_ahead(moments, contact)
+    who, other = scene.drives[contact.who], scene.drives.get(contact.other)
+    if other is None or _comes_back(scene, other.id):
+        return ahead
+    return ahead and along > _ALONG and same_arm(who, other)
 
 
 def _comes_back(scene: Setup, name: str) -> bool:
     return name in scene.drives and scene.drives[name].reversal is not None
-
-
-def _room_m(moments: Moments, who: str, other: str) -> float:
-    """How near one comes to another; inf if no nearer than it may."""
-    times = _times(moments)
-    times = times[times < _parts_s(moments, who, other)]
-    there = moments.track(other, times)[0]
-    near_m = apart(moments.track(who, times)[0], there, CLOSEST_M)
-    return float(near_m.min(initial=inf))
 
 
 def _parts_s(moments: Moments, *names: str) -> float:
@@ -130,8 +105,9 @@ def _parts_s(moments: Moments, *names: str) -> float:
     )
 
 
-def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contact) -> None:
+def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
     """Brake as late as leaves a little room; not at all where nothing does."""
+    who = scene.drives[contact.who]
     own = _loose(scene, who)
     before = who.deeds
     waits = [m for m in before if m.act is not None and goes_on_when_free(scene.act(m.act).when)]
@@ -139,38 +115,37 @@ def _brake_for(scene: Setup, moments: Moments, who: DriveDraft, contact: _Contac
     kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKING and who.id in h.by]
     target, backs = _slowest_mps(scene, moments, contact), _comes_back(scene, contact.other)
     who.deeds, who.course_ = rest, None
-    free, least_m = who.course, partial(_room_m, moments, who.id, contact.other)
-    late = moments.offsets_s[who.id]
-    low = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
+    free, late = who.course, moments.offsets_s[who.id]
 
-    def brake(begins_s: float, rate: float) -> float:
+    def brake(begins_s: float, rate: float) -> None:
         place = free.s_at(begins_s - late)
         if own is not None:
-            mark = replace(own, s_m=place, target_mps=min(own.target_mps, target))
+            mark = replace(own, s_m=place, target_mps=min(own.target_mps, target), rate_mps2=rate)
         else:
             hazard = next(iter(kinds), None)
             mark = SpeedChange(place, target, rate, hazard, sort=Sort.ACT, there=backs)
         who.deeds, who.course_ = [*rest, mark], None
-        return least_m()
 
-    for rate in _rates_mps2(scene, who, own, hard=bool(kinds)):
-        if brake(low, rate) < CLOSEST_M / 2:
-            continue
-        early, after = low, max(contact.time_s, low)
-        for _ in range(_ROUNDS):
-            middle = (early + after) / 2
-            early, after = (middle, after) if brake(middle, rate) >= CLOSEST_M else (early, middle)
-        brake(early, rate)
-        if waits or (own is None and target == 0.0):
-            _go_on(who, least_m, waits)
-        if own is None:
-            reason = f"brakes for {contact.other}, as a driver who sees it does"
-            scene.note(f"{who.id}.rate_mps2", rate, reason)
-        return
-    who.deeds, who.course_ = before, None
+    def leaves(room_m: float) -> bool:
+        times = _times(moments)
+        there = times[times < _parts_s(moments, who.id, contact.other)]
+        return apart_by(moments, contact, there, room_m)
+
+    rates = _rates_mps2(scene, who, own, hard=bool(kinds))
+    earliest = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
+    found = brake_late(leaves, contact.time_s, rates, earliest, brake)
+    if found is None:
+        who.deeds, who.course_ = before, None
+        return False
+    if waits or (own is None and target == 0.0):
+        _go_on(who, leaves, waits)
+    if own is None:
+        reason = f"brakes for {contact.other}, as a driver who sees it does"
+        scene.note(f"{who.id}.rate_mps2", found[1], reason)
+    return True
 
 
-def _go_on(who: DriveDraft, least_m: Callable[[], float], said: list[SpeedChange]) -> None:
+def _go_on(who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedChange]) -> None:
     """Drive on as soon as that is free, by its own act if that is said; else stay as slow."""
     if not said and any(mark.act is not None for mark in who.deeds):
         return
@@ -180,7 +155,7 @@ def _go_on(who: DriveDraft, least_m: Callable[[], float], said: list[SpeedChange
     for then in _GOES_ON_S:
         on = replace(next(iter(said), usual), then_s=then)
         who.deeds, who.course_ = [*kept, on], None
-        if least_m() >= CLOSEST_M - 0.1:
+        if leaves(CLOSEST_M - 0.1):
             return
     who.deeds, who.course_ = kept, None
 
@@ -195,12 +170,12 @@ def _loose(scene: Setup, who: DriveDraft) -> SpeedChange | None:
     return None
 
 
-def _slowest_mps(scene: Setup, moments: Moments, contact: _Contact) -> float:
+def _slowest_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
     """How slow whoever it runs into becomes."""
     if contact.other in scene.walks:
         return 0.0
     since = contact.time_s if scene.sets_off(contact.other) else 0.0
-    times = np.arange(since, contact.time_s + _AFTER_S, _STEP_S)
+    times = np.arange(since, contact.time_s + _AFTER_S, STEP_S)
     slowest = float(moments.track(contact.other, times)[1].min())
     return slowest if slowest > 0.1 else 0.0
 

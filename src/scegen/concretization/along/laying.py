@@ -61,7 +61,7 @@ def lay(story: Story) -> list[Walk]:
         touching += react(story)
         unwanted = [p for p in touching if not contact_wanted(story, *p)]
         unwanted += [
-            (a, b) for a, b, _ in contacts(story)
+            (a, b) for _, a, b in contacts(story)
             if not contact_wanted(story, a, b) and (a, b) not in unwanted
         ]  # fmt: skip
         if not unwanted:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from scegen.claims.boxes import Boxes
 from scegen.concretization.along.runner import Runner, Step
 from scegen.concretization.asked import contact_wanted as said_to_touch
 from scegen.concretization.asked import dangers, hazard_of
 from scegen.motion.following import Driver, driver_of
+from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
@@ -53,6 +55,10 @@ class Story:
     def ego(self) -> Runner:
         """The vehicle under test."""
         return self.runners[self.functional.ego.id]
+
+    def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
+        """The boxes of somebody over time, and its speeds."""
+        return self.runners[name].track(times_s)
 
     def hazard_of(self, act: Act) -> HazardKind | None:
         """The danger that an act is, if it is one."""
