@@ -18,7 +18,6 @@ from scegen.concretization.amounts import (
 )
 from scegen.concretization.asked import contact_wanted
 from scegen.concretization.braking import (
-    STEP_S,
     Contact,
     answer_each,
     apart_by,
@@ -33,6 +32,7 @@ from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION
 from scegen.concretization.moments import Moments
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
+from scegen.motion.trigger_steps import STEP_S, just_before_step_s
 
 _AFTER_S = 8.0
 _ALONG = 0.5
@@ -118,7 +118,7 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
     free, late = who.course, moments.offsets_s[who.id]
 
     def brake(begins_s: float, rate: float) -> None:
-        place = free.s_at(begins_s - late)
+        place = free.s_at(just_before_step_s(begins_s) - late)
         if own is not None:
             mark = replace(own, s_m=place, target_mps=min(own.target_mps, target), rate_mps2=rate)
         else:

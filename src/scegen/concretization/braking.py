@@ -13,8 +13,8 @@ from scegen.claims.boxes import Boxes, seen
 from scegen.concretization.amounts import CLOSEST_M
 from scegen.concretization.boxes import apart
 from scegen.motion.model import Array
+from scegen.motion.trigger_steps import STEP_S
 
-STEP_S = 0.05
 _BEFORE_S = 1.0
 _ROUNDS = 12
 _ROUNDING, _SOFTER = 1e-6, 0.8

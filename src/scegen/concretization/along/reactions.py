@@ -14,7 +14,6 @@ from scegen.concretization.along.runner import Runner, Step, gap_m
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.amounts import BRAKING, answering_rates_mps2
 from scegen.concretization.braking import (
-    STEP_S,
     Contact,
     answer_each,
     apart_by,
@@ -24,6 +23,7 @@ from scegen.concretization.braking import (
 )
 from scegen.concretization.limits import REACTION_S
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
+from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import AfterAct
 from scegen.scenario.vocabulary import HazardKind
 
