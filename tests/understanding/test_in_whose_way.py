@@ -117,3 +117,20 @@ def test_the_side_on_which_somebody_is_hit_is_that_ones(text, side):
 )
 def test_an_ego_that_stood_beside_the_road_is_said_to_drive(text):
     assert any("drives from the start" in u.instead for u in read(text).unsupported)
+
+
+@pytest.mark.parametrize(
+    ("text", "strip", "target"),
+    [
+        ("A woman walks along the verge ahead of the ego.", Strip.PAVEMENT, "avoided"),
+        ("A woman walks along the edge of the road ahead of the ego.", Strip.PAVEMENT, "avoided"),
+        ("A woman stands at the side of the road.", Strip.PAVEMENT, "avoided"),
+        ("A woman walks along the lane ahead of the ego.", None, "near-miss"),
+        ("The ego hits a woman who walks along the edge of the road.", None, "collision"),
+        ("The ego passes a woman on the edge of the road 1 m to its side.", None, "near-miss"),
+    ],
+)
+def test_who_keeps_to_the_edge_is_beside_the_lanes_unless_somebody_comes_near(text, strip, target):
+    scenario = read(text)
+    assert scenario.participant("pedestrian_1").strip is strip
+    assert chosen_target(Options(), scenario, numbers_given=False) == target

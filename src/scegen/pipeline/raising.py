@@ -15,6 +15,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
+from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
@@ -73,11 +74,13 @@ def _drives_past(functional: FunctionalScenario) -> bool:
     in_line = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
     crossing = functional.junction.kind is not JunctionKind.STRAIGHT
     others = [p for p in functional.participants if p.id != functional.ego.id]
-    return bool(others) and all(
-        p.maneuvers == {Maneuver.STAY}
-        and (p.strip is not None or (crossing and p.approaches and not p.approaches & in_line))
-        for p in others
-    )
+    aside = bool(others)
+    for person in others:
+        stays = person.maneuvers == {Maneuver.STAY}
+        waits = crossing and bool(person.approaches) and not person.approaches & in_line
+        walks = person.maneuvers == {Maneuver.STRAIGHT} and person.strip is Strip.PAVEMENT
+        aside = aside and (walks or (stays and (waits or person.strip is not None)))
+    return aside
 
 
 def _draws_away(functional: FunctionalScenario) -> bool:

@@ -55,6 +55,8 @@ class Entity:
     """Words that say that its siren and blue lights are on."""
     strip: tuple[Strip, Basis] | None = None
     """The strip beside the lanes on which it is at first."""
+    roadside: Basis | None = None
+    """Words that put it at the edge of the road."""
     crosses: tuple[CrossedArm, Basis] | None = None
     course: tuple[bool, Basis] | None = None
     """Whether it walks as the ego drove before it turned (else against that)."""

@@ -36,6 +36,7 @@ from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.left_turns import onto_the_road
 from scegen.understanding.building.open_road import (
     abreast,
+    at_the_edge,
     both_change_lanes,
     from_the_strip,
     in_the_way,
@@ -93,6 +94,7 @@ class Builder:
             entity.ego = entity is ego  # "the cops we are": several are called so, one is it
         settle_arms(self._draft, ego)
         relations = settle_positions(self._draft, ego)
+        at_the_edge(self._draft, self._happenings)
         junction = self._layout.build()
         onto_the_road(self._draft, junction.driving_side)
         if junction.kind is JunctionKind.STRAIGHT:

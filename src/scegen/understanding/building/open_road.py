@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.happenings import Happenings, Item
 
 _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING,
                          HazardKind.OBSTACLE})  # fmt: skip
@@ -23,6 +25,17 @@ def in_the_way(draft: Draft, ego: Entity) -> None:
                 entity.approaches = {Approach.AHEAD}
                 reason = "on a straight road, who is in the way is ahead"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def at_the_edge(draft: Draft, happenings: Happenings) -> None:
+    """Who stands or walks at the edge of the road, and concerns nobody, is beside the lanes."""
+    told: list[Entity | Item | None] = [e for d in draft.dangers for e in (*d.by, *d.to)]
+    told += [e for s in happenings.spacings for e in (s.entity, s.reference)]
+    told += happenings.ending.between if happenings.ending is not None else []
+    for entity in draft.entities:
+        stays = bool(entity.maneuvers) and entity.maneuvers <= {Maneuver.STAY, Maneuver.STRAIGHT}
+        if stays and entity.roadside is not None and not entity.is_vehicle and entity not in told:
+            entity.strip = entity.strip or (Strip.PAVEMENT, entity.roadside)
 
 
 def from_the_strip(draft: Draft, ego: Entity) -> None:

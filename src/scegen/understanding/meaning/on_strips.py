@@ -49,26 +49,28 @@ def _put(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
     for prep in preps:
         word = context.tokens[prep.word.i].low
         target = prep.target if isinstance(prep.target, Place) else None
-        if target is not None and target.kind == "sidewalk" and prep.outer is None:
-            for entity in whom:  # "waits at the kerb"
-                if _waits(entity):
-                    _is_on(context, entity, Strip.PAVEMENT, Basis(prep.word.i, target.j))
+        at = word in word_list("on_strips") and prep.outer is None
+        if at and target is not None and _roadside(target, preps):
+            for entity in whom:  # "waits at the kerb", "walks along the edge of the road"
+                entity.roadside = entity.roadside or Basis(prep.word.i, target.j)
         for strip, basis in _strip_of(target):
             there = Basis(prep.word.i, basis.j)
-            if word in word_list("on_strips") and prep.outer is None:
+            if at:
                 for entity in whom:
                     _is_on(context, entity, strip, there)
             elif prep.value == "from" or prep.outer is not None or _out_of(prep, context):
                 _leaves(context, whom, strip, there)
 
 
-def _waits(entity: Entity) -> bool:
-    """Who is on foot and goes nowhere."""
-    return not entity.is_vehicle and entity.maneuvers == {Maneuver.STAY}
+def _roadside(place: Place, preps: list[Prep]) -> bool:
+    """``the kerb``, ``the edge of the road``."""
+    after = (p.target for p in preps if p.word.i == place.j)
+    road = any(isinstance(p, Place) and p.kind in {"road", "highway"} for p in after)
+    return place.kind == "sidewalk" or (place.kind == "side" and road)
 
 
 def _stands(entity: Entity) -> bool:
-    return entity.still or _waits(entity)
+    return entity.still or (not entity.is_vehicle and entity.maneuvers == {Maneuver.STAY})
 
 
 def _set_off(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
