@@ -96,7 +96,8 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     to_aim = abs(aim - edge) - body.centre_ahead_m
     gains = speed**2 / (2 * starting_mps2(participant.kind))
     steady = to_aim if far is None else min(to_aim, far - gains)
-    least = gains + _HOLDS_S * speed - steady
+    # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
+    least = gains + max(_HOLDS_S * speed - steady, to_aim - width if far is None else -steady)
     setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback
