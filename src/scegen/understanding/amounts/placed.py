@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
@@ -32,6 +34,7 @@ _AT = (" at ", " at a ", " at a gap of ", " at a distance of ", " at a time gap 
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
+_PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
@@ -78,8 +81,24 @@ class Spacer(Teller):
             amount = amount_of(number)
             self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
         else:
-            self._happenings.spacings.append(self._between(number, measure, *pair, at))
+            told = self._between(number, measure, *pair, at)
+            self._happenings.spacings += [told, *self._past_all(told)]
         return True
+
+    def _past_all(self, told: Apart) -> list[Apart]:
+        """``overtakes two cyclists, leaving 1.5 m``: past each of them."""
+        if told.measure is not Measure.LATERAL_GAP_M:
+            return []
+        pair = {told.entity, told.reference}
+        return [
+            replace(told, entity=by, reference=other)
+            for scene in self._text.scenes
+            if scene.event.name in _PASSED and len(scene.targets) > 1
+            for by in scene.actors[:1]
+            if by in pair and pair - {by} <= {*scene.targets}
+            for other in scene.targets
+            if other not in pair
+        ]
 
     def _at_rest(self, number: Measured, measure: Measure) -> bool:
         """``stops 3 m behind the truck``: how far apart they are once it stands."""
