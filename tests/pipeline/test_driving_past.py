@@ -50,3 +50,15 @@ def test_who_stands_at_a_junction_need_not_leave_it(tmp_path):
         (tmp_path / name).write_bytes(content)
     (tmp_path / "concrete.yaml").write_text(to_yaml(concrete))
     assert check_folder(tmp_path, ["esmini"]).result("esmini").status is CheckStatus.PASSED
+
+
+def test_room_that_is_left_beside_those_who_are_passed_is_no_near_miss():
+    beside = {"measure": "lateral_gap_m", "participant": "ego", "value": 1.2}
+    parked = person("van", parked=True, approaches=["right"], maneuvers=["stay"])
+    cyclist = person("rider", "bicycle", approaches=["ahead"], maneuvers=["straight"])
+    for other in (parked, cyclist):
+        spacing = beside | {"reference": other["id"]}
+        told = said("straight", EGO, other, spacings=[spacing])
+        assert chosen(told) == "avoided"
+        assert made(told).proof.in_band
+        assert chosen(said("straight", EGO, other)) == "near-miss"

@@ -16,6 +16,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
 from scegen.scenario.roadway import Strip
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
@@ -58,7 +59,8 @@ def chosen_target(
     if options.target is None:
         if numbers_given:
             return None
-        if functional is not None and (_drives_past(functional) or _draws_away(functional)):
+        unhurt = (_drives_past, _leaves_room, _draws_away)
+        if functional is not None and any(told(functional) for told in unhurt):
             return AVOIDED
         outcome = functional.outcome.kind if functional and functional.outcome else None
         return _TARGETS.get(outcome, NEAR_MISS)
@@ -81,6 +83,21 @@ def _drives_past(functional: FunctionalScenario) -> bool:
         walks = person.maneuvers == {Maneuver.STRAIGHT} and person.strip is Strip.PAVEMENT
         aside = aside and (walks or (stays and (waits or person.strip is not None)))
     return aside
+
+
+def _leaves_room(functional: FunctionalScenario) -> bool:
+    """Whether all that is told is how much room one leaves beside those it passes."""
+    ego = functional.ego.id
+    beside = [s for s in functional.spacings if s.measure is Measure.LATERAL_GAP_M]
+    passed = {name for s in beside for name in (s.participant, s.reference)}
+    return (
+        functional.outcome is None
+        and bool(beside)
+        and len(beside) == len(functional.spacings)
+        and passed == {p.id for p in functional.participants}
+        and all(h.kind is HazardKind.OVERTAKING and h.by == (ego,) for h in functional.hazards)
+        and all(a.kind is ActKind.OVERTAKE and a.participant == ego for a in functional.acts)
+    )
 
 
 def _draws_away(functional: FunctionalScenario) -> bool:

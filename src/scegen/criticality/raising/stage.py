@@ -62,6 +62,8 @@ class Stage:
         self.pair: Pair = ()  # type: ignore[assignment]
         self.blocked: str | None = None
         pairs = candidate_pairs(concrete) if pair is None else [pair]
+        if not pairs and target.contact is False:  # past what is parked, too, nobody is touched
+            pairs = [(concrete.ego.id, p.id) for p in concrete.participants if p.parked]
         self.focus = list(dict.fromkeys([*judged_pairs(concrete), *pairs[:_FOCUS]]))
         self.scene = scene_of(concrete, paths_of(self.ways), self.focus, self.friction)
         self._choose_pair(target, pairs)
