@@ -134,8 +134,13 @@ def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
     return STOPPING_MPS2 if kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
 
 
-def answering_rates_mps2(most_mps2: float, *, hard: bool) -> list[float]:
-    """How hard one may brake for another, the usual first; none more than ``most_mps2``."""
+def answering_rates_mps2(act: Act | None, most_mps2: float, *, hard: bool) -> list[float]:
+    """How hard one may brake for another, the usual first; none more than ``most_mps2``.
+
+    Only as hard as the text says, if its own ``act`` is that braking and says so.
+    """
+    if act is not None and act.rate_mps2 is not None:
+        return [act.rate_mps2.middle]
     usual = HARD_BRAKING_MPS2[0] if hard else LATE_BRAKING_MPS2
     return sorted({min(usual * harder, most_mps2) for harder in _HARDER})
 

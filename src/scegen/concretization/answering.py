@@ -131,7 +131,8 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
         there = times[times < _parts_s(moments, who.id, contact.other)]
         return apart_by(moments, contact, there, room_m)
 
-    rates = _rates_mps2(scene, who, own, hard=bool(kinds))
+    said = scene.act(own.act) if own is not None and own.act is not None else None
+    rates = answering_rates_mps2(said, who.braking_mps2(inf), hard=bool(kinds))
     earliest = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
     found = brake_late(leaves, contact.time_s, rates, earliest, brake)
     if found is None:
@@ -190,12 +191,3 @@ def _seen_s(scene: Setup, moments: Moments, other: str) -> float:
     places = [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
     begins = [*slowing, *(course.time_at(place) for place in places)]
     return late + min(begins, default=-late)
-
-
-def _rates_mps2(
-    scene: Setup, who: DriveDraft, own: SpeedChange | None, *, hard: bool
-) -> list[float]:
-    """How hard it may brake, the usual first; as the text says, if it does."""
-    if own is not None and scene.act(own.act or "").rate_mps2 is not None:
-        return [own.rate_mps2]
-    return answering_rates_mps2(who.braking_mps2(inf), hard=hard)

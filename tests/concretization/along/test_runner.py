@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import accumulate
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -107,3 +108,21 @@ def test_its_way_follows_steps_that_are_added_later():
     assert own.x_m(10.0) > 150.0
     own.steps.clear()
     assert own.x_m(10.0) == pytest.approx(100.0)
+
+
+@given(st.data(), st.booleans(), st.booleans())
+def test_boxes_over_time_are_where_it_is_and_turned_as_it_goes(data, forward, backs):
+    own = runner(forward, backs=backs)
+    own.steps = [Step(2.0, data.draw(st.floats(3.0, 30.0)), 2.0)]
+    own.moves = [Move(1.0, 3.0, 2), Move(data.draw(st.floats(4.5, 8.0)), 2.5, 1, offset_m=0.5)]
+    times = np.linspace(0.0, 15.0, 61)
+    boxes, speeds = own.track(times)
+    ahead = own.body.centre_ahead_m
+    assert [own.x_m(t) for t in times] == pytest.approx(list(boxes.x - ahead * boxes.cos))
+    assert [own.y_m(t) for t in times] == pytest.approx(list(boxes.y - ahead * boxes.sin))
+    assert [own.speed_at_mps(t) for t in times] == pytest.approx(list(speeds))
+    assert list(np.hypot(boxes.cos, boxes.sin)) == pytest.approx([1.0] * 61)
+    half = 1e-4
+    for time_s, sin, speed in zip(times, boxes.sin, speeds, strict=True):
+        aside = (own.y_m(time_s + half) - own.y_m(time_s - half)) / (2 * half)
+        assert sin * speed * (-1 if backs else 1) == pytest.approx(aside, abs=0.02)

@@ -138,7 +138,9 @@ def _brake_for(story: Story, contact: Contact, loose: Step | None = None) -> boo
             step = replace(step, target_mps=target, act=own.act, hazard=own.hazard)
         who.steps = [*rest, step]
 
-    rates = _rates_mps2(story, who, own, hard=bool(kinds))
+    said = story.act(own.act) if own is not None and own.act is not None else None
+    most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
+    rates = answering_rates_mps2(said, most, hard=bool(kinds))
     sees_s = ceil((_sees_s(who, other) + REACTION_S) / STEP_S) * STEP_S
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = (s.begins_s for s in rest if s.target_mps > who.speed_mps)
@@ -191,14 +193,6 @@ def _follow(story: Story, who: Runner, other: Runner) -> bool:
         return True
     who.steps = []
     return False
-
-
-def _rates_mps2(story: Story, who: Runner, own: Step | None, *, hard: bool) -> list[float]:
-    """How hard it may brake, the usual first; as the text says, if it does."""
-    if own is not None and story.act(own.act or "").rate_mps2 is not None:
-        return [own.rate_mps2]
-    most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
-    return answering_rates_mps2(most, hard=hard)
 
 
 def _sees_s(who: Runner, other: Runner) -> float:
