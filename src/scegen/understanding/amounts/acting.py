@@ -12,10 +12,12 @@ from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import ActFrame, acts, words
 from scegen.understanding.happenings import STILL, Amount, Doing
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
 _OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
+_BEFORE = 4
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 _WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
@@ -84,11 +86,8 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
             continue
         if kind is ActKind.OVERTAKE and scene.targets and all(t.parked for t in scene.targets):
             continue  # past one who is parked beside the lanes leads no move aside
-        always = (
-            (frame.always or kind is ActKind.CHANGE_LANE)
-            and not (event.modal and parent is None)
-            and not _forced(event)
-        )
+        always = frame.always or kind is ActKind.CHANGE_LANE
+        always = always and not (entity.ego and _forced(event)) and not _owed(event, context)
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
         if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
@@ -151,9 +150,18 @@ def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
 
 
 def _forced(event: Event) -> bool:
-    """``forces the ego to brake``: what the one under test has to do, not what it is made to do."""
+    """``forces the ego to brake``: what the one under test has to do, not what it is made to do.
+
+    Others have no test to pass: who has to brake brakes.
+    """
     parent = event.parent
     return event.modal or (parent is not None and parent.name in {"cause", "prevent"})
+
+
+def _owed(event: Event, context: Context) -> bool:
+    """``ought to wait for us``: what it should do, whatever it does."""
+    before = {t.low for t in context.tokens[max(0, event.i - _BEFORE) : event.i]}
+    return event.modal and bool(before & word_list("expected"))
 
 
 def _stands_then(entity: Entity, event: Event) -> bool:

@@ -52,6 +52,10 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     """``swerves behind the ego``, ``sweeps left in front of the bus``: where it gets to."""
     turns = any(d.value in SIDES for d in event.dirs)
     onto = event.name == "swerve" and any(p.value == "into" for p in event.pps)
+    onto = onto or any(
+        p.value in {"to", "into"} and isinstance(p.target, Place) and p.target.kind == "lane"
+        for p in event.pps
+    )
     afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
     if afoot and (event.name, prep.value) == ("stop", "ahead"):
         return True  # "stops 1 m in front of her"
