@@ -5,18 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
+from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import let_by
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import ActFrame, acts, words
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
-_SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
-_OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 _BEFORE = 4
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
@@ -59,7 +58,7 @@ def _back_from_there(found: list[Doing]) -> None:
         passed = [d for d in found if d.kind is ActKind.OVERTAKE and d.i < doing.i and d.side]
         own = [d for d in passed if d.entity is doing.entity]
         if doing.kind is ActKind.CHANGE_LANE and own and own[-1].side is not None:
-            doing.side = _OTHER[own[-1].side]
+            doing.side = OTHER[own[-1].side]
 
 
 def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
@@ -92,7 +91,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
         if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
             doing.into, doing.into_basis = whom[0], basis
-        _aside(doing, scene, text, context)
+        to_the_side(doing, scene, text, context)
         _to_standstill(doing, text)
         made.append(doing)
         further = whom[1:] if doing.kind is ActKind.GIVE_WAY else []
@@ -170,104 +169,6 @@ def _stands_then(entity: Entity, event: Event) -> bool:
     return (own or entity.parked or (entity.stands is not None and entity.sets_off < 0)) and (
         event.name in {"stop", "wait"}
     )
-
-
-def _aside(doing: Doing, scene: Clause, text: Sentences, context: Context) -> None:
-    """To which side, and into whose lane."""
-    if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
-        return
-    event, entity = scene.event, doing.entity
-    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
-    sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
-    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
-    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
-    moved = [event.object, *sources]  # "moves one lane to the left", "leaves the lane to the left"
-    lanes = [c for c in lanes if not any(c is m for m in moved)]
-    for goal in [p for p in goals if isinstance(p, Place)]:
-        within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
-        named = [] if within else goal.dirs  # "from the lane to its right": from there
-        sides += [(d, Basis(goal.i, goal.j)) for d in named]
-    for value, basis in sides:
-        if value in _SIDES and doing.side is None:
-            doing.side, doing.side_basis = _SIDES[value], basis
-    if doing.kind is ActKind.TURN:
-        return
-    for place in sources:
-        named = [d for d in place.dirs if d in _SIDES] if isinstance(place, Place) else []
-        if named and doing.side is None and place is not None:
-            doing.side, doing.side_basis = _OTHER[_SIDES[named[0]]], Basis(place.i, place.j)
-    _into(doing, scene, context)
-    _homewards(doing, event.name == "return", context)
-    if entity.by_ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
-        doing.side = _OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
-    homeward = doing.into is None or doing.into.ego
-    beside = entity.beside or _comes_from(entity, context)
-    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and beside:
-        side, words = beside
-        doing.side = _OTHER[_SIDES[side]] if side in _SIDES else None
-        doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
-
-
-def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
-    """``target from the left``: along a road, from the lane on that side."""
-    for placement in context.draft.placements:
-        side = next(iter(placement.approaches)).value if len(placement.approaches) == 1 else ""
-        if placement.entity is entity and side in _SIDES and not context.junction.crossing:
-            return side, placement.basis
-    return None
-
-
-def _homewards(doing: Doing, returns: bool, context: Context) -> None:
-    """Who comes from the front goes over the middle; who has overtaken comes back."""
-    entity, words = doing.entity, doing.basis
-    returns = returns and Maneuver.OVERTAKE in entity.maneuvers and context.oncoming(entity)
-    across = Side(context.across)
-    ego = next((e for e in context.draft.entities if e.ego), None)
-    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not returns:
-        doing.into, doing.into_basis = doing.into or ego, doing.into_basis or words
-        if doing.side is None:
-            doing.side = across
-            reason = "who comes from the front crosses the middle of the road"
-            doing.side_basis = Basis(words.i, words.j, reason)
-    back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
-    if (returns or back) and doing.side is None and entity.beside is None:
-        doing.side = _OTHER[across]
-        reason = "who has overtaken comes back to its lane"
-        doing.side_basis = Basis(words.i, words.j, reason)
-
-
-def _into(doing: Doing, scene: Clause, context: Context) -> None:
-    if doing.kind is not ActKind.CHANGE_LANE:
-        return
-    event = scene.event
-    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for"})]
-    lanes = [g for g in goals if isinstance(g, Place) and g.kind in {"lane", "path"}]
-    owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
-    out = "out" in {t.low for t in context.tokens[event.i : event.j]}  # "cuts out in front of"
-    ahead = [
-        e
-        for p in ([] if out else event.pps)
-        if p.word.cat == "locus" and p.value == "ahead" and isinstance(p.target, Mention)
-        for e in p.target.entities
-    ]
-    cut = [
-        e
-        for d in context.draft.dangers
-        if d.kind is HazardKind.CUT_IN and doing.entity in d.by
-        for e in (d.to or [x for x in context.draft.entities if x.ego])
-    ]
-    named = [e for e in (*owners, *scene.targets, *ahead, *cut) if e is not doing.entity]
-    if named:
-        doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
-    known = any(p.entity is doing.into or p.reference is doing.into
-                for p in context.draft.placements)  # fmt: skip
-    if ahead and named and doing.entity.ego and not known and not context.junction.crossing:
-        # "changes to the right lane in front of a truck": that one is there
-        words_ = next(p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
-        basis = Basis(words_.word.i, named[0].basis.j)
-        context.draft.place(named[0], None, {Approach.ADJACENT}, basis)
-        if doing.side is not None:
-            named[0].beside = named[0].beside or (doing.side.value, basis)
 
 
 def _to_standstill(doing: Doing, text: Sentences) -> None:

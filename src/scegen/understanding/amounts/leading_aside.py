@@ -1,0 +1,119 @@
+"""To which side who leaves its lane goes, and into whose lane."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
+from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.happenings import Doing
+from scegen.understanding.semantics.context import Clause, Context
+
+SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
+OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
+
+
+def to_the_side(doing: Doing, scene: Clause, text: Sentences, context: Context) -> None:
+    """Fill in to which side an act leads, and into whose lane.
+
+    Args:
+        doing: the act; others are left as they are.
+        scene: the clause that tells of it.
+        text: the text with its clauses.
+        context: the scenario in the making.
+    """
+    if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
+        return
+    event, entity = scene.event, doing.entity
+    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
+    sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
+    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
+    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
+    moved = [event.object, *sources]  # "moves one lane to the left", "leaves the lane to the left"
+    lanes = [c for c in lanes if not any(c is m for m in moved)]
+    for goal in [p for p in goals if isinstance(p, Place)]:
+        within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
+        named = [] if within else goal.dirs  # "from the lane to its right": from there
+        sides += [(d, Basis(goal.i, goal.j)) for d in named]
+    for value, basis in sides:
+        if value in SIDES and doing.side is None:
+            doing.side, doing.side_basis = SIDES[value], basis
+    if doing.kind is ActKind.TURN:
+        return
+    for place in sources:
+        named = [d for d in place.dirs if d in SIDES] if isinstance(place, Place) else []
+        if named and doing.side is None and place is not None:
+            doing.side, doing.side_basis = OTHER[SIDES[named[0]]], Basis(place.i, place.j)
+    _into(doing, scene, context)
+    _homewards(doing, event.name == "return", context)
+    if entity.by_ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
+        doing.side = OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
+    homeward = doing.into is None or doing.into.ego
+    beside = entity.beside or _comes_from(entity, context)
+    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and beside:
+        side, words = beside
+        doing.side = OTHER[SIDES[side]] if side in SIDES else None
+        doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
+
+
+def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
+    """``target from the left``: along a road, from the lane on that side."""
+    for placement in context.draft.placements:
+        side = next(iter(placement.approaches)).value if len(placement.approaches) == 1 else ""
+        if placement.entity is entity and side in SIDES and not context.junction.crossing:
+            return side, placement.basis
+    return None
+
+
+def _homewards(doing: Doing, returns: bool, context: Context) -> None:
+    """Who comes from the front goes over the middle; who has overtaken comes back."""
+    entity, words = doing.entity, doing.basis
+    returns = returns and Maneuver.OVERTAKE in entity.maneuvers and context.oncoming(entity)
+    across = Side(context.across)
+    ego = next((e for e in context.draft.entities if e.ego), None)
+    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not returns:
+        doing.into, doing.into_basis = doing.into or ego, doing.into_basis or words
+        if doing.side is None:
+            doing.side = across
+            reason = "who comes from the front crosses the middle of the road"
+            doing.side_basis = Basis(words.i, words.j, reason)
+    back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
+    if (returns or back) and doing.side is None and entity.beside is None:
+        doing.side = OTHER[across]
+        reason = "who has overtaken comes back to its lane"
+        doing.side_basis = Basis(words.i, words.j, reason)
+
+
+def _into(doing: Doing, scene: Clause, context: Context) -> None:
+    if doing.kind is not ActKind.CHANGE_LANE:
+        return
+    event = scene.event
+    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for"})]
+    lanes = [g for g in goals if isinstance(g, Place) and g.kind in {"lane", "path"}]
+    owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
+    out = "out" in {t.low for t in context.tokens[event.i : event.j]}  # "cuts out in front of"
+    ahead = [
+        e
+        for p in ([] if out else event.pps)
+        if p.word.cat == "locus" and p.value == "ahead" and isinstance(p.target, Mention)
+        for e in p.target.entities
+    ]
+    cut = [
+        e
+        for d in context.draft.dangers
+        if d.kind is HazardKind.CUT_IN and doing.entity in d.by
+        for e in (d.to or [x for x in context.draft.entities if x.ego])
+    ]
+    named = [e for e in (*owners, *scene.targets, *ahead, *cut) if e is not doing.entity]
+    if named:
+        doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
+    known = any(p.entity is doing.into or p.reference is doing.into
+                for p in context.draft.placements)  # fmt: skip
+    if ahead and named and doing.entity.ego and not known and not context.junction.crossing:
+        # "changes to the right lane in front of a truck": that one is there
+        words_ = next(p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
+        basis = Basis(words_.word.i, named[0].basis.j)
+        context.draft.place(named[0], None, {Approach.ADJACENT}, basis)
+        if doing.side is not None:
+            named[0].beside = named[0].beside or (doing.side.value, basis)
