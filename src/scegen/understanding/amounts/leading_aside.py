@@ -11,6 +11,7 @@ from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context
 
 SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
+_BACK = {"left": "right", "right": "left"}
 OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 
 
@@ -32,7 +33,15 @@ def to_the_side(doing: Doing, scene: Clause, text: Sentences, context: Context) 
     sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
     moved = [event.object, *sources]  # "moves one lane to the left", "leaves the lane to the left"
     lanes = [c for c in lanes if not any(c is m for m in moved)]
+    out_of = [
+        c
+        for c in sources
+        if isinstance(c, Place) and c.kind == "lane" and context.tokens[c.i - 1].low == "from"
+    ]
     for goal in [p for p in goals if isinstance(p, Place)]:
+        if any(c.i < goal.i <= c.j + 1 for c in out_of):  # "from the lane to our left"
+            sides += [(_BACK[d], Basis(goal.i, goal.j)) for d in goal.dirs if d in _BACK]
+            continue
         within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
         named = [] if within else goal.dirs  # "from the lane to its right": from there
         sides += [(d, Basis(goal.i, goal.j)) for d in named]

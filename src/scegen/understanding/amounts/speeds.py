@@ -10,6 +10,7 @@ from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Doing, Happenings
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
@@ -70,7 +71,12 @@ def _afoot(number: Measured, context: Context) -> list[Entity]:
 def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | None:
     """``brakes from 50 to 20 km/h``: what it drove before, and what it comes to."""
     quantity = number.quantity
-    if len(quantity.parts) != _PAIR or not number.around.preceded("from"):
+    if len(quantity.parts) != _PAIR:
+        return None
+    # "brakes, 100 to 60 km/h": no range goes down
+    joined = any(t.low in word_list("up_to") for t in text.tokens[number.i : number.j])
+    falls = joined and quantity.parts[0].low > quantity.parts[1].low
+    if not falls and not number.around.preceded("from"):
         return None
     start, end = text.bounds(number.i)
     first, last = quantity.parts
