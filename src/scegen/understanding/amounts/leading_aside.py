@@ -39,8 +39,8 @@ def to_the_side(doing: Doing, scene: Clause, text: Sentences, context: Context) 
         if isinstance(c, Place) and c.kind == "lane" and context.tokens[c.i - 1].low == "from"
     ]
     for goal in [p for p in goals if isinstance(p, Place)]:
-        beside = goal.kind == "side" and any(c.i < goal.i <= c.j + 1 for c in out_of)
-        if beside:  # "from the lane to our left"
+        there = goal.kind == "side" and any(c.i < goal.i <= c.j + 1 for c in out_of)
+        if there:  # "from the lane to our left"
             sides += [(_BACK[d], Basis(goal.i, goal.j)) for d in goal.dirs if d in _BACK]
             continue
         within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
