@@ -7,6 +7,7 @@ an act by the text does it so; who reverses stops for that.
 from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
+from scegen.concretization.asked import contact_wanted
 from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import (
@@ -39,10 +40,16 @@ def _act_of(scene: Setup, hazard: Hazard, draft: DriveDraft) -> Act | None:
     return Act(id=f"{hazard.kind}_of_{draft.id}"[:40], participant=draft.id, kind=kind)
 
 
+def _runs_in(scene: Setup, hazard: Hazard, draft: DriveDraft) -> bool:
+    """Whether who brakes late runs into another, as is said, and the text tells of no braking."""
+    late = hazard.kind is HazardKind.DELAYED_BRAKING
+    return late and any(contact_wanted(scene.functional, draft.id, to) for to in hazard.to)
+
+
 def _change_speed(scene: Setup, hazard: Hazard) -> None:
     for draft in culprits(scene, hazard):
         act = _act_of(scene, hazard, draft)
-        if act is None:
+        if act is None or _runs_in(scene, hazard, draft):
             continue
         event = happens_s_m(scene, draft, hazard.kind, act.kind)
         before = draft.course.speed_at(max(1.0, event - _BEFORE_M))

@@ -24,7 +24,7 @@ from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import Problem, lateral_limits
 from scegen.criticality.search.proving import Evidence, examine, proof_of
 from scegen.criticality.search.stated import Stated
-from scegen.criticality.target import NEAR_MISS, Target, asks_for_measure
+from scegen.criticality.target import AVOIDED, NEAR_MISS, Target, asks_for_measure
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
@@ -62,7 +62,7 @@ class Stage:
         self.pair: Pair = ()  # type: ignore[assignment]
         self.blocked: str | None = None
         pairs = candidate_pairs(concrete) if pair is None else [pair]
-        if not pairs and target.contact is False:  # past what is parked, too, nobody is touched
+        if not pairs and target.text == AVOIDED:  # past what is parked, too, nobody is touched
             pairs = [(concrete.ego.id, p.id) for p in concrete.participants if p.parked]
         self.focus = list(dict.fromkeys([*judged_pairs(concrete), *pairs[:_FOCUS]]))
         self.scene = scene_of(concrete, paths_of(self.ways), self.focus, self.friction)
