@@ -210,3 +210,13 @@ def test_numbers_by_chance_hold_or_are_refused(seed):
         assert any(letter.isdigit() for letter in refusal.message)  # noqa: PT017
         return
     assert unkept(functional, concrete) == []
+
+
+def test_who_is_to_hit_another_and_brakes_late_at_most_does_not_brake_by_itself():
+    late = [("delayed_braking", "x", "ego")]
+    people = [ego(15, ["left"]), other(50, ["opposite"])]
+    hit = {"kind": "collision", "between": ["ego", "x"]}
+    struck = first(told("four_way", people, late, outcome=hit))
+    assert not struck.participant("x").speed_program
+    spared = first(told("four_way", people, late))
+    assert any(p.target_speed_mps == 0.0 for p in spared.participant("x").speed_program)
