@@ -47,9 +47,11 @@ def lying_in_the_way(
     """The things that dangers need which nobody causes, each in the way of one of the drivers."""
     found: list[tuple[Hazard, Thing]] = []
     for hazard in dangers(functional, logical):
-        if hazard.kind is not HazardKind.OBSTACLE or not caused_by_nobody(functional, hazard):
+        if hazard.kind is not HazardKind.OBSTACLE:
             continue
         thing = causes_it(functional, hazard)
+        if thing is None and not caused_by_nobody(functional, hazard):
+            continue
         lying = [each for _, each in found]
         if thing is None and (found or logical.standings):
             continue

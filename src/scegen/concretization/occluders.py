@@ -77,10 +77,10 @@ def hide(
     """
     parked = any(isinstance(p.motion, StandingMotion) for p in concrete.participants)
     for hazard in concrete.hazards:
-        if hazard.kind is not HazardKind.OCCLUSION or not caused_by_nobody(functional, hazard):
+        if hazard.kind is not HazardKind.OCCLUSION:
             continue
         thing = causes_it(functional, hazard)
-        if thing is None and parked:
+        if thing is None and (parked or not caused_by_nobody(functional, hazard)):
             continue
         shape = SCREEN if thing is None else shape_of(thing)
         taken = {o.id for o in concrete.objects}
@@ -97,8 +97,9 @@ def hide(
 
 
 def _by_nothing(concrete: ConcreteScenario, hazard: Hazard) -> ConcreteScenario:
-    """With the danger left to nobody: the thing that was to cause it is not there."""
-    left = hazard.model_copy(update={"by": ()})
+    """With the danger left to who else causes it: the thing that was to do so is not there."""
+    people = {p.id for p in concrete.participants}
+    left = hazard.model_copy(update={"by": tuple(n for n in hazard.by if n in people)})
     hazards = tuple(left if each is hazard else each for each in concrete.hazards)
     return concrete.model_copy(update={"hazards": hazards})
 
@@ -129,7 +130,8 @@ def _hide(
         after=made.length_m,
         reason=f"hides {name} from {observer}",
     )
-    caused = hazard.model_copy(update={"by": (made.id,), "to": hazard.to or (observer,)})
+    by = tuple(n for n in hazard.by if n != made.id)
+    caused = hazard.model_copy(update={"by": (*by, made.id), "to": hazard.to or (observer,)})
     return concrete.model_copy(
         update={
             "objects": (*concrete.objects, made),

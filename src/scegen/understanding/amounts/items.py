@@ -36,6 +36,9 @@ def items_in(text: Sentences, context: Context) -> list[Item]:
             _hide(danger, text, found)
     _also_hide(text, context, found)
     number_them(found)
+    hiding = [d for d in context.draft.dangers if d.kind is HazardKind.OCCLUSION]
+    placed = {item.basis.i for danger in hiding for item in danger.items}  # where it hides them
+    context.draft.notes[:] = [n for n in context.draft.notes if n.i not in placed]
     return found
 
 

@@ -19,6 +19,7 @@ _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_l
 _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
                       "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
 """Verbs that may stand before their subject ("from the left comes a bus")."""
+_INSERTED = 7
 
 
 def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
@@ -190,7 +191,7 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
     if m is None:
         return False
     comma = _is(chunks, m, ",")
-    m += comma
+    m = _behind_participle(chunks, m + 1) if comma else m
     spoken = comma and not begins and _speaks(chunks, m)
     if _word_of(chunks, m, frozenset({"aux", "copy"})):
         m += 1
@@ -199,6 +200,21 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
     if m >= len(chunks) or (comma and not begins and not spoken):
         return False
     return isinstance(chunks[m], Mention) and not _possessor(chunks[m])
+
+
+def _behind_participle(chunks: list[Chunk], m: int) -> int:
+    """``from the right, partly hidden by a wall, a van comes``: behind what is put in."""
+    inside = []
+    for chunk in chunks[m : m + _INSERTED]:
+        inside.append(chunk)
+        if isinstance(chunk, Word) and chunk.value == ",":
+            break
+    else:
+        return m
+    events = [c for c in inside if isinstance(c, Event)]
+    opens = [c for c in inside if not isinstance(c, Word) or c.cat in GOVERNING][:1]
+    participle = opens == events and bool(events) and events[0].form in {"ed", "ing"}
+    return m + len(inside) if participle else m
 
 
 def _speaks(chunks: list[Chunk], m: int) -> bool:

@@ -39,6 +39,14 @@ def _differ(place: Place) -> bool:
     return apart and place.kind in {"leg", "direction", "side", "road"}
 
 
+def _in_line(prep: Prep, entities: list[Entity], event: Event) -> bool:
+    """``enters the roundabout behind a car``: as it follows that one, which is not in it yet."""
+    after = event.name in {"enter", "turn"} and prep.value == "behind"
+    led = prep.target.entities if isinstance(prep.target, Mention) else []
+    comes = any("opposite" in e.dirs for e in (*entities, *led))
+    return after and not comes and not any(e.circulates for e in led)
+
+
 def _at_its_side(prep: Prep, event: Event | None) -> bool:
     """``drives to the right of the bus``: where somebody is, not where it goes."""
     side = prep.target
@@ -289,7 +297,8 @@ class Placer:
             for entity in entities if len(by) == 1 and by[0].ego else []:
                 self._draft.place(entity, None, {Approach.ADJACENT}, basis)
             return  # "between the ego and the kerb"
-        if event is not None and event.name not in _STEADY and prep.outer != "from":
+        follows = event is not None and _in_line(prep, entities, event)
+        if event is not None and event.name not in _STEADY and prep.outer != "from" and not follows:
             self._behind_the_ego(prep, entities, basis)
             return
         out_of = prep.outer == "from" and isinstance(target, Mention)

@@ -48,8 +48,6 @@ def _place(
     for entity in entities:
         on_foot = not entity.is_vehicle or (context.is_cyclist(entity) and not entity.ego)
         known = _standing(entity, context.draft) & set(_SIDES.values())
-        if on_foot:  # the thing itself is placed where it hides them
-            context.draft.notes[:] = [n for n in context.draft.notes if n.i != hider.i]
         if sides and on_foot and not known:
             context.draft.place(entity, None, sides, words)
 

@@ -11,6 +11,7 @@ from scegen.understanding.words.tokens import Token
 
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
+_COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
 
 
 def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -28,16 +29,21 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             exit_ = Place(chunk.i, chunk.j, ordinal, last["exit"].head, None, kind="exit")
             found.append(exit_)
             continue
-        if isinstance(chunk, Word) and lane is not None and _there(chunk, found, tokens):
-            where = Place(chunk.i, chunk.j, list(lane.mods), lane.head, lane.owner, kind="lane")
-            found += [Word(Term("prep", "in", chunk.i, chunk.j)), where]
-            continue
+        if isinstance(chunk, Word) and _there(chunk, found, tokens):
+            came = isinstance(found[-1], Word) and found[-1].value == "from"
+            place = last.get("anywhere") if came else lane
+            if place is not None:
+                found += [] if came else [Word(Term("prep", "in", chunk.i, chunk.j))]
+                found.append(replace(place, i=chunk.i, j=chunk.j, mods=list(place.mods), prep=None))
+                continue
         found.append(chunk)
         if not isinstance(chunk, Place):
             continue
         kind = "side" if chunk.kind in _SIDED else chunk.kind
         if kind == "exit":
             last[kind] = chunk
+        if kind in _COME_FROM and _SIDES & set(chunk.dirs):
+            last["anywhere"] = chunk
         points = chunk.mods and tokens[chunk.mods[0].i].low in word_list("pointing")
         if kind == "lane" and points and lane is not None and not chunk.dirs:
             chunk.mods = [*chunk.mods, *(m for m in lane.mods if m.cat == "dir")]
@@ -61,9 +67,9 @@ def _an_exit(mention: Mention, before: list[Chunk], tokens: list[Token]) -> bool
 
 
 def _there(word: Word, before: list[Chunk], tokens: list[Token]) -> bool:
-    """``the car travelling there``: after a verb or a noun, not "there" at the start."""
+    """``the car travelling there``, ``but there a van brakes``: not "there" at the start."""
     last = before[-1] if before else None
-    opens = isinstance(last, Word) and last.cat == "conj"  # "but there a van brakes"
+    opens = isinstance(last, Word) and (last.cat == "conj" or last.value == "from")
     return (
         (opens or isinstance(last, Event | Mention))
         and tokens[word.i].low == "there"

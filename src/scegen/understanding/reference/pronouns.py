@@ -15,6 +15,7 @@ from scegen.understanding.words.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
+_TWO = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,11 @@ class Pronouns:
             ego = self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))
             ego.ego = ego.claimed = True
             ego.named_by.add("ego")
-        return self.roster.together(exclude)
+        meant = self.roster.together(exclude)
+        opens = mention.i == 0 or self.tokens[mention.i - 1].kind == "punct"
+        if opens and self.tokens[mention.i].low == "all" and len(meant) == _TWO:
+            return everybody(mention, self.draft)  # of two one would say "both"
+        return meant
 
     def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         if mention.landmark and mention.pronoun == "it" and self.roster.landmark:

@@ -169,8 +169,10 @@ def without_arrow(context: Context) -> bool:
 
 def overtaking(clause: Clause, context: Context) -> bool:
     """Whether passing is overtaking: somebody is passed, or who passes was behind somebody."""
-    if clause.event.name != "pass" or clause.targets:
+    if clause.event.name != "pass":
         return True
+    if clause.targets:
+        return not _encounter(clause.drivers, clause.targets, context)
     if clause.event.link == "inf" and clause.event.parent is not None and clause.drivers:
         same = clause.event.parent.subject == clause.event.subject
         if same and clause.event.parent.name in _TO_PASS:
@@ -183,6 +185,15 @@ def overtaking(clause: Clause, context: Context) -> bool:
     return over or any(
         p.approaches == {Approach.BEHIND} and p.entity in clause.actors
         for p in context.draft.placements
+    )
+
+
+def _encounter(drivers: list[Entity], targets: list[Entity], context: Context) -> bool:
+    """``an oncoming van passes the ego``: each on its own side."""
+    pairs = ((one, other) for one in drivers for other in targets)
+    return any(
+        (one.ego and context.oncoming(other)) or (other.ego and context.oncoming(one))
+        for one, other in pairs
     )
 
 

@@ -137,7 +137,7 @@ def _met(clause: Clause, context: Context) -> list[Entity]:
 
 def _hiders(clause: Clause, context: Context) -> list[Entity]:
     behind = _BEHIND(clause, context)
-    own = [] if clause.event.passive and behind else clause.actors
+    own = [] if clause.event.passive else clause.actors
     by = [e for e in own if e.is_vehicle and not e.ego]
     return by + [e for e in behind if e not in by]
 
