@@ -68,9 +68,9 @@ def had_ahead(traffic: Traffic, contact: Contact) -> tuple[bool, float]:
 
 
 def apart_by(traffic: Traffic, contact: Contact, times_s: Array, room_m: float) -> bool:
-    """Whether those who would touch come no nearer to each other than so much."""
-    one, other = (traffic.track(name, times_s)[0] for name in (contact.who, contact.other))
-    return bool(np.all(apart(one, other, room_m) >= room_m))
+    """Whether one comes no nearer to another than so much, while it drives."""
+    (one, speed), (other, _) = (traffic.track(n, times_s) for n in (contact.who, contact.other))
+    return bool(np.all((apart(one, other, room_m) >= room_m) | (speed <= 0.0)))
 
 
 def brake_late(

@@ -14,7 +14,7 @@ from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
-from scegen.scenario.logical import Walking
+from scegen.scenario.logical import Reverses, Walking
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import (
     ON_FOOT,
@@ -113,7 +113,8 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
             elif word in {Approach.AHEAD, Approach.BEHIND}:
                 along = place.rear if word is Approach.AHEAD else -place.front
                 along = along - frame.half_length
-                same = walks | ~moves | (np.cos(np.radians(turned)) > _SAME_WAY)
+                faces = np.degrees(course(frame, box)) if _backs_up(told, name) else turned
+                same = walks | ~moves | (np.cos(np.radians(faces)) > _SAME_WAY)
                 inside = np.minimum(along, lane - np.abs(place.y))
                 choices.append(np.where(same, inside, -NEVER))
             elif told.crossing(name) is not None:
@@ -122,6 +123,12 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
                 choices.append(_comes(told, view, name, reference, word, turned, moves))
     measured = turned if words <= _COURSES else place.x
     return Judged(np.max(choices, axis=0), measured, np.zeros(view.count))
+
+
+def _backs_up(told: Told, name: str) -> bool:
+    """Whether it goes back in its lane: it is ahead of who is behind it, however it moves."""
+    drive = told.drive(name)
+    return drive is not None and drive.reverses is Reverses.BACKS_UP
 
 
 def _overlaps(told: Told, name: str, reference: str) -> bool:

@@ -13,7 +13,7 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
 )
 from scegen.road.cross_section import median_half_m
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import (
@@ -162,6 +162,8 @@ def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
     speed = said.middle if said is not None else sum(REVERSING_MPS) / 2
     runner.backs = True
     runner.speed_mps = min(FORTH_MPS, speed)
+    if isinstance(act.when, AfterStart) and act.when.delay_s.middle > 0.0:
+        runner.speed_mps = min(runner.speed_mps, FORTH_M / act.when.delay_s.middle)
     begins = 1.02 * FORTH_M / runner.speed_mps
     if act.distance_m is None:
         runner.steps = [Step(begins, speed, REVERSING_MPS2)]

@@ -148,7 +148,8 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     other = story.runners[_reference(story, name, order)]
     if runner.forward != other.forward:
         # Level at a moment: then and there they meet.
-        runner.at_m = level(runner, other, _meets_s(runner, other))
+        touches = contact_wanted(story, runner.id, other.id)
+        runner.at_m = level(runner, other, _meets_s(runner, other, touches=touches))
         return
     front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
     move = _just_misses(story, front, back)
@@ -176,14 +177,17 @@ def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
     return away if near and front.lane == back.lane else None
 
 
-def _meets_s(runner: Runner, other: Runner) -> float:
+def _meets_s(runner: Runner, other: Runner, *, touches: bool) -> float:
     """When one who comes towards the ego is met: as its own act has brought it there.
 
-    One that leaves the other's line again is met just then, with a little room.
+    One that leaves the other's line again is met just then, with a little room, or before, if they
+    are to touch.
     """
     if not runner.moves:
         return _MEETS_S
     if runner.lane_at(_AT_REST_S) > 0 and any(m.lane == 0 for m in runner.moves):
+        if touches:
+            return max(m.ends_s for m in runner.moves if m.lane == 0)
         return just_missed_s(runner, other, runner.moves[-1])
     return max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
 
@@ -247,7 +251,9 @@ def _usual(
         return Measure.TTC_S, _seen_before_s(story, runner, other) * wider, runner.appears_s
     backing = next((each for each in (front, back) if each.backs), None)
     if backing is not None:
-        return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M, 0.0
+        met = back if backing is front else front
+        closing_m = met.profile.way_m(_MEETS_S) * (1 if backing is front else -1)
+        return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M + closing_m, 0.0
     comes_in = next((m for m in front.moves if m.lane == back.lane != front.lane), None)
     if comes_in is not None and _side_on(story, front, back):
         return None

@@ -78,11 +78,16 @@ def brakes_for(story: Story, who: str, other: str) -> bool:
 
 
 def _running_in(story: Story, contact: Contact) -> Contact:
-    """The contact as one of who is behind, as the two drove until then; who reverses runs in."""
+    """The contact as one of who is behind, as the two drove until then.
+
+    Who reverses runs in, unless the other comes faster.
+    """
     time_s, first, second = contact
     turned = Contact(time_s, second, first)
-    if story.runners[first].backs or story.runners[second].backs:
-        return contact if story.runners[first].backs else turned
+    one, other = story.runners[first], story.runners[second]
+    if one.backs or other.backs:
+        slower = one.speed_at_mps(time_s) < other.speed_at_mps(time_s)
+        return turned if slower else contact
     return turned if had_ahead(story, turned)[0] else contact
 
 
@@ -129,7 +134,7 @@ def _brake_for(story: Story, contact: Contact, loose: Step | None = None) -> boo
     before = who.steps
     rest = [s for s in before if s is not own]
     slowest = min([other.speed_mps, *(s.target_mps for s in other.steps)])
-    slowest = slowest if other.speed_mps > 0.0 and who.forward == other.forward else 0.0
+    slowest = slowest if other.speed_mps > 0.0 and who.towards == other.towards else 0.0
 
     def brake(begins_s: float, rate: float) -> None:
         step = Step(begins_s, slowest, rate, None, hazard, reacts_to=other.id)

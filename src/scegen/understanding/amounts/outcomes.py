@@ -60,7 +60,7 @@ class Judge(Teller):
         return Ending(kind, basis, self._between(scene))
 
     def _meets(self, scene: Clause) -> bool:
-        """Verbs of contact; "meets head-on"; "just misses"."""
+        """Verbs of contact; "meets head-on"; "just misses"; "reverses into it"."""
         event = scene.event
         lemma = event.lemma
         if event.name == "overlook" and lemma == "miss":
@@ -68,7 +68,13 @@ class Judge(Teller):
             return self._phrase("nearly", start, event.i) is not None
         part = isinstance(event.object, Place) and event.object.kind in {"side", "middle", "front"}
         meets = lemma == "meet" and (event.how("head_on") is not None or part)
-        return event.name == "collide" or meets
+        return event.name == "collide" or meets or self._reverses_into(event)
+
+    def _reverses_into(self, event: Event) -> bool:
+        """``backs into the ego``: it itself, not its way."""
+        whom = [p.target for p in event.pps if p.value == "into"]
+        whom += [event.object] if self._text.tokens[event.j - 1].low == "into" else []
+        return event.name == "reverse" and any(isinstance(m, Mention) for m in whom)
 
     def _supposed(self, start: int, end: int) -> bool:
         """``could hit``, ``to avoid hitting``: not that it happens."""
