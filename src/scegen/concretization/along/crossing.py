@@ -36,6 +36,8 @@ _HOLDS_S = 0.6
 _PASSES_BEFORE_S = 0.5
 """Who is just missed has left the way of the vehicle so long before it comes."""
 _LEAST_LEAD_S = 1.0
+BEFORE_WALKER_M = 0.9
+"""Who is parked and hides somebody stands so far before that one's line."""
 _ABREAST_M = 1.2
 _STOPS_SHORT_M = 0.8
 _STAYS_M = 0.3
@@ -194,7 +196,8 @@ def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float
     if isinstance(when, AfterStart):
         walk.sets_off_s, walk.timed = when.delay_s.middle, True
     elif isinstance(when, WhenMeasure):
-        spacing = when.measure, when.value.middle, True
+        behind_m = _hidden_behind_m(story, when)
+        spacing = when.measure, when.value.middle + behind_m, True
     if spacing is None:
         arrival = walk.sets_off_s + takes
         walk.x_m = meets.x_m(arrival) + meets.towards * (meets.leading_m + half)
@@ -208,6 +211,16 @@ def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float
     if not as_it_sets_off and not walk.timed:
         arrival = meets.profile.time_s(away)
         walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
+
+
+def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
+    """How much farther its line lies than the near end of one who is parked before it."""
+    along = {name for name, runner in story.runners.items() if not runner.opens}
+    for standing in story.logical.standings:
+        name = standing.participant
+        if name in {when.participant, when.reference} - along and when.measure is Measure.GAP_M:
+            return story.functional.participant(name).body.length_m + BEFORE_WALKER_M
+    return 0.0
 
 
 def _spacing(

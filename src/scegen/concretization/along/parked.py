@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from scegen.concretization.along.crossing import Walk
+from scegen.concretization.along.crossing import BEFORE_WALKER_M, Walk
 from scegen.concretization.along.doors import middle_m, opens
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
@@ -18,7 +18,6 @@ from scegen.scenario.roadway import Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, Side
 
-_BEFORE_WALKER_M = 0.9
 _BETWEEN_M = 1.2
 _PASSED_AT_S = 5.0
 
@@ -108,7 +107,7 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
             continue
         sign = story.runners[hidden.meets].sign
         key = (left, hidden.id)
-        first = hidden.x_m - sign * (hidden.body.width_m / 2 + _BEFORE_WALKER_M)
+        first = hidden.x_m - sign * (hidden.body.width_m / 2 + BEFORE_WALKER_M)
         end = ends.get(key, first)
         placed.append(Parked(standing.participant, body, standing, left, end - sign * half))
         ends[key] = end - sign * (2 * half + _BETWEEN_M)

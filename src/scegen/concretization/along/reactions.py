@@ -60,11 +60,15 @@ def contacts(story: Story) -> Iterator[Contact]:
 
 
 def _unwanted(story: Story) -> Iterator[Contact]:
-    """The contacts that somebody should brake for."""
-    for contact in contacts(story):
-        _, who, other = contact
+    """The contacts that somebody should brake for; whoever is to crash before is halted by it."""
+    crashed: dict[str, float] = {}
+    for contact in sorted(contacts(story)):
+        time_s, who, other = contact
+        if contact_wanted(story, who, other):
+            crashed = {who: time_s, other: time_s} | crashed
+            continue
         answers = _same_way(story, who, other) or brakes_for(story, who, other)
-        if answers and not contact_wanted(story, who, other):
+        if answers and who not in crashed:
             yield contact
 
 
