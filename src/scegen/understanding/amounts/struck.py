@@ -30,7 +30,9 @@ class Struck(Teller):
         for place in self._text.places(start, end, {"side", "front", "flank"}):
             if self._is_portion(place) or self._text.tokens[place.i - 2].low == "overlap":
                 continue
+            corner = "front" in place.dirs and bool({"left", "right"} & set(place.dirs))
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
+            part = BodySide.FRONT if corner else part
             whose = self._owner(place, i, ending)
             flank = part is not None and part not in _OPPOSED
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
@@ -44,7 +46,8 @@ class Struck(Teller):
             if part is None or whose is None or (flank and not (hit_by and whose is ego)):
                 continue
             basis = Basis(place.i, place.j)
-            half = self._portion(place) if whose is ego and part is BodySide.FRONT else None
+            half = self._portion(place) or (place if corner else None)
+            half = half if whose is ego and part is BodySide.FRONT else None
             if half is not None:
                 ending.half = Side.LEFT if "left" in half.dirs else Side.RIGHT
                 ending.half_basis = basis = Basis(half.i, place.j)

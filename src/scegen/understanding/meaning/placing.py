@@ -100,6 +100,7 @@ def _one_side(prep: Prep) -> tuple[Approach, Basis] | None:
     return next(iter(sides)), Basis(prep.word.i, side.j)
 
 
+_ACROSS = {"left": Approach.RIGHT, "right": Approach.LEFT}
 _FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
 
 
@@ -161,6 +162,12 @@ class Placer:
         if _at_its_side(prep, event):
             self._beside(target, entities, basis)
             return
+        if event is not None and (event.name, prep.value, target.kind) == ("cross", "to", "side"):
+            whence = {_ACROSS[d] for d in target.dirs if d in _ACROSS}  # "crosses to the left"
+            vehicles = any(e.moving_vehicle and e.kind != ParticipantKind.BICYCLE for e in entities)
+            for entity in entities if len(whence) == 1 and not vehicles else []:
+                self._draft.place(entity, None, whence, basis)
+            return
         if prep.value not in {"from", "in"} and not (prep.value == "to" and event is None):
             return
         self._lanes.drives_in(entities, target, steady=_steadily(event, prep), basis=basis)
@@ -195,6 +202,8 @@ class Placer:
         word = self._draft.tokens[prep.word.i].low
         edge = self._draft.tokens[target.j - 1].low == "edge" or self._of_the_road(target, event)
         edge = edge and prep.value == "in"
+        parks = event is not None and event.name == "park"
+        edge = edge and not parks
         entities = [e for e in entities if not (edge and e.is_vehicle)]  # within its lane
         approaches = place_approaches(target, word if word in word_list("past") else prep.value)
         approaches = _between_lanes(approaches, event)

@@ -35,8 +35,9 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             ended = _opened_by(owned[0], chunk)
             k += 1 + 2 * len(owned[::2])
             continue
-        if isinstance(chunk, Event) and chunk.name == "door" and _its(chunk):
-            found += [_who(chunk, found), replace(chunk, mods=[], form="s")]
+        if isinstance(chunk, Event) and chunk.name == "door" and _its(chunk, found):
+            found = [*found[: -1 if _genitive(chunk) else None], _who(chunk, found)]
+            found.append(replace(chunk, mods=[], form="s"))
             k += 1
             continue
         if _opens_one(chunks[k : k + 2], tokens):
@@ -86,9 +87,17 @@ def _called(door: Event, before: list[Chunk]) -> bool:
     return article or (bool(before) and getattr(before[-1], "cat", "") == "det")
 
 
-def _its(door: Event) -> bool:
-    """``its door opens``: of somebody named before."""
-    return any((m.cat, m.value) == ("possessive", "its") for m in door.mods)
+def _genitive(door: Event) -> bool:
+    return any(m.value == "genitive" for m in door.mods)
+
+
+def _its(door: Event, before: list[Chunk]) -> bool:
+    """``its door opens``, ``its driver's door opens``: of somebody named before."""
+    mods = door.mods
+    if _genitive(door):
+        driver = before[-1] if before else None
+        mods = driver.mods if isinstance(driver, Mention) and _standing(before) else []
+    return any((m.cat, m.value) == ("possessive", "its") for m in mods)
 
 
 def _opened_by(owner: Chunk, door: Event) -> list[Chunk]:
@@ -107,21 +116,26 @@ def _opens(i: int, tokens: list[Token]) -> int | None:
     return None
 
 
-def _parks(after: list[Chunk]) -> bool:
-    """``a van is parked``: what the verb after somebody says."""
+def _stands(after: list[Chunk]) -> bool:
+    """``a van is parked``, ``a van stands``: what the verb after somebody says."""
     verb = next((c for c in after if not isinstance(c, Word)), None)
-    return isinstance(verb, Event) and verb.name == "park"
+    return isinstance(verb, Event) and verb.name in {"park", "wait", "locate"}
+
+
+def _standing(before: list[Chunk]) -> list[Mention]:
+    """Who is parked, or stands, of those named; who is parked comes last."""
+    named = [
+        (c, any(mod.value == "parked" for mod in c.mods), before[k + 1 :])
+        for k, c in enumerate(before)
+        if isinstance(c, Mention) and c.head is not None and c.head.form != "s"
+    ]
+    named = [(c, parked, after) for c, parked, after in named if not c.head.data.get("ego")]
+    standing = [c for c, parked, after in named if not parked and _stands(after)]
+    return standing + [c for c, parked, _ in named if parked]
 
 
 def _who(door: Thing | Event, before: list[Chunk]) -> Mention:
-    parked = [
-        c
-        for k, c in enumerate(before)
-        if isinstance(c, Mention)
-        and c.head is not None
-        and c.head.form != "s"
-        and (any(mod.value == "parked" for mod in c.mods) or _parks(before[k + 1 :]))
-    ]
+    parked = _standing(before)
     if parked:
         known = parked[-1]
         return replace(known, i=door.i, j=door.j, pps=[], prep=None, same_as=known, joined=None)

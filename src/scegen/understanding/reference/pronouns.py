@@ -91,7 +91,9 @@ class Pronouns:
             recent = others or recent  # whoever tells it is no "it"
             subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
         if word == "it" and len(subject) > 1:
-            recent = [e for e in recent if e not in subject] or recent  # "two cars pass; it turns"
+            others = [e for e in recent if e not in subject]  # "two cars pass; it turns"
+            told = self.roster.before if len(self.roster.before) == 1 else recent
+            recent = others or told  # "a car cuts in while both drive …; it brakes"
         options = subject if len(subject) == 1 and word != "that" else recent[-1:]
         options = self._persons(mention, [e for e in recent if e not in exclude], options)
         if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
