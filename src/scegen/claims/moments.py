@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.arms import Arm, arms_of
-from scegen.claims.boxes import boxes
+from scegen.claims.boxes import boxes, free
 from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
@@ -29,7 +29,7 @@ LEAVES_M, HELD_M = 0.01, 0.001
 TURNS_RAD = 0.1
 ASIDE_MPS = 0.05
 """Who goes sideways faster than this is on its way to there."""
-_GOES_ON_S = 0.2
+_GOES_ON_S = 0.4
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 SIDEWAYS = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
@@ -237,7 +237,13 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         run = act_run(view, functional, act)
         return np.where(run.happens, run.begin, never)
     if act.kind in SIDEWAYS:
-        return sideways_begin(view, functional, drive_of(logical, name), act)
+        begins = sideways_begin(view, functional, drive_of(logical, name), act)
+        if act.kind is ActKind.OVERTAKE:
+            named = (act.into,) if act.into else functional.overtaken(name)
+            passed = named or tuple(p.id for p in functional.participants if p.id != name)
+            for other in (n for n in passed if n in view.index):
+                begins = np.where(begins < view.steps, begins, _draws_level(view, name, other))
+        return begins
     if act.kind is ActKind.REVERSE:
         return first(view.row(name, SPEED) < -STANDS_MPS)
     if act.kind is ActKind.TURN:
@@ -249,6 +255,12 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
         return np.where(stands, sets_off(view, name), 0)
     return steps_out(view, name, arms_of(view)[crossing.arm])
+
+
+def _draws_level(view: View, name: str, other: str) -> Ints:
+    """When one who stays in its lane comes beside another."""
+    clear = free(boxes(view, other), boxes(view, name))
+    return first(np.maximum(clear.front, clear.rear) < 0.0)
 
 
 def _comes_in(view: View, name: str, drive: Drive | None) -> Ints:

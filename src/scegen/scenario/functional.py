@@ -478,6 +478,15 @@ class FunctionalScenario(FrozenModel):
                 return candidate
         raise KeyError(name)
 
+    def overtaken(self, name: str) -> tuple[str, ...]:
+        """Whom somebody is said to pass, by an act or as a danger."""
+        kind = ActKind.OVERTAKE
+        whom = [a.into for a in self.acts if (a.participant, a.kind) == (name, kind) and a.into]
+        for hazard in self.hazards:
+            if hazard.kind is HazardKind.OVERTAKING and name in hazard.by:
+                whom += hazard.to
+        return tuple(dict.fromkeys(whom))
+
     @property
     def vehicles(self) -> tuple[Participant, ...]:
         """Participants that drive from an entry to an exit: not parked, walking or crossing."""

@@ -24,7 +24,7 @@ from scegen.claims.moments import (
     rest,
     sideways_begin,
 )
-from scegen.claims.statements.maneuvers import LANE_M, overtaken
+from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount, plain
@@ -344,7 +344,7 @@ def _hits(told: Told, act: Act, view: View) -> Bools:
 def _passes_there(told: Told, act: Act, view: View) -> Judged:
     """On which side of the one passed it is while they are level, its centre beside theirs."""
     name = act.participant
-    others = [act.into] if act.into else overtaken(told, name)
+    others = [act.into] if act.into else told.functional.overtaken(name)
     others = others or [p.id for p in told.people if p.id != name]
     best, when = np.full(view.count, -NEVER), np.zeros(view.count, dtype=np.int64)
     for other in others:

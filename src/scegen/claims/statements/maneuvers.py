@@ -136,7 +136,7 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         test: Test = partial(_changes_lane, drive)
         yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
     elif drive.maneuver is Maneuver.OVERTAKE and not _ended_from_beside(told, name):
-        passed = overtaken(told, name)
+        passed = [*told.functional.overtaken(name)]
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
         others = [p.id for p in told.people if p.id != name]
@@ -162,20 +162,6 @@ def _ended_from_beside(told: Told, name: str) -> bool:
     others = {p.id for p in told.people} - {name}
     coming = {*told.doors.values(), *(p.id for p in told.people if p.pulls_out)}
     return bool(others) and others <= coming
-
-
-def overtaken(told: Told, name: str) -> list[str]:
-    """Whom somebody is said to pass, if that is said.
-
-    Args:
-        told: what is said.
-        name: who passes.
-    """
-    whom = [act.into for act in told.acts_of(name) if act.kind is ActKind.OVERTAKE and act.into]
-    for hazard in told.functional.hazards:
-        if hazard.kind is HazardKind.OVERTAKING and name in hazard.by:
-            whom += hazard.to
-    return list(dict.fromkeys(whom))
 
 
 def _turns(drive: Drive, held_up: bool, view: View) -> Judged:

@@ -117,6 +117,12 @@ def _room(name: str, step: int, count: int) -> Met:
     return lambda lanes: 1 <= lanes[name] + step <= count
 
 
+def _passes(name: str, whom: Sequence[str], step: int, count: int) -> Met:
+    """There is a lane on that side, or it drives on that side of whom it passes."""
+    room = _room(name, step, count)
+    return lambda lanes: room(lanes) or any((lanes[name] - lanes[n]) * step > 0 for n in whom)
+
+
 def _among(name: str, allowed: frozenset[int]) -> Met:
     return lambda lanes: lanes[name] in allowed
 
@@ -213,9 +219,13 @@ def _from_acts(
         step = outward(functional, act.side) if act.side is not None else None
         if act.kind is ActKind.OVERTAKE and name in runners and step is not None:
             inwards = step < 0 and count == 1  # by the oncoming lane
-            if not inwards:
-                words = f"{name} has a lane on its {act.side} to pass in"
-                wishes.append(Wish((name,), SAID, _room(name, step, count), words))
+            passed = (act.into,) if act.into else functional.overtaken(name) or (*runners,)
+            whom = tuple(n for n in passed if n in runners and n != name)
+            makes_room = any(a.participant in whom and a.kind is ActKind.CHANGE_LANE for a in acts)
+            if not inwards and not makes_room:
+                words = f"{name} has a lane on its {act.side} to pass in, or drives there"
+                met = _passes(name, whom, step, count)
+                wishes.append(Wish((name, *whom), SAID, met, words))
             continue
         if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue

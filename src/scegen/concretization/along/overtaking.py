@@ -175,7 +175,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         begins = story.begins_s[act.id]
         fast.steps.append(Step(begins + lasts, top, COMFORTABLE_ACCELERATION_MPS2, act.id))
     back = _return_of(story, act, fast, slow)
-    if all(each.lane != fast.lane or _makes_room(story, each) for each in line):
+    if all(each.lane != fast.lane or _makes_room(story, act, each) for each in line):
         past_m = 0.0 if back is None else _gap_at(story, back)
         story.ends_s[act.id] = past_s = _when(partial(_is_past, fast, foremost, past_m), begins)
         if back is not None:
@@ -197,9 +197,14 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
 
 
-def _makes_room(story: Story, slow: Runner) -> bool:
-    """Whether it goes over into another lane itself."""
-    return any(a.kind is ActKind.CHANGE_LANE and a.participant == slow.id for a in story.acts)
+def _makes_room(story: Story, passing: Act, slow: Runner) -> bool:
+    """Whether it goes over into another lane itself, not to where the other passes."""
+    return any(
+        a.kind is ActKind.CHANGE_LANE
+        and a.participant == slow.id
+        and (a.side is None or a.side is not passing.side)
+        for a in story.acts
+    )
 
 
 def _is_past(fast: Runner, slow: Runner, clear_m: float, times_s: Array) -> Bools:

@@ -136,6 +136,10 @@ class Judge(Teller):
             return []  # "drives into the tail of a queue": whichever of them is the last
         if len(who) > 2 and scene.actors and scene.targets:
             return [scene.actors[0], scene.targets[0]]
+        if len(who) == 1:  # "is hit by the front of the ego"
+            by = [p.target for p in scene.event.pps if p.value == "by"]
+            owners = [m.owner for m in by if isinstance(m, Place) and m.owner is not None]
+            who += [e for owner in owners for e in owner.entities[:1] if e not in who][:1]
         if len(who) == 2:
             return who
         return self._around(scene.event.i, who[0] if who else None)

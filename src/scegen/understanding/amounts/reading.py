@@ -134,8 +134,8 @@ def _kept(found: Happenings, across: str) -> list[Doing]:
     named = [d.when.act for d in acts if d.when is not None and d.when.act is not None]
     named += [s.at for s in found.spacings if isinstance(s.at, Doing)]
     kept = [d for d in acts if d.always or d.amounts or d.when is not None or d in named]
-    odd = [d for d in acts if d.kind is ActKind.OVERTAKE and d.side not in (None, across)]
-    kept = [d for d in acts if d in kept or d in odd]  # "overtakes it on the right"
+    sided = [d for d in acts if d.kind is ActKind.OVERTAKE and d.side is not None]
+    kept = [d for d in acts if d in kept or d in sided]  # "overtakes it on the right"
     counts: dict[ActKind, int] = {}
     for doing in kept:
         counts[doing.kind] = counts.get(doing.kind, 0) + 1
