@@ -39,11 +39,18 @@ def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
         outer = None
     anchor = state.anchor
     near = anchor if isinstance(anchor, Mention) and not state.between else None
+    if near is not None and _bare(near) and word.value == "in":
+        near = None
     near = (_whose_place(near, state) or near) if near is not None else None
     if state.last_pp is not None and not state.between:
         near = _whose_place(state.last_pp, state) or state.last_pp
     state.prep = Prep(word, None, outer, near)
     state.prep.fronted = fronted or _opens_clause(k, chunks, state)
+
+
+def _bare(mention: Mention) -> bool:
+    """``passes it in the left lane``: where it is done; a pronoun is described no further."""
+    return mention.pronoun in {"it", "him"} and not mention.mods
 
 
 def _whose_place(target: Mention, state: State) -> Mention | None:
