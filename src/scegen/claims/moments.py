@@ -236,14 +236,10 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
     if act.kind in SLOWING | GAINING:
         run = act_run(view, functional, act)
         return np.where(run.happens, run.begin, never)
+    if act.kind is ActKind.OVERTAKE:
+        return _passing_begins(view, functional, drive_of(logical, name), act)
     if act.kind in SIDEWAYS:
-        begins = sideways_begin(view, functional, drive_of(logical, name), act)
-        if act.kind is ActKind.OVERTAKE:
-            named = (act.into,) if act.into else functional.overtaken(name)
-            passed = named or tuple(p.id for p in functional.participants if p.id != name)
-            for other in (n for n in passed if n in view.index):
-                begins = np.where(begins < view.steps, begins, _draws_level(view, name, other))
-        return begins
+        return sideways_begin(view, functional, drive_of(logical, name), act)
     if act.kind is ActKind.REVERSE:
         return first(view.row(name, SPEED) < -STANDS_MPS)
     if act.kind is ActKind.TURN:
@@ -257,10 +253,18 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
     return steps_out(view, name, arms_of(view)[crossing.arm])
 
 
-def _draws_level(view: View, name: str, other: str) -> Ints:
-    """When one who stays in its lane comes beside another."""
-    clear = free(boxes(view, other), boxes(view, name))
-    return first(np.maximum(clear.front, clear.rear) < 0.0)
+def _passing_begins(
+    view: View, functional: FunctionalScenario, drive: Drive | None, act: Act
+) -> Ints:
+    """When it leaves its lane; who never does begins as it comes beside whom it passes."""
+    begins = sideways_begin(view, functional, drive, act)
+    named = (act.into,) if act.into else functional.overtaken(act.participant)
+    passed = named or tuple(p.id for p in functional.participants if p.id != act.participant)
+    for other in (n for n in passed if n in view.index):
+        clear = free(boxes(view, other), boxes(view, act.participant))
+        level = first(np.maximum(clear.front, clear.rear) < 0.0)
+        begins = np.where(begins < view.steps, begins, level)
+    return begins
 
 
 def _comes_in(view: View, name: str, drive: Drive | None) -> Ints:

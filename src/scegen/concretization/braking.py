@@ -67,10 +67,13 @@ def had_ahead(traffic: Traffic, contact: Contact) -> tuple[bool, float]:
     return float(seen(own, other).x[0]) > 0.0, float(along[0])
 
 
-def apart_by(traffic: Traffic, contact: Contact, times_s: Array, room_m: float) -> bool:
-    """Whether one comes no nearer to another than so much, while it drives."""
+def apart_by(
+    traffic: Traffic, contact: Contact, times_s: Array, room_m: float, *, comes_on: bool = False
+) -> bool:
+    """Whether one comes no nearer to another; while it drives, if that one comes on."""
     (one, speed), (other, _) = (traffic.track(n, times_s) for n in (contact.who, contact.other))
-    return bool(np.all((apart(one, other, room_m) >= room_m) | (speed <= 0.0)))
+    at_rest = (speed <= 0.0) & comes_on
+    return bool(np.all((apart(one, other, room_m) >= room_m) | at_rest))
 
 
 def brake_late(

@@ -153,7 +153,7 @@ def _brake_for(story: Story, contact: Contact, loose: Step | None = None) -> boo
     sees_s = ceil((_sees_s(who, other) + REACTION_S) / STEP_S) * STEP_S
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = (s.begins_s for s in rest if s.target_mps > who.speed_mps)
-    leaves = partial(apart_by, story, contact, _TIMES_S)
+    leaves = partial(apart_by, story, contact, _TIMES_S, comes_on=other.backs)
     found = brake_late(leaves, contact.time_s, rates, max(sees_s, *gains, 0.0), brake)
     if found is None:
         who.steps = before

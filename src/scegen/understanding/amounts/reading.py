@@ -74,7 +74,7 @@ def read_amounts(
     clock.order()
     found.acts = go_on(found.acts, text)
     kept_apart(found, context)
-    found.acts = _kept(found, context.across)
+    found.acts = _kept(found)
     _gently(found, context)
     return found
 
@@ -128,7 +128,7 @@ def _gently(found: Happenings, context: Context) -> None:
             context.draft.dangers.remove(danger)
 
 
-def _kept(found: Happenings, across: str) -> list[Doing]:
+def _kept(found: Happenings) -> list[Doing]:
     """Acts that are ones by themselves, or that a number or another act makes ones."""
     acts = found.acts
     named = [d.when.act for d in acts if d.when is not None and d.when.act is not None]
