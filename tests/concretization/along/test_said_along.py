@@ -11,7 +11,7 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding import read
 
 SENTENCES = [
-    "The ego stands behind a van. After 4 s the van reverses towards it at 4 km/h and bumps into it.",
+    "The ego stands behind a van. After 4 s the van reverses at 4 km/h and bumps into the ego.",
     "The ego stands 7 m behind a stopped truck. After 2 s the truck reverses into it.",
     "The ego drives at 30 km/h towards a van. The van reverses towards it at 5 km/h.",
     "An oncoming van swerves into the ego's lane and collides with it; both drive 60 km/h.",
@@ -21,8 +21,8 @@ SENTENCES = [
     "9 m behind and runs into it.",
     "While the ego cruises in the right lane at 90 km/h, a bus passes it at 110 km/h in the left "
     "lane.",
-    "An ambulance comes up from behind at 100 km/h with blue lights; we, doing 80 km/h, move to the "
-    "right lane and it passes us on the left.",
+    "An ambulance comes up from behind at 100 km/h with blue lights; we, doing 80 km/h, move to "
+    "the right lane and it passes us on the left.",
 ]
 
 
