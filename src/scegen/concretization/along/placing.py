@@ -187,7 +187,9 @@ def _meets_s(runner: Runner, other: Runner, *, touches: bool) -> float:
         return _MEETS_S
     if runner.lane_at(_AT_REST_S) > 0 and any(m.lane == 0 for m in runner.moves):
         if touches:
-            return max(m.ends_s for m in runner.moves if m.lane == 0)
+            out_s = max(m.ends_s for m in runner.moves if m.lane == 0)
+            closing = max(runner.speed_at_mps(out_s) + other.speed_at_mps(out_s), _SLOWER_MPS)
+            return out_s + _A_LITTLE_S + (runner.body.length_m + other.body.length_m) / 2 / closing
         return just_missed_s(runner, other, runner.moves[-1])
     return max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
 

@@ -85,7 +85,7 @@ def raise_criticality(
     stage, before = _aimed(functional, concrete, network, wanted)
     rng = np.random.Generator(np.random.PCG64(seed))
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
-    touch = wanted.contact is True and stage.stands(before)  # which asks for no speed
+    touch = wanted.contact is True and bool(stage.pair) and stage.stands(before)
     if reason is not None and not touch:
         return Raised(concrete, stage.proof(before, before, 1, reason))
     found: list[tuple[ConcreteScenario, Proof]] = []
