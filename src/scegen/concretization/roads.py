@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from scegen.concretization.limits import LATERAL_MPS2
 from scegen.concretization.turning_ways import lanes_to_turn_back, with_turns
 from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.road import build_network, plan_road
 from scegen.road.model import RoadNetwork
+from scegen.road.ring_layout import MAX_RING_RADIUS_M, lay_out_ring
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import has_crosswalk
 from scegen.scenario.functional import FunctionalScenario
@@ -21,6 +23,7 @@ _PER_FURTHER_DRIVE_M, _FEW_DRIVES = 35.0, 3
 """Where many take part, most start so far out that the first arms would be too short."""
 LONGEST_ARM_M = 1500.0
 _RING_CHANGE_ROOM_M = 16.0
+_SPARE = 1.05
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
 _SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _SIDE_BY_SIDE_HAZARDS = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING})
@@ -48,9 +51,11 @@ def plan(
         u_turns=frozenset(drive.entry for drive in turning_back),
     )
     parameters = with_turns(functional, logical, parameters)
-    if functional.junction.kind is not JunctionKind.ROUNDABOUT or HazardKind.CUT_IN not in kinds:
+    if functional.junction.kind is not JunctionKind.ROUNDABOUT:
         return parameters
-    return _with_wide_ring(parameters)
+    if HazardKind.CUT_IN in kinds:
+        parameters = _with_wide_ring(parameters)
+    return _with_fast_ring(functional, parameters)
 
 
 def first_arm_m(logical: LogicalScenario) -> float:
@@ -112,6 +117,18 @@ def _with_wide_ring(parameters: RoadParameters) -> RoadParameters:
         if min(_ring_lengths_m(network), default=0.0) >= _RING_CHANGE_ROOM_M:
             return wide
     return two
+
+
+def _with_fast_ring(functional: FunctionalScenario, parameters: RoadParameters) -> RoadParameters:
+    """A ring as large as whoever is said to circulate so fast needs in comfort."""
+    said = [p.speed_mps.middle for p in functional.participants if p.circulating and p.speed_mps]
+    radii_m = lay_out_ring(parameters).radii_m
+    wide_m = max(arm.lane_width_m for arm in parameters.arms)  # so much wider than its ways in
+    least_m = _SPARE * max(said, default=0.0) ** 2 / LATERAL_MPS2 + wide_m
+    if least_m <= radii_m[0]:
+        return parameters
+    radius_m = round(least_m + radii_m[-1] - radii_m[0], 1)
+    return parameters.model_copy(update={"ring_radius_m": min(radius_m, MAX_RING_RADIUS_M)})
 
 
 def _ring_lengths_m(network: RoadNetwork) -> list[float]:

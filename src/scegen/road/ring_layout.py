@@ -20,6 +20,8 @@ MAX_RING_RADIUS_M = 60.0
 MIN_RING_ROAD_M = 4.0
 TURN_RADII_M = (10.0, 8.0, 6.0, 5.0, 4.0)
 """Radii of the ways into and out of the ring, the first that fits."""
+WIDE_TURN_RADII_M = tuple(range(40, 10, -1))
+"""Where a ring of one lane is larger than it has to be, its ways in and out are wider, too."""
 _STEP_RAD = radians(0.5)
 _WIDEST_RAD = radians(75.0)
 _SPLITTER_M = 1.0
@@ -43,7 +45,8 @@ def lay_out_ring(parameters: RoadParameters) -> RingLayout:
     """
     given = parameters.ring_radius_m
     if given is not None:
-        for turn in TURN_RADII_M:
+        wide = WIDE_TURN_RADII_M if parameters.ring_lanes == 1 else ()  # two need room to change
+        for turn in (*wide, *TURN_RADII_M):
             layout = _try(parameters, given, turn)
             if layout is not None:
                 return _checked(parameters, layout)
