@@ -46,8 +46,10 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
-    if whose and all(e.speed not in (None, quantity.value) for e in whose):
-        whose = _without_speed(number, text) or whose
+    start, _ = text.bounds(number.i)
+    again = [e for e in whose if e.speed_basis is not None and start <= (e.speed_basis.i or 0)]
+    if whose and all(e.speed not in (None, quantity.value) or e in again for e in whose):
+        whose = _without_speed(number, text) or whose  # "beside a truck, also 100 km/h"
     for entity in whose:
         if entity.speed is not None and entity.speed != quantity.value:
             _hand_on(entity, text)

@@ -7,6 +7,7 @@ from scegen.scenario.vocabulary import (
     ON_FOOT,
     Approach,
     DrivingSide,
+    HazardKind,
     JunctionKind,
     Maneuver,
 )
@@ -14,11 +15,16 @@ from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.semantics.numbered_lanes import EITHER
 
 _FEWEST_WITH_A_MIDDLE = 3
+BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
 _UNSETTLED = "from which side lanes are counted is not said, so the number names none"
 
 
 def settle_along(draft: Draft, ego: Entity) -> None:
-    """On a straight road, who stands or walks in the lane is ahead; lanes of one name are one."""
+    """On a straight road, who stands or walks in the lane is ahead; lanes of one name are one.
+
+    So is whoever drives there, where the ego brakes.
+    """
+    brakes = any(d.kind in BRAKING and ego in d.by for d in draft.dangers)
     for entity in draft.entities:
         if entity is ego:
             continue
@@ -30,7 +36,7 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
         if entity.in_egos_lane is not None and alone and entity.moving_vehicle:
             entity.approaches = {Approach.AHEAD}
-            entity.approaches |= set() if entity.stands else {Approach.BEHIND}
+            entity.approaches |= set() if entity.stands or brakes else {Approach.BEHIND}
             entity.approach_basis = entity.in_egos_lane
         along = {Approach.AHEAD, Approach.OPPOSITE}
         walks = entity.kind in ON_FOOT

@@ -47,6 +47,12 @@ def _in_line(prep: Prep, entities: list[Entity], event: Event) -> bool:
     return after and not comes and not any(e.circulates for e in led)
 
 
+def _of_which(place: Place, event: Event) -> Place:
+    """``the right side of the road``, ``the middle of the ego's lane``: of what it is a part."""
+    whole = next((p.target for p in event.pps if p.word.i == place.j), None)
+    return whole if isinstance(whole, Place) else place
+
+
 def _at_its_side(prep: Prep, event: Event | None) -> bool:
     """``drives to the right of the bus``: where somebody is, not where it goes."""
     side = prep.target
@@ -208,7 +214,8 @@ class Placer:
         approaches = place_approaches(target, word if word in word_list("past") else prep.value)
         approaches = _between_lanes(approaches, event)
         if not approaches:
-            self._in_the_egos_lane(prep, target, entities, basis)
+            of = target if event is None else _of_which(target, event)
+            self._in_the_egos_lane(prep, of, entities, basis)
             return
         plural = target.head is not None and target.head.form == "s"
         plural = plural or any(m.form == "s" for m in target.mods if m.cat == "dir")
@@ -234,8 +241,8 @@ class Placer:
     def _of_the_road(self, side: Place, event: Event | None) -> bool:
         """``rides on the right side of the road``: in the lane that is there."""
         moves = event is not None and event.name in {"move", "walk"}
-        of = next((p for p in event.pps if p.word.i == side.j), None) if event is not None else None
-        road = of is not None and isinstance(of.target, Place) and of.target.kind in _ROADS
+        whole = _of_which(side, event) if event is not None else side
+        road = whole is not side and whole.kind in _ROADS
         return moves and road and self._draft.kerb in side.dirs
 
     def _in_the_egos_lane(

@@ -29,18 +29,19 @@ def stand(clause: Clause, context: Context) -> None:
         return
     lemma = event.lemma
     stands = _stands(event, context)
-    in_lane = any(p.kind in _IN_LANE for p in clause.places())
+    places = [p for p in clause.places() if p.prep is None or p.prep.value != "with"]  # its lights
+    in_lane = any(p.kind in _IN_LANE for p in places)
     in_lane = in_lane and lemma not in word_list("standing")
     waiting = event.name == "wait" and (event.premod_of is not None or in_lane)
     if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
         _stand_in_the_lane([e for e in clause.actors if e.is_vehicle and e.sets_off < 0], clause)
         return
-    if any(p.kind == "signal" for p in clause.places()) and _waits_there(event, context):
+    if any(p.kind == "signal" for p in places) and _waits_there(event, context):
         for entity in clause.actors:
             entity.held = entity.held or clause.words
     if not stands:
         return
-    if any(p.kind in _ROADSIDE for p in clause.places()):
+    if any(p.kind in _ROADSIDE for p in places):
         beside = [e for e in clause.actors if e.is_vehicle and not e.ego and e.sets_off < 0]
         for entity in beside:
             entity.parked, entity.parked_basis = True, clause.words
@@ -48,7 +49,7 @@ def stand(clause: Clause, context: Context) -> None:
             d for d in context.draft.dangers
             if d.kind is not HazardKind.STOPPING or not d.by or not all(e in beside for e in d.by)
         ]  # fmt: skip
-    if any(p.kind in _HELD for p in clause.places()):
+    if any(p.kind in _HELD for p in places):
         return
     _stand_in_the_lane(clause.actors, clause)
     for entity in clause.actors:
