@@ -14,6 +14,7 @@ from scegen.scenario.vocabulary import (
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.meaning.ruled_out import ways_left
 
+_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING,
                                 HazardKind.CROSSING_CYCLIST})  # fmt: skip
 
@@ -33,7 +34,9 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
         entity.maneuver_basis = entity.stands
         return {Maneuver.STAY}
     if entity.maneuvers and (entity.was_parked is not None or not entity.parked):
-        return entity.maneuvers
+        passes = any(d.kind is HazardKind.OVERTAKING and entity in d.by for d in draft.dangers)
+        turns = entity.maneuvers & _TURNS
+        return turns if passes and turns else entity.maneuvers  # "overtakes, then turns right"
     found = _followed(entity, junction, draft)
     if found is None:
         left = ways_left(entity) if junction.kind is not JunctionKind.ROUNDABOUT else set()
