@@ -155,6 +155,7 @@ class Event:
         drives: only vehicles, or people in them, do it.
         says: it tells what somebody says or thinks ("he said the van had stopped").
         embedded: it makes a clause that describes a noun ("a spot where two cars stand").
+        supplement: it is told besides of a noun, between commas ("the ego, which brakes").
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
         reduced: it only describes its noun ("a man hidden behind a van runs out").
         unable: it does not take place because it cannot ("could not stop").
@@ -191,6 +192,7 @@ class Event:
     drives: bool = False
     says: bool = False
     embedded: bool = False
+    supplement: bool = False
     sentence: int = 0
     premod_of: Mention | None = None
     denied_ways: set[str] = field(default_factory=set)

@@ -35,6 +35,10 @@ def coordinate(event: Event, state: State) -> None:
     if "," in state.between and main:
         verbs = main  # "A van turns as the ego waits, then stops."
     verbs = [e for e in verbs if e.subject] or verbs
+    last = verbs[-1] if verbs else None
+    if last is not None and last.supplement and last.finite and "," not in state.between:
+        event.subject, event.supplement = last.subject, True
+        return  # "ahead of the ego, which is doing 70 km/h and stops"
     outer = [e for e in verbs if not e.embedded]
     relative = bool(verbs) and verbs[-1].embedded and verbs[-1].form == event.form
     if "," in state.between and relative:
@@ -54,10 +58,10 @@ def coordinate(event: Event, state: State) -> None:
     if wanted == "ing" and who is not None and who is state.being:
         event.subject = chain(who)  # "pulls out when the ego is 20 m away and doing 30 km/h"
         return
-    last = state.mentions[-1] if state.mentions else None
-    beside = last is not None and last.prep is not None and last.prep.value == "with"
-    if wanted == "ing" and last is not None and beside and last.i > state.events[-1].i:
-        event.subject = [last]  # "steps out with the ego 20 m away and doing 30 km/h"
+    near = state.mentions[-1] if state.mentions else None
+    beside = near is not None and near.prep is not None and near.prep.value == "with"
+    if wanted == "ing" and near is not None and beside and near.i > state.events[-1].i:
+        event.subject = [near]  # "steps out with the ego 20 m away and doing 30 km/h"
         return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject

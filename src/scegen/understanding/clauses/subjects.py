@@ -140,6 +140,7 @@ def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
     event.embedded = "rel" in between or state.where
+    event.supplement = {"rel", ","} <= between
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"
     if state.relating is not None and event.finite and between == {","}:

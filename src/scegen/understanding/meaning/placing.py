@@ -16,6 +16,7 @@ from scegen.understanding.meaning.approaches import (
     place_approaches,
 )
 from scegen.understanding.meaning.lanes_named import Lanes, within_the_lane
+from scegen.understanding.words.quantities import ends_a_quantity
 from scegen.understanding.words.terms import Term
 
 _STEADY = frozenset(
@@ -206,6 +207,9 @@ class Placer:
             self._apart(entities, basis)
             return
         word = self._draft.tokens[prep.word.i].low
+        at_edge = self._draft.tokens[target.j - 1].low in {"edge", "kerb", "curb"}
+        if at_edge and prep.value == "from" and ends_a_quantity(self._draft.tokens, prep.word.i):
+            return  # "0.5 m from the right edge"
         edge = self._draft.tokens[target.j - 1].low == "edge" or self._of_the_road(target, event)
         edge = edge and prep.value == "in"
         parks = event is not None and event.name == "park"
