@@ -47,6 +47,7 @@ class Judge(Teller):
         nearly = self._phrase("nearly", start, event.i)
         parent = event.parent
         held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"}
+        held_off = held_off and parent is not None and not parent.negated  # "cannot avoid hitting"
         if event.name == "overlook":
             kind = OutcomeKind.NEAR_MISS
         elif nearly is not None:

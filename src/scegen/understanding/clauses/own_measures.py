@@ -25,6 +25,7 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         owner = _possessor(chunks, k) or _likewise(chunks, k, tokens) or _bracketed(chunks, k)
         told_by = [e for e in events if any(m is chunk.term for m in e.mods)]
         owner = owner or _awaited(chunks, k, told_by) or _from_a_side(chunks, k)
+        owner = owner or _fronted(chunks, k)
         if owner is None:
             continue
         for holder in holders:
@@ -81,9 +82,18 @@ def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:
     placed = isinstance(side, Place) and side.kind in {"side", "direction"}
     preps = [w.value for w in (off, at) if isinstance(w, Word) and w.cat == "prep"]
     named = placed and len(preps) > 1 and preps[0] == "from" and isinstance(who, Mention)
-    if not named or not isinstance(who, Mention) or who.possessor:
-        return None
+    if not named or not isinstance(who, Mention) or who.possessor or who.pronoun is not None:
+        return None  # "rides across it from the left at 15 km/h"
     return who if any(p.target is side for p in who.pps) else None
+
+
+def _fronted(chunks: list[Chunk], k: int) -> Mention | None:
+    """``At 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
+    opens = k == 1 or (k > 1 and getattr(chunks[k - 2], "value", "") in {".", ";"})
+    at = chunks[k - 1] if k else None
+    who = next((c for c in chunks[k + 1 : k + 3] if not _is_comma(c)), None)
+    led = opens and isinstance(at, Word) and at.cat == "prep"
+    return who if led and isinstance(who, Mention) and not who.possessor else None
 
 
 def _is_comma(chunk: Chunk) -> bool:

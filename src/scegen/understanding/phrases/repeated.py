@@ -11,6 +11,7 @@ from scegen.understanding.words.tokens import Token
 
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
+_CROSSED = frozenset({"crosswalk", "road", "junction"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
 
 
@@ -36,9 +37,14 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                 found += [] if came else [Word(Term("prep", "in", chunk.i, chunk.j))]
                 found.append(replace(place, i=chunk.i, j=chunk.j, mods=list(place.mods), prep=None))
                 continue
+        if "crossed" in last and _across_it(chunk, found):
+            found.append(replace(last["crossed"], i=chunk.i, j=chunk.j, prep=None))
+            continue
         found.append(chunk)
         if not isinstance(chunk, Place):
             continue
+        if chunk.kind in _CROSSED:
+            last["crossed"] = chunk
         kind = "side" if chunk.kind in _SIDED else chunk.kind
         if kind == "exit":
             last[kind] = chunk
@@ -64,6 +70,13 @@ def _an_exit(mention: Mention, before: list[Chunk], tokens: list[Token]) -> bool
     goal = isinstance(word, Word) and tokens[word.i].low in {"to", "at", "by", "via", "onto"}
     taken = isinstance(word, Event) and word.name in {"leave", "use"}
     return goal or taken
+
+
+def _across_it(chunk: Chunk, before: list[Chunk]) -> bool:
+    """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody."""
+    verb = before[-1] if before else None
+    it = isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
+    return it and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
 
 
 def _there(word: Word, before: list[Chunk], tokens: list[Token]) -> bool:
