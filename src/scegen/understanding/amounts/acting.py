@@ -18,6 +18,7 @@ from scegen.understanding.semantics.context import Clause, Context
 
 _BEFORE = 4
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
+_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 _WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
@@ -83,6 +84,9 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         kind = _kind(frame.kind, entity, event)
         if kind is None or _stands_then(entity, event):
             continue
+        across = event.name == "cut_in" and text.tokens[event.j - 1].low == "across"
+        if across and entity.maneuvers & _TURNS:
+            continue  # "turns right and cuts across a cyclist"
         if kind is ActKind.OVERTAKE and scene.targets and all(t.parked for t in scene.targets):
             continue  # past one who is parked beside the lanes leads no move aside
         always = frame.always or kind is ActKind.CHANGE_LANE

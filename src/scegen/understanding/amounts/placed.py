@@ -39,6 +39,7 @@ _WHOLE = 100
 _ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
+_MOVES_INTO = frozenset({ActKind.SWERVE, ActKind.CROSS, ActKind.OPEN_DOOR})
 _SHORT_OF = (" before ", " short ", " in front ")
 
 
@@ -255,7 +256,7 @@ class Spacer(Teller):
         here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
         if trigger is not None and trigger[2] in words()["triggers"] and here:
             return here[-1]
-        laned = [a for a in here if a.kind in _LANED | {ActKind.CROSS, ActKind.OPEN_DOOR}]
+        laned = [a for a in here if a.kind in _LANED | _MOVES_INTO]
         laned += [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
         own = self._text.verb_at(number.i, number.j)
         laned = laned or [

@@ -39,6 +39,12 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     shared = {t.low for t in text.tokens[number.j : number.j + 1]} & {"each", "both"}
     if taken and not shared:
         return True
+    event = text.verb_at(number.i, number.j)
+    hits = (
+        text.scene_at(number.i, number.j) if event is not None and event.name == "collide" else None
+    )
+    if hits is not None and any(e.speed not in (None, quantity.value) for e in hits.actors):
+        return False  # "drives 50 km/h … and hits it at 30 km/h": as fast as it then is
     afoot = _afoot(number, context) if not taken else []
     whose = afoot or [e for e in _whose(number, text, context) if e not in taken]
     outrun = quantity.value.low > _RUNNING_MPS

@@ -174,7 +174,8 @@ class Clock(Teller):
             return None, "end"
         nearby = {t.low for t in tokens[number.j : number.j + 2]}
         own = before[-1].entity is doing.entity
-        ends = own and bool({"target_speed_mps", "duration_s", "distance_m"} & {*before[-1].amounts})
+        over = {"target_speed_mps", "duration_s", "distance_m"} & set(before[-1].amounts)
+        ends = own and bool(over)
         ends = ends or before[-1].kind not in {ActKind.BRAKE, ActKind.ACCELERATE}
         since = "end" if ends else "begin"  # of braking without an end, or that another answers
         return (before[-1], since) if own or nearby & _LATER else (None, "end")

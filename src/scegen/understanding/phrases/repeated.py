@@ -41,25 +41,29 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found.append(replace(last["crossed"], i=chunk.i, j=chunk.j, prep=None))
             continue
         found.append(chunk)
-        if not isinstance(chunk, Place):
-            continue
-        if chunk.kind in _CROSSED:
-            last["crossed"] = chunk
-        kind = "side" if chunk.kind in _SIDED else chunk.kind
-        if kind == "exit":
-            last[kind] = chunk
-        if kind in _COME_FROM and _SIDES & set(chunk.dirs):
-            last["anywhere"] = chunk
-        points = chunk.mods and tokens[chunk.mods[0].i].low in word_list("pointing")
-        if kind == "lane" and points and lane is not None and not chunk.dirs:
-            chunk.mods = [*chunk.mods, *(m for m in lane.mods if m.cat == "dir")]
-        elif kind == "side" and points and "side" in last and not chunk.dirs:
-            chunk.mods = [*chunk.mods, *last["side"].mods]
-        elif (kind == "lane" and chunk.dirs) or (kind == "side" and _SIDES & set(chunk.dirs)):
-            last[kind] = replace(
-                chunk, mods=[m for m in chunk.mods if kind == "lane" or m.cat == "dir"]
-            )
+        if isinstance(chunk, Place):
+            _remember(chunk, last, tokens)
     return found
+
+
+def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None:
+    """Keeps a place by what may mean it again; one that is pointed at gets the sides of that."""
+    if chunk.kind in _CROSSED:
+        last["crossed"] = chunk
+    kind = "side" if chunk.kind in _SIDED else chunk.kind
+    if kind == "exit":
+        last[kind] = chunk
+    if kind in _COME_FROM and _SIDES & set(chunk.dirs):
+        last["anywhere"] = chunk
+    lane = last.get("lane")
+    points = chunk.mods and tokens[chunk.mods[0].i].low in word_list("pointing")
+    if kind == "lane" and points and lane is not None and not chunk.dirs:
+        chunk.mods = [*chunk.mods, *(m for m in lane.mods if m.cat == "dir")]
+    elif kind == "side" and points and "side" in last and not chunk.dirs:
+        chunk.mods = [*chunk.mods, *last["side"].mods]
+    elif (kind == "lane" and chunk.dirs) or (kind == "side" and _SIDES & set(chunk.dirs)):
+        kept = [m for m in chunk.mods if kind == "lane" or m.cat == "dir"]
+        last[kind] = replace(chunk, mods=kept)
 
 
 def _an_exit(mention: Mention, before: list[Chunk], tokens: list[Token]) -> bool:
