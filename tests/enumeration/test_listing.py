@@ -271,3 +271,23 @@ def test_on_a_motorway_nobody_crawls(describe):
     found = parameters(functional)
     assert found["ego.speed_mps"] == (28.889, 32.5, 36.111)
     assert found["truck.speed_mps"] == (20, 22.5, 25)
+
+
+@pytest.mark.parametrize("reduction", list(Reduction))
+def test_of_a_group_who_changes_lanes_is_no_equal_of_who_may_turn(reduction):
+    people = [
+        {"id": "ego", "kind": "car", "role": "ego", "maneuvers": ["lane_change"]},
+        *({"id": name, "kind": "car"} for name in ("a", "b")),
+    ]
+    functional = FunctionalScenario.model_validate(
+        {
+            "description": "none of two turns left",
+            "junction": {"kind": "y", "arms": 3},
+            "participants": people,
+            "groups": [{"members": ["ego", "a"], "number": 0, "maneuvers": ["left"]}],
+        }
+    )
+    listed = enumerate_scenarios(functional, reduction=reduction)
+    counted = count_scenarios(functional, reduction=reduction)
+    assert len(listed.scenarios) == counted.count
+    assert sum(s.class_size for s in listed.scenarios) == counted.total

@@ -152,18 +152,26 @@ def _rotation_facts(problem: Problem, symmetry: Symmetry) -> list[Predicate]:
 
 
 def _trade_facts(problem: Problem) -> list[Predicate]:
-    """Vehicles may trade moves if they are free of each other and have the same to choose from."""
-    last: dict[tuple[frozenset[int], frozenset[int]], str] = {}
+    """Vehicles may trade moves if they are free of each other and have the same to choose from.
+
+    Of whom a group counts some, the manner counts, too: who changes lanes does not "turn left".
+    """
+    last: dict[tuple[frozenset[tuple[int, str]], frozenset[int]], str] = {}
     facts: list[Predicate] = []
     for vehicle in problem.vehicles:
+        own = frozenset(
+            i for i, g in enumerate(problem.functional.groups) if vehicle.id in g.members
+        )
         per_entry = {
-            frozenset(move for move, _ in problem.wanted.get((vehicle.id, entry), ()))
+            frozenset(
+                (move, manner if own else "")
+                for move, manner in problem.wanted.get((vehicle.id, entry), ())
+            )
             for entry in problem.entries.get(vehicle.id, range(problem.arms))
         }
         if vehicle.id in problem.dependent or len(per_entry) != 1:
             continue
-        groups = problem.functional.groups
-        key = per_entry.pop(), frozenset(i for i, g in enumerate(groups) if vehicle.id in g.members)
+        key = per_entry.pop(), own
         if key in last:
             facts.append(p.Trades(last[key], vehicle.id))
         last[key] = vehicle.id
