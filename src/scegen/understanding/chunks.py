@@ -225,6 +225,7 @@ class Prep:
         outer: a preposition before it ("from behind").
         on_mention: the mention right before it, if one stands there.
         fronted: it opens its clause and places who comes after it ("behind me a van brakes").
+        predicate: it tells where somebody known is ("the van is behind a bus"), not which one.
     """
 
     word: Word
@@ -232,6 +233,7 @@ class Prep:
     outer: str | None = None
     on_mention: Mention | None = None
     fronted: bool = False
+    predicate: bool = False
 
     @property
     def value(self) -> str:

@@ -301,6 +301,7 @@ class Spacer(Teller):
             clause = self._text.subordinate(told)
             if clause is None or not start <= told < end or clause[0] <= i < clause[1]:
                 continue
-            if clause[2] in words()["triggers"] and told >= clause[0]:
+            joined = i < clause[0] and ", and " in self._text.low(i, clause[0]).replace(" ,", ",")
+            if clause[2] in words()["triggers"] and told >= clause[0] and not joined:
                 return True
         return False

@@ -9,7 +9,7 @@ from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing, Trigger, amount_of, exactly
-from scegen.understanding.words.quantities import quantity_at
+from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
 
 _ANY = frozenset(ActKind)
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
@@ -227,7 +227,8 @@ class Clock(Teller):
             end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
             inside = [a for a in acts if any(chunk.j <= i < end for i in (a.i, *a.told))]
             outside = [a for a in acts if start <= a.i < stop and a not in inside]
-            joined = self._text.low(max(start, chunk.i - 2), chunk.i).replace(",", " ").split()
+            opens = chunk.i - (2 if ends_a_quantity(self._text.tokens, chunk.i) else 0)
+            joined = self._text.low(max(start, opens - 2), opens).replace(",", " ").split()
             put_between = joined[-1:] in (["and"], ["but"])  # "brakes and, once it stands, turns"
             front = [a for a in outside if a.i < chunk.i and not put_between]
             main = front[-1:] or [a for a in outside if a.i >= end][:1]

@@ -110,6 +110,7 @@ def attach(prep: Prep, state: State) -> None:
     described = _described(prep, state)
     if described is not None:
         described.pps.append(prep)
+        prep.predicate = "aux:be" in state.between and "rel" not in state.between
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:

@@ -39,5 +39,5 @@ def loci_of(mention: Mention) -> set[str]:
     Args:
         mention: a noun with phrases of place.
     """
-    loci = {p.value for p in mention.pps if p.word.cat == "locus"}
+    loci = {p.value for p in mention.pps if p.word.cat == "locus" and not p.predicate}
     return loci | ({"elsewhere"} if mention.elsewhere else set())

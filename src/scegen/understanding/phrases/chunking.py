@@ -226,9 +226,16 @@ class Chunker:
         if one > 0 and first.value == "def" and mods[one].cat == "num" and not side_first:
             self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
             return k + one + 1  # "the one", "the red one"
-        if first.cat == "quant" and first.value in {"both", "all"} and len(mods) == 1:
-            return self._stand_alone(first, first.value, k)
-        return self._side(mods, k)
+        return self._everybody(mods, k) or self._side(mods, k)
+
+    def _everybody(self, mods: list[Term], k: int) -> int | None:
+        """``both``, ``all``, ``all three``."""
+        first, counted = mods[0], [m for m in mods[1:] if m.cat == "num"]
+        whole = first.cat == "quant" and first.value in {"both", "all"}
+        if not whole or len(mods) != 1 + len(counted):
+            return None
+        self._chunks.append(Mention(first.i, mods[-1].j, mods, None, pronoun=first.value))
+        return k + len(mods)
 
     def _of_some(self) -> bool:
         """Whether "of" stands before, with a number before it."""

@@ -319,7 +319,8 @@ class Discourse:
         alike = [e for e in reversed(self._roster.recent) if self._roster.compatible(e, reading)]
         options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
         told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
-        narrowed = bool(mention.pps) or mention.narrowed or told
+        which = [p for p in mention.pps if not p.predicate]
+        narrowed = bool(which) or mention.narrowed or told
         loci = loci_of(mention)
         only_placed = bool(loci) and not (mention.narrowed or told) and as_the_ego_sees(mention)
         options = options or self._roster.cast(
@@ -335,10 +336,10 @@ class Discourse:
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
         done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
-        placed = mention.pps or mention.elsewhere or mention.narrowed or done
+        placed = which or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
         only = [e for e in self._draft.entities if e.is_vehicle]
-        own = all(p.value == "to" for p in mention.pps) and not (mention.narrowed or loci)
+        own = all(p.value == "to" for p in which) and not (mention.narrowed or loci)
         own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
         ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
         car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0

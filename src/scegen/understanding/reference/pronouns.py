@@ -75,6 +75,10 @@ class Pronouns:
             ego.ego = ego.claimed = True
             ego.named_by.add("ego")
         meant = self.roster.together(exclude)
+        number = mention.mod("num")
+        if number is not None and int(number.data["number"]) != len(meant):
+            people = everybody(mention, self.draft)
+            return people if len(people) == int(number.data["number"]) else meant
         opens = mention.i == 0 or self.tokens[mention.i - 1].kind == "punct"
         if opens and self.tokens[mention.i].low == "all" and len(meant) == _TWO:
             return everybody(mention, self.draft)  # of two one would say "both"
