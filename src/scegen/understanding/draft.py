@@ -68,6 +68,10 @@ class Entity:
     """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     held: Basis | None = None
     """Words that say that it stands at a light when it begins."""
+    brakes_from: int | None = None
+    """Where the text first says that it brakes."""
+    rests: list[Basis] = field(default_factory=list)
+    """Words that say that it stands, after it has braked."""
     sets_off: int = -1
     """Where the text says last that it moves, as the index of a token."""
     labels: set[str] = field(default_factory=set)

@@ -50,7 +50,21 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
                 found.append(doing)
     found.sort(key=lambda d: d.i)
     _back_from_there(found)
+    _come_to_rest(found)
     return found
+
+
+def _come_to_rest(found: list[Doing]) -> None:
+    """``brakes hard. Once it stands …``: that is where the braking ends."""
+    resting = {id(d.entity): d.entity for d in found if d.entity.rests}
+    for entity in resting.values():
+        for basis in entity.rests:
+            at = basis.i or 0
+            slowed = [d for d in found if d.entity is entity and d.kind in _SLOWING and d.i < at]
+            for doing in slowed[-1:]:
+                doing.told.append(at)
+                if doing.kind is ActKind.BRAKE:
+                    doing.amounts.setdefault("target_speed_mps", Amount(STILL, basis))
 
 
 def _back_from_there(found: list[Doing]) -> None:
@@ -169,7 +183,8 @@ def _owed(event: Event, context: Context) -> bool:
 
 def _stands_then(entity: Entity, event: Event) -> bool:
     """``has stopped in the lane``: where it is, nothing that it does."""
-    own = any(said is not None and said.i == event.i for said in (entity.stands, entity.held))
+    said = [b for b in (entity.stands, entity.held, *entity.rests) if b is not None]
+    own = any(b.i == event.i for b in said)
     return (own or entity.parked or (entity.stands is not None and entity.sets_off < 0)) and (
         event.name in {"stop", "wait"}
     )

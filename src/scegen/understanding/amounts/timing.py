@@ -126,7 +126,7 @@ class Clock(Teller):
     def _delayed(self, number: Measured) -> Doing | None:
         """The act that is delayed: the one before the time in its clause, else the next."""
         start, end = self._text.bounds(number.i)
-        here = [a for a in self._happenings.acts if start <= a.i < end]
+        here = self._told_in(start, end)
         opening = max(
             [
                 start,
@@ -138,15 +138,29 @@ class Clock(Teller):
                 ),
             ]
         )
-        before = [a for a in here if opening <= a.i < number.i]
-        after = [a for a in here if a.i > number.i]
+        before = [a for i, a in here if opening <= i < number.i]
+        after = [(i, a) for i, a in here if i > number.i]
         if self._since(number) == "after" and len(after) > 1 and not before:
-            return after[1]
+            return after[1][1]
         if before:
             return before[-1]
-        comma = next((k for k in range(number.j, end) if self._text.tokens[k].low == ","), None)
-        first = [a for a in after if comma is None or a.i > comma]
-        return (first or after or [None])[0]  # type: ignore[list-item]
+        comma = next((k for k in range(number.j, end) if self._text.tokens[k].low == ","), -1)
+        first = [a for i, a in after if i > comma] or [a for _, a in after]
+        return first[0] if first else None
+
+    def _clause_end(self, opens: Word, start: int, stop: int) -> int:
+        """At the comma, or where the sentence goes on without one: "once it stands the ego …"."""
+        comma = next((k for k in range(opens.j, stop) if self._text.tokens[k].low == ","), None)
+        if comma is not None or opens.i > start:
+            return stop if comma is None else comma
+        told = [i for i, _ in self._told_in(opens.j, stop)]
+        return told[1] if len(told) > 1 else stop
+
+    def _told_in(self, start: int, end: int) -> list[tuple[int, Doing]]:
+        """The acts that are told of in a part of the text, with where, also for another time."""
+        acts = self._happenings.acts
+        found = [(i, a) for a in acts for i in {a.i, *a.told} if start <= i < end]
+        return sorted(found, key=lambda f: f[0])
 
     def _base(self, number: Measured, doing: Doing) -> tuple[Doing | None, str]:
         """Since when a delay counts."""
@@ -156,7 +170,7 @@ class Clock(Teller):
         if since == "start":
             return None, "end"
         if since == "after":
-            clause = [a for a in self._happenings.acts if number.j <= a.i < end and a is not doing]
+            clause = [a for _, a in self._told_in(number.j, end) if a is not doing]
             if clause:
                 begins = self._text.low(number.j, clause[0].i)
                 begun = any(f" {w} " in begins for w in ("begins", "starts", "begun", "started"))
@@ -224,7 +238,7 @@ class Clock(Teller):
             start, stop = self._text.bounds(chunk.i)
             if chunk.j >= stop or quantity_at(self._text.tokens, chunk.j) is not None:
                 continue  # "after 2 s"
-            end = next((k for k in range(chunk.j, stop) if self._text.tokens[k].low == ","), stop)
+            end = self._clause_end(chunk, start, stop)
             inside = [a for a in acts if any(chunk.j <= i < end for i in (a.i, *a.told))]
             outside = [a for a in acts if start <= a.i < stop and a not in inside]
             opens = chunk.i - (2 if ends_a_quantity(self._text.tokens, chunk.i) else 0)
@@ -238,5 +252,6 @@ class Clock(Teller):
                 continue  # "passes a bus when a child runs out": what goes on meanwhile
             begun = because or opening in words()["while_begun"]
             over = [c for c in self._text.within(chunk.j, end) if c.event.perfect]
+            over += [r for r in inside[0].entity.rests if r.i in inside[0].told]  # type: ignore[misc]
             since = "begin" if begun and not over else "end"  # "when it has stopped"
             main[0].when = Trigger("after", Basis(chunk.i, chunk.j), act=inside[0], since=since)

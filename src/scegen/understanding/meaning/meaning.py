@@ -115,6 +115,7 @@ class Interpreter:
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
         set_off(events, self._context)
+        standing.note_braking(events, self._context)
         numbered_lanes.note_lanes(chunks, events, self._context.tokens, self._context.draft)
         handled = {
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive

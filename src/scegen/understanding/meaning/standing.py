@@ -8,15 +8,41 @@ from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.words.terms import Term
 
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", "sidewalk",
                    "shoulder"})  # fmt: skip
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
 _IN_LANE = frozenset({"road", "lane", "middle"})
+_SLOWING = frozenset({"brake", "hard_brake", "slow", "stop"})
 _REACH = 3
 _FROM_REACH = 10
 _STARTING = frozenset({"accelerate", "leave", "move", "light", "try"})
+
+
+def note_braking(events: list[Event], context: Context) -> None:
+    """``brakes hard; once it stands …``: it does not stand from the start.
+
+    Args:
+        events: of the text, in its order.
+        context: the scenario in the making.
+    """
+    for event in events:
+        told = event.finite and not (event.perfect or event.negated or event.modal)
+        slows = event.name in _SLOWING and not _stands(event, context)
+        if not (told and slows) or event.premod_of is not None:
+            continue
+        for entity in clause_of(event).drivers:
+            entity.brakes_from = event.i if entity.brakes_from is None else entity.brakes_from
+
+
+def _comes_to_rest(entities: list[Entity], basis: Basis) -> list[Entity]:
+    """Leaves those who stand from the start, and notes who stands since it has braked."""
+    for entity in entities:
+        if entity.brakes_from is not None and entity.brakes_from < (basis.i or 0):
+            entity.rests.append(basis)
+    return [e for e in entities if basis not in e.rests]
 
 
 def stand(clause: Clause, context: Context) -> None:
@@ -41,8 +67,9 @@ def stand(clause: Clause, context: Context) -> None:
             entity.held = entity.held or clause.words
     if not stands:
         return
+    actors = _comes_to_rest(clause.actors, clause.words)
     if any(p.kind in _ROADSIDE for p in places):
-        beside = [e for e in clause.actors if e.is_vehicle and not e.ego and e.sets_off < 0]
+        beside = [e for e in actors if e.is_vehicle and not e.ego and e.sets_off < 0]
         for entity in beside:
             entity.parked, entity.parked_basis = True, clause.words
         context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
@@ -51,8 +78,8 @@ def stand(clause: Clause, context: Context) -> None:
         ]  # fmt: skip
     if any(p.kind in _HELD for p in places):
         return
-    _stand_in_the_lane(clause.actors, clause)
-    for entity in clause.actors:
+    _stand_in_the_lane(actors, clause)
+    for entity in actors:
         walks = not entity.is_vehicle and not entity.parked
         if walks and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
@@ -120,6 +147,8 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
         context: the scenario in the making.
     """
     basis = Basis(term.i, term.j)
+    if term.value == "stationary":
+        entities = _comes_to_rest(entities, basis)
     others = [e for e in entities if not e.ego]
     if term.value == "stationary":
         drivers = [e for e in others if e.moving_vehicle]

@@ -31,6 +31,7 @@ from scegen.understanding.words.particles import (
 from scegen.understanding.words.passages import from_side_to_side
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.retagging import retag
+from scegen.understanding.words.somebodys import around_somebody
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
 from scegen.understanding.words.unnamed_roles import with_articles
@@ -121,12 +122,21 @@ def tag(tokens: list[Token]) -> list[Term]:
     """Terms that cover all tokens in order."""
     terms: list[Term] = []
     i = 0
+    tails: dict[int, int] = {}
     while i < len(tokens):
+        if i in tails:
+            terms.append(Term("inert", "noun", i, tails[i]))
+            i = tails[i]
+            continue
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
         if term.cat == "verb" and sends_back(tokens, terms, i):
             term = Term("manner", "mild", i, i + 1)
+        held = around_somebody(tokens, term)
+        if held is not None:
+            term, tail, end = held
+            tails[tail] = end
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
