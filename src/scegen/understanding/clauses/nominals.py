@@ -57,7 +57,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         mention.pronoun = "further"
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
-    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks):
+    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks, state):
         _undergo(anchor, mention)
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
@@ -101,13 +101,24 @@ def _emphasises(mention: Mention, state: State) -> bool:
     return mention.same_as is not None
 
 
-def _takes(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
-    if _waits_for_subject(verb, k, chunks):
+    if _waits_for_subject(verb, k, chunks) or _goes_on_with(verb, k, chunks, state):
         return False
     tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
     reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported
+
+
+def _goes_on_with(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``once it has cut in it brakes``: the next verb has no other subject."""
+    complete = verb.finite and state.candidate_done and state.relative is None
+    following = next((c for c in chunks[k + 1 : k + 4] if getattr(c, "cat", "") != "manner"), None)
+    if not complete or verb.control == "object":
+        return False
+    if isinstance(following, Event):
+        return following.form == "s" and not following.nominal
+    return isinstance(following, Word) and following.cat == "aux"
 
 
 def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
