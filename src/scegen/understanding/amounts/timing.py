@@ -201,19 +201,28 @@ class Clock(Teller):
         for doing in acts:  # "both brake when they are 80 m apart"
             alike = [a for a in acts if a.i == doing.i and a.kind is doing.kind and a.when]
             doing.when = doing.when or (alike[0].when if alike else None)
-        for doing, before in zip(acts[1:], acts, strict=False):
+        acts = sorted(acts, key=self._moment)
+        for n, (doing, before) in enumerate(zip(acts[1:], acts, strict=False), start=1):
             if doing.when is not None or doing.i == before.i:
                 continue
             if before.when is not None and before.when.act is doing:
                 continue
             phrase = self._then(before, doing)
             basis = Basis(*phrase) if phrase is not None else doing.basis
-            mine = [a for a in acts if a.entity is doing.entity and a.i < doing.i]
+            mine = [a for a in acts[:n] if a.entity is doing.entity and a.i != doing.i]
             if phrase is not None and (before.always or before.amounts or doing.always):
                 doing.when = Trigger("after", basis, act=before)
             elif mine and mine[-1].always and doing.always and not self._at_once(mine[-1], doing):
                 reason = "what one does in turn happens in the order of the text"
                 doing.when = Trigger("after", Basis(basis.i, basis.j, reason), act=mine[-1])
+
+    def _moment(self, doing: Doing) -> int:
+        """``before it brakes, it swerves``: the first clause comes last."""
+        start, stop = self._text.bounds(doing.i)
+        opens = next((c for c in self._text.chunks if c.i == start), None)
+        if not isinstance(opens, Word) or self._text.tokens[start].low != "before":
+            return doing.i
+        return stop if doing.i < self._clause_end(opens, start, stop) else doing.i
 
     def _at_once(self, one: Doing, other: Doing) -> bool:
         between = self._text.low(one.i, other.i + 6)
