@@ -6,6 +6,8 @@ verb ends before it and the name is its object.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
@@ -30,7 +32,7 @@ def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | 
             break
     else:
         return None
-    its = Token("its", "its", "word", tokens[end].start, tokens[end].end, (("its", "base"),))
+    its = replace(tokens[end], text="its", low="its", kind="word", forms=(("its", "base"),))
     owned = longest_match(tokens, end + 1) if end + 1 < len(tokens) else None
     if owned is None or owned.has("place"):
         return None  # "leaves the van's lane" reads as it stands
