@@ -25,12 +25,12 @@ from scegen.concretization.braking import (
     had_ahead,
     touch_s,
 )
-from scegen.concretization.courses import Sort, SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.motion.model import Array
 from scegen.motion.trigger_steps import STEP_S, just_before_step_s
 
@@ -123,7 +123,7 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
             mark = replace(own, s_m=place, target_mps=min(own.target_mps, target), rate_mps2=rate)
         else:
             hazard = next(iter(kinds), None)
-            mark = SpeedChange(place, target, rate, hazard, sort=Sort.ACT, there=backs)
+            mark = SpeedChange(target, rate, s_m=place, hazard=hazard, sort=Sort.ACT, there=backs)
         who.deeds, who.course_ = [*rest, mark], None
 
     def leaves(room_m: float) -> bool:
@@ -152,7 +152,7 @@ def _go_on(who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedCha
         return
     kept = who.deeds
     rate = who.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
-    usual = SpeedChange(kept[-1].s_m, who.cruise_mps, rate, sort=Sort.ACT)
+    usual = SpeedChange(who.cruise_mps, rate, s_m=kept[-1].s_m, sort=Sort.ACT)
     for then in _GOES_ON_S:
         on = replace(next(iter(said), usual), then_s=then)
         who.deeds, who.course_ = [*kept, on], None

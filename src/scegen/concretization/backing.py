@@ -10,10 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.concretization.boxes import apart, box_at
-from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
-    COMFORTABLE_ACCELERATION_MPS2,
     CREEP_MPS,
     HARD_BRAKING_MPS2,
     REVERSING_MPS,
@@ -24,6 +22,7 @@ from scegen.concretization.meetings import meeting_point, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Path
@@ -162,45 +161,23 @@ def _stop_before(scene: Setup, draft: DriveDraft, rest_s: float) -> None:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - begins + 1.0, draft.id)
     _, ends_s = draft.laid.path.backwards[0]
     draft.alone_s_m = (begins, ends_s + _ROOM_M)
-    draft.marks.append(SpeedChange(begins, CREEP_MPS, rate))
+    draft.marks.append(SpeedChange(CREEP_MPS, rate, s_m=begins))
     draft.course_ = None
 
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
-    """Stand, go back, and what follows."""
-    begins_s, _ = draft.laid.path.backwards[0]
-    speed = _back_mps(scene, draft)
-    draft.marks.append(
-        SpeedChange(
-            _brakes_at(begins_s),
-            0.0,
-            _STOPS_MPS2,
-            hold_s=waits_s,
-            resume_mps=speed,
-            resume_rate_mps2=REVERSING_MPS2,
-            resume_hazard=HazardKind.REVERSING,
-        )
-    )
-    _halt(draft, speed, COMFORTABLE_ACCELERATION_MPS2)
-
-
-def _halt(draft: DriveDraft, speed: float, onwards_mps2: float) -> None:
-    """Stop where the way back ends, pause, and drive on."""
+    """Stand, go back, stop where the way back ends, pause, and drive on."""
     begins_s, ends_s = draft.laid.path.backwards[0]
+    speed = _back_mps(scene, draft)
+    back = SpeedChange(
+        speed, REVERSING_MPS2, hazard=HazardKind.REVERSING, sort=Sort.GOES_ON, then_s=waits_s
+    )
+    draft.marks.append(SpeedChange(0.0, _STOPS_MPS2, s_m=_brakes_at(begins_s), then=back))
     braking = (speed**2 - CREEP_MPS**2) / (2 * REVERSING_MPS2)
     slows = max(begins_s + 0.5, ends_s - _CREEPS_M / 2 - braking)
-    draft.marks += [
-        SpeedChange(slows, CREEP_MPS, REVERSING_MPS2),
-        SpeedChange(
-            _brakes_at(ends_s),
-            0.0,
-            _STOPS_MPS2,
-            hold_s=_PAUSE_S,
-            resume_mps=draft.speed_in_force(ends_s),
-            resume_rate_mps2=draft.acceleration_mps2(onwards_mps2),
-        ),
-    ]
-    draft.course_ = None
+    draft.marks.append(SpeedChange(CREEP_MPS, REVERSING_MPS2, s_m=slows))
+    stop = SpeedChange(0.0, _STOPS_MPS2, s_m=_brakes_at(ends_s))
+    draft.add_speed_change(stop, holds_s=_PAUSE_S)
 
 
 def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: float) -> float:

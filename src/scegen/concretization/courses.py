@@ -6,86 +6,20 @@ hold its speed for a while and then resume, or come so long after the one before
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from enum import Enum
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from scegen.concretization.profile import NEVER_S, Profile
+from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.motion.model import Array
-from scegen.scenario.concrete import (
-    ArrivalBelow,
-    AtTime,
-    SpeedPhase,
-    StoodStill,
-    Travelled,
-    Trigger,
-)
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill, Travelled, Trigger
 
 STEP_S = 0.05
 _LONGEST_S = 240.0
 _SAME_MPS = 1e-3
-
-
-class Sort(Enum):
-    """What a mark is: a danger's, the text's act, or the road's (before and behind a bend)."""
-
-    DANGER = "danger"
-    ACT = "act"
-    SLOWS = "slows"
-    FREES = "frees"
-
-
-@dataclass(frozen=True, slots=True)
-class SpeedChange:
-    """At ``s_m`` of the path (from the outer end), change speed to ``target_mps``.
-
-    With ``hold_s``, that long after the target is reached the speed changes to ``resume_mps``.
-    ``waits_for`` is what it waits for instead, once that is known; ``resume_hazard`` the danger
-    that going on serves. With ``then_s`` it comes so long after the act before it has ended,
-    wherever that is. ``act`` names the act of the text that it is. What the road slows down to must
-    be reached ``by_m``: where acts have changed the speed, it begins just in time for that. With
-    ``there`` it stands where it does now, however fast it comes.
-    """
-
-    s_m: float
-    target_mps: float
-    rate_mps2: float
-    hazard: HazardKind | None = None
-    hold_s: float | None = None
-    resume_mps: float = 0.0
-    resume_rate_mps2: float = 2.0
-    resume_hazard: HazardKind | None = None
-    waits_for: ArrivalBelow | AtTime | Travelled | None = None
-    sort: Sort = Sort.DANGER
-    then_s: float | None = None
-    act: str | None = None
-    by_m: float = 0.0
-    there: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Phase:
-    """A change of speed that is carried out, at its time and place on the course.
-
-    ``stood_s``: it comes so long after having come to rest.
-    """
-
-    begins_s: float
-    s_m: float
-    target_mps: float
-    rate_mps2: float
-    mark: SpeedChange
-    resumes: bool = False
-    stood_s: float | None = None
-
-    @property
-    def hazard(self) -> HazardKind | None:
-        """The danger that it serves."""
-        return self.mark.resume_hazard if self.resumes else self.mark.hazard
 
 
 @dataclass(frozen=True)
@@ -95,7 +29,7 @@ class Course:
     time_s: Array
     s_m: Array
     speed_mps: Array
-    phases: tuple[Phase, ...]
+    phases: tuple[SpeedChange, ...]
     profile: Profile
 
     def time_at(self, s_m: float) -> float:
@@ -136,9 +70,9 @@ class Course:
         """Its speed at a time."""
         return self.profile.speed_mps(max(time_s, 0.0))
 
-    def phase_of(self, act: str) -> Phase | None:
+    def phase_of(self, act: str) -> SpeedChange | None:
         """The phase that an act of the text is, if it is carried out."""
-        return next((phase for phase in self.phases if phase.mark.act == act), None)
+        return next((phase for phase in self.phases if phase.act == act), None)
 
 
 class _Driving:
@@ -146,7 +80,7 @@ class _Driving:
 
     def __init__(self, speed_mps: float) -> None:
         self.profile = Profile(speed_mps)
-        self.phases: list[Phase] = []
+        self.phases: list[SpeedChange] = []
         self.target = speed_mps
         self.ready_s = 0.0
         self.wanted: float | None = None
@@ -158,24 +92,22 @@ class _Driving:
         if mark.sort is Sort.ACT:
             self.wanted = target
         if mark.sort is Sort.SLOWS:
-            self.bend = target if mark.hold_s is None else mark.resume_mps
+            self.bend = (mark.then or mark).target_mps
         elif mark.sort is Sort.FREES:
             self.bend = None
         by_road = mark.sort in {Sort.SLOWS, Sort.FREES}
         if self.wanted is not None and mark.sort is not Sort.DANGER:
-            bend = self.bend if mark.hold_s is None else target
+            bend = self.bend if mark.then is None else target
             target = min(self.wanted, self.wanted if bend is None else bend)
             if by_road and abs(target - self.target) < _SAME_MPS:
                 return
-        stood = mark.then_s if self.profile.speed_mps(time_s) < _SAME_MPS else None
-        self._change(Phase(time_s, 0.0, target, mark.rate_mps2, mark, stood_s=stood))
-        if mark.hold_s is not None:
-            again = self.profile.settles_s(time_s) + mark.hold_s
-            stood = mark.hold_s if target == 0.0 else None
-            onward = mark.resume_mps
+        self._change(mark, time_s, target)
+        if mark.then is not None:
+            again = self.profile.settles_s(time_s) + (mark.then.then_s or 0.0)
+            onward = mark.then.target_mps
             if mark.sort is Sort.SLOWS and self.wanted is not None:
                 onward = min(onward, self.wanted)
-            self._change(Phase(again, 0.0, onward, mark.resume_rate_mps2, mark, True, stood))
+            self._change(mark.then, again, onward)
 
     def place_m(self, mark: SpeedChange, others: Sequence[SpeedChange]) -> float:
         """Where a mark is carried out, as fast as it is by then.
@@ -204,14 +136,13 @@ class _Driving:
         gained = (self.target**2 - speed**2) / (2 * gains)
         return place + further if further < gained else 0.0
 
-    def _change(self, phase: Phase) -> None:
-        self.profile.change(phase.begins_s, phase.target_mps, phase.rate_mps2)
-        place = self.profile.way_m(phase.begins_s)
+    def _change(self, mark: SpeedChange, begins_s: float, target_mps: float) -> None:
+        stood_s = mark.then_s if self.profile.speed_mps(begins_s) < _SAME_MPS else None
+        self.profile.change(begins_s, target_mps, mark.rate_mps2)
+        place, self.target, self.ready_s = self.profile.way_m(begins_s), target_mps, begins_s
         self.phases.append(
-            Phase(phase.begins_s, place, phase.target_mps, phase.rate_mps2, phase.mark,
-                  phase.resumes, phase.stood_s)
-        )  # fmt: skip
-        self.target, self.ready_s = phase.target_mps, phase.begins_s
+            replace(mark, begins_s=begins_s, s_m=place, target_mps=target_mps, then_s=stood_s)
+        )
 
 
 def course_of(marks: Sequence[SpeedChange], speed_mps: float, length_m: float) -> Course:
@@ -260,12 +191,8 @@ def speed_program(
     course: Course,
     start_s: float,
     start_m: float,
-    triggers: Mapping[str, Trigger],
 ) -> tuple[float, tuple[SpeedPhase, ...]]:
-    """Initial speed and phases of a vehicle that starts at a time and place of its course.
-
-    ``triggers`` are those of acts that something else than its own way sets off.
-    """
+    """Initial speed and phases of a vehicle that starts at a time and place of its course."""
     speed = course.speed_then(start_s)
     begun = [phase for phase in course.phases if phase.begins_s <= start_s]
     under_way = begun[-1:] if begun and abs(speed - begun[-1].target_mps) >= _SAME_MPS else []
@@ -273,13 +200,11 @@ def speed_program(
     phases: list[SpeedPhase] = []
     for phase in (*under_way, *later):
         trigger: Trigger = Travelled(participant=who, distance_m=max(0.0, phase.s_m - start_m))
-        if phase.mark.act in triggers:
-            trigger = triggers[phase.mark.act or ""]
-        elif phase.resumes and phase.mark.waits_for is not None:
-            trigger = phase.mark.waits_for
-        elif phase.stood_s is not None:
-            trigger = StoodStill(participant=who, duration_s=phase.stood_s)
-        elif phase.mark.there and not phase.resumes:
+        if phase.trigger is not None:
+            trigger = phase.trigger
+        elif phase.then_s is not None:
+            trigger = StoodStill(participant=who, duration_s=phase.then_s)
+        elif phase.there:
             lasts_s = course.speed_then(phase.begins_s) / phase.rate_mps2
             rests_m = phase.s_m - start_m + phase.rate_mps2 * lasts_s**2 / 2
             trigger = ArrivalBelow(participant=who, place_m=round(rests_m, 3), time_s=lasts_s / 2)
@@ -289,7 +214,7 @@ def speed_program(
                 target_speed_mps=phase.target_mps,
                 rate_mps2=phase.rate_mps2,
                 hazard=phase.hazard,
-                act=None if phase.resumes else phase.mark.act,
+                act=phase.act,
             )
         )
     return speed, tuple(phases)

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
 from scegen.concretization.asked import hazard_of
-from scegen.concretization.courses import Sort, SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import happens_s_m, in_line_before
 from scegen.concretization.limits import (
@@ -19,6 +18,7 @@ from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.measures.grounds import grounds
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
@@ -90,7 +90,7 @@ def stand_in_line(scene: Setup) -> None:
                 behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
                 place = float(other.course.s_m[-1]) - behind
         begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
-        draft.deeds = [SpeedChange(begins, 0.0, _STANDS_MPS2, sort=Sort.ACT)]
+        draft.deeds = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
         draft.course_ = None
 
 
@@ -125,7 +125,7 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
             place = draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M
         else:  # nobody sees how it came there
             rate = before**2 / place
-        yield SpeedChange(place - before**2 / (2 * rate), 0.0, rate, sort=Sort.ACT)
+        yield SpeedChange(0.0, rate, s_m=place - before**2 / (2 * rate), sort=Sort.ACT)
         before = 0.0
     for act in scene.speed_acts(draft.id):
         hazard = hazard_of(scene.functional.hazards, act)
@@ -148,7 +148,9 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
             if act.kind is ActKind.STOP:  # where it stands
                 place -= before**2 / (2 * rate)
-        yield SpeedChange(place, target, rate, hazard, sort=Sort.ACT, then_s=then, act=act.id)
+        yield SpeedChange(
+            target, rate, s_m=place, act=act.id, hazard=hazard, sort=Sort.ACT, then_s=then
+        )
         took_s = abs(target - before) / rate
         before = target
         own.add(act.id)
@@ -162,7 +164,7 @@ def _at_red(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The stop of one of whom only the light is told."""
     if _stops_at_light(scene, draft):
         rate = draft.braking_mps2(COMFORTABLE_BRAKING_MPS2)
-        yield SpeedChange(0.0, 0.0, rate, sort=Sort.ACT)
+        yield SpeedChange(0.0, rate, sort=Sort.ACT)
 
 
 def _delay_s(when: AfterAct) -> float:
@@ -235,4 +237,4 @@ def set_triggers(scene: Setup, moments: Moments) -> None:
                 place = other.course.s_at(own_s) - other.start_m
                 if place > 0.0 and other.course.speed_then(own_s) > _MOVES_MPS:
                     trigger = Travelled(participant=other.id, distance_m=round(place, 3))
-            draft.triggers[act.id] = trigger
+            draft.deeds[1], draft.course_ = replace(mark, trigger=trigger), None

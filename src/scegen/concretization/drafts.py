@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from scegen.concretization.courses import Course, SpeedChange, course_of
+from scegen.concretization.courses import Course, course_of
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
@@ -12,6 +12,7 @@ from scegen.concretization.limits import (
     LATERAL_MPS2,
     STOPS_FOR_S,
 )
+from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.concretization.turning import Stop, turning_changes
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import END_MARGIN_M
@@ -25,7 +26,6 @@ from scegen.scenario.concrete import (
     DriveMotion,
     LaneChange,
     Travelled,
-    Trigger,
 )
 from scegen.scenario.logical import Drive
 from scegen.scenario.reversing import BacksOut, Reversal
@@ -81,7 +81,6 @@ class DriveDraft:
     from_arm: int | None = None
     backs_to: str | None = None
     alone_s_m: tuple[float, float] | None = None
-    triggers: dict[str, Trigger] = field(default_factory=dict)
     laid_: LaidDrive | None = None
     course_: Course | None = None
     line_back_m: float = 0.0
@@ -195,12 +194,14 @@ class DriveDraft:
             self.entry_lane = lane
             self.lay(network)
 
-    def add_speed_change(self, mark: SpeedChange) -> None:
-        """Add a mark of a danger; a holding one resumes the speed then in force."""
-        if mark.hold_s is not None:
-            faster = self.acceleration_mps2(mark.resume_rate_mps2)
-            resume = self.speed_in_force(mark.s_m)
-            mark = replace(mark, resume_mps=resume, resume_rate_mps2=faster)
+    def add_speed_change(self, mark: SpeedChange, *, holds_s: float | None = None) -> None:
+        """Add a mark of a danger; held for so long, the speed then in force is resumed."""
+        if holds_s is not None:
+            faster = self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
+            on = SpeedChange(
+                self._in_force_mps(mark.s_m), faster, sort=Sort.GOES_ON, then_s=holds_s
+            )
+            mark = replace(mark, then=on)
         self.marks.append(mark)
         self.course_ = None
 
@@ -235,10 +236,10 @@ class DriveDraft:
         """The speed at the outer end of the entry arm, or where it comes out."""
         return CREEP_MPS if self.backs_out else self.cruise_mps
 
-    def speed_in_force(self, s_m: float) -> float:
+    def _in_force_mps(self, s_m: float) -> float:
         """The target speed at a place, dangers apart."""
         speed = self.cruise_mps
         for mark in self.road_changes():
             if mark.s_m <= s_m:
-                speed = mark.target_mps if mark.hold_s is None else mark.resume_mps
+                speed = (mark.then or mark).target_mps
         return speed

@@ -108,7 +108,7 @@ def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:
     """
     place = meeting_s_m if draft.halts_at_m is None else min(meeting_s_m, draft.halts_at_m)
     for mark in draft.marks:
-        if mark.hold_s is not None and mark.target_mps == 0 and mark.s_m < meeting_s_m:
+        if mark.then is not None and mark.target_mps == 0 and mark.s_m < meeting_s_m:
             rest = mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)
             place = min(place, max(mark.s_m, rest - _SHORT_OF_REST_M))
     return place

@@ -16,6 +16,7 @@ import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import Sort
 from scegen.motion.rules.intergreen import (
     LEAST_GREEN_AFOOT_S,
     LEAST_GREEN_S,
@@ -84,7 +85,7 @@ class Lights:
         # One that sets off late has stood for longer: it came to rest before green.
         least = self.delays_s[draft.id] + _STARTS_S if draft.id in self.delays_s else _LEAST_WAIT_S
         draft.waits_s, draft.course_ = least, None
-        again = next(phase for phase in draft.course.phases if phase.resumes)
+        again = next(phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON)
         longer = goes - (offset_s + again.begins_s)
         draft.waits_s, draft.course_ = least + max(0.0, longer), None
 
@@ -157,7 +158,7 @@ def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
         if wanted is None and name in obeying:
             wanted = AtLight.GREEN
         elif wanted is AtLight.WAITS:
-            time_s = late + next(phase.begins_s for phase in phases if phase.resumes)
+            time_s = late + next(phase.begins_s for phase in phases if phase.sort is Sort.GOES_ON)
         elif wanted is AtLight.STOPS:
             rests = (late + phase.begins_s for phase in phases if phase.target_mps == 0.0)
             time_s = next(rests, np.inf)
@@ -310,7 +311,7 @@ def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
     for draft in scene.drives.values():
         if draft.waits_s is None or draft.lets_by is not None:
             continue
-        again = next((phase for phase in draft.course.phases if phase.resumes), None)
+        again = next((phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON), None)
         if again is None:
             continue  # it stays
         draft.goes_at = AtTime(time_s=round(draft.offset_s + again.begins_s, 3))

@@ -15,7 +15,6 @@ import numpy as np
 
 from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clock import same_lane
-from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import culprits, same_arm, victims
 from scegen.concretization.lane_choice import lanes_in, neighbour_lane
@@ -25,6 +24,7 @@ from scegen.concretization.objects import caused_by_nobody, lying_in_the_way, ma
 from scegen.concretization.passing import calm_change_length_m, pass_standing
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import SpeedChange
 from scegen.concretization.stationary import BLOCKS_AT_M
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Path
@@ -230,10 +230,11 @@ def stop_short(scene: Setup) -> None:
             continue
         stopping = [n for n, change in enumerate(draft.marks) if change.target_mps == 0.0]
         if stopping:
-            draft.marks[stopping[0]] = replace(draft.marks[stopping[0]], hold_s=None)
+            draft.marks[stopping[0]] = replace(draft.marks[stopping[0]], then=None)
         else:
             rate = draft.braking_mps2(float(scene.rng.uniform(*HARD_BRAKING_MPS2)))
             braking = draft.course.speed_at(draft.halts_at_m) ** 2 / (2 * rate)
             start = max(3.0, draft.halts_at_m - braking - 0.1)
-            draft.add_speed_change(SpeedChange(start, 0.0, rate, HazardKind.OBSTACLE))
+            stop = SpeedChange(0.0, rate, s_m=start, hazard=HazardKind.OBSTACLE)
+            draft.add_speed_change(stop)
         draft.course_ = None

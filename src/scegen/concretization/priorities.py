@@ -10,12 +10,13 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from scegen.concretization.courses import Course, Phase
+from scegen.concretization.courses import Course
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.measures.grounds import Ground, grounds
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty
 from scegen.scenario.concrete import AtTime, Travelled
@@ -188,8 +189,8 @@ def set_gaps(scene: Setup) -> None:
         scene.note(f"{draft.id}.goes_s", goes_s, f"{other.id} has passed, who has right of way")
 
 
-def _going_on(draft: DriveDraft) -> Phase:
-    return next(phase for phase in draft.course.phases if phase.resumes)
+def _going_on(draft: DriveDraft) -> SpeedChange:
+    return next(phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON)
 
 
 def _lets_by(late: DriveDraft, late_s: float, other: DriveDraft, other_s: float) -> bool:

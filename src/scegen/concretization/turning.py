@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import sqrt
 
-from scegen.concretization.courses import Sort, SpeedChange
+from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.concrete import AtTime, Travelled
 
@@ -79,19 +79,18 @@ def turning_changes(
     if stop is not None:
         # The reaction is before the braking: here it comes to rest exactly there.
         rest = stop.line_s_m - _SHORT_OF_LINE_M + _REACTION_M
-        marks.append(
-            replace(
-                _slow_before(rest, before, 0.0, slowing_mps2),
-                hold_s=stop.stands_s,
-                resume_mps=bend.speed_mps if bend else after,
-                resume_rate_mps2=faster_mps2,
-                waits_for=stop.goes_at,
-            )
+        on = SpeedChange(
+            bend.speed_mps if bend else after,
+            faster_mps2,
+            sort=Sort.GOES_ON,
+            then_s=stop.stands_s,
+            trigger=stop.goes_at,
         )
+        marks.append(replace(_slow_before(rest, before, 0.0, slowing_mps2), then=on))
     elif bend:
         marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
     if bend:
-        marks.append(SpeedChange(bend.end_s_m, after, faster_mps2, sort=Sort.FREES))
+        marks.append(SpeedChange(after, faster_mps2, s_m=bend.end_s_m, sort=Sort.FREES))
     return marks
 
 
@@ -99,4 +98,4 @@ def _slow_before(s_m: float, from_mps: float, to_mps: float, rate_mps2: float) -
     distance = (from_mps**2 - to_mps**2) / (2 * rate_mps2)
     by_m = s_m - _REACTION_M
     place = max(0.0, by_m - distance)
-    return SpeedChange(place, to_mps, rate_mps2, sort=Sort.SLOWS, by_m=by_m)
+    return SpeedChange(to_mps, rate_mps2, s_m=place, sort=Sort.SLOWS, by_m=by_m)

@@ -149,7 +149,7 @@ def rendezvous(
         return (begins_s + ends_s) / 2, point.second_s_m + spare
     if contact_wanted(scene.functional, walk.id, draft.id):
         return _contact(scene, draft, walk, point)
-    before = [m for m in draft.marks if m.hold_s is not None]
+    before = [m for m in draft.marks if m.then is not None]
     before += [m for m in draft.deeds if m.target_mps == 0.0 and scene.is_loose(m.act)]
     for mark in before:
         if mark.s_m < point.first_s_m - draft.body.front_m:

@@ -9,8 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scegen.concretization.along.runner import Move, Runner, Step, gap_m
+from scegen.concretization.along.runner import Move, Runner, gap_m
 from scegen.concretization.profile import NEVER_S, Profile
+from scegen.concretization.speed_change import SpeedChange
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -104,7 +105,7 @@ def test_the_gap_is_between_the_nearer_ends(forward):
 def test_its_way_follows_steps_that_are_added_later():
     own = runner(True)
     assert own.x_m(10.0) == pytest.approx(100.0)
-    own.steps.append(Step(0.0, 20.0, 5.0))
+    own.steps.append(SpeedChange(20.0, 5.0))
     assert own.x_m(10.0) > 150.0
     own.steps.clear()
     assert own.x_m(10.0) == pytest.approx(100.0)
@@ -113,7 +114,7 @@ def test_its_way_follows_steps_that_are_added_later():
 @given(st.data(), st.booleans(), st.booleans())
 def test_boxes_over_time_are_where_it_is_and_turned_as_it_goes(data, forward, backs):
     own = runner(forward, backs=backs)
-    own.steps = [Step(2.0, data.draw(st.floats(3.0, 30.0)), 2.0)]
+    own.steps = [SpeedChange(data.draw(st.floats(3.0, 30.0)), 2.0, 2.0)]
     own.moves = [Move(1.0, 3.0, 2), Move(data.draw(st.floats(4.5, 8.0)), 2.5, 1, offset_m=0.5)]
     times = np.linspace(0.0, 15.0, 61)
     boxes, speeds = own.track(times)

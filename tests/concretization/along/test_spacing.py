@@ -7,9 +7,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from scegen.concretization.along.runner import Runner, Step, gap_m
+from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.spacing import GapAt, level, place
 from scegen.concretization.measures import missing_m
+from scegen.concretization.speed_change import SpeedChange
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind
@@ -23,7 +24,7 @@ def runners(draw, name, forward):
     found = Runner(name, kind := draw(KINDS), BODIES[kind], forward, 1, draw(st.floats(1.0, 40.0)))
     if draw(st.booleans()):
         begins, target = draw(st.floats(0.0, 6.0)), draw(st.floats(0.0, 40.0))
-        found.steps.append(Step(begins, target, draw(st.floats(0.5, 9.0))))
+        found.steps.append(SpeedChange(target, draw(st.floats(0.5, 9.0)), begins))
     return found
 
 

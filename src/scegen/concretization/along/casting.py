@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from scegen.concretization.along.auxiliary import RAMP_MPS, merging
-from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner, Step
+from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
 from scegen.concretization.asked import allowed, dangers, endangering_mps
 from scegen.concretization.limits import (
     PACE_MPS,
     REVERSING_MPS,
     REVERSING_MPS2,
 )
+from scegen.concretization.speed_change import SpeedChange
 from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
@@ -166,13 +167,13 @@ def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
         runner.speed_mps = min(runner.speed_mps, FORTH_M / act.when.delay_s.middle)
     begins = 1.02 * FORTH_M / runner.speed_mps
     if act.distance_m is None:
-        runner.steps = [Step(begins, speed, REVERSING_MPS2)]
+        runner.steps = [SpeedChange(speed, REVERSING_MPS2, begins)]
         return
     far = act.distance_m.middle
     speed = min(speed, (REVERSING_MPS2 * far) ** 0.5)
-    runner.steps = [Step(begins, speed, REVERSING_MPS2)]
+    runner.steps = [SpeedChange(speed, REVERSING_MPS2, begins)]
     slows = FORTH_M + far - speed**2 / (2 * REVERSING_MPS2)
-    runner.steps.append(Step(runner.profile.time_s(slows), 0.0, REVERSING_MPS2))
+    runner.steps.append(SpeedChange(0.0, REVERSING_MPS2, runner.profile.time_s(slows)))
 
 
 def _make_faster(

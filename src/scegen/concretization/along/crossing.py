@@ -7,7 +7,7 @@ from math import ceil, floor
 
 import numpy as np
 
-from scegen.concretization.along.runner import Runner, Step
+from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
@@ -21,6 +21,7 @@ from scegen.concretization.limits import (
 from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.others import Walker, gained
 from scegen.concretization.profile import NEVER_S
+from scegen.concretization.speed_change import SpeedChange
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import Body
@@ -273,7 +274,8 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
                   None)  # fmt: skip
     act = own.act if own is not None else None
     answers = None if said else walk.id
-    meets.steps.append(Step(begins, target, rate, act, hazard, reacts_to=answers))
+    answer = SpeedChange(target, rate, begins, act=act, hazard=hazard, reacts_to=answers)
+    meets.steps.append(answer)
     _go_on(story, walk, meets)
 
 
@@ -293,7 +295,7 @@ def _go_on(story: Story, walk: Walk, meets: Runner) -> None:
             story.begins_s[step.act] = begins
 
 
-def _waits(story: Story, step: Step) -> bool:
+def _waits(story: Story, step: SpeedChange) -> bool:
     """Whether somebody is said to come to rest, and not only to let another go first."""
     return any(a.id == step.act and a.kind is ActKind.WAIT for a in story.functional.acts)
 

@@ -10,11 +10,12 @@ import numpy as np
 from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.passing import JUST_M, just_missed_s, keep_apart
 from scegen.concretization.along.reactions import brakes_for
-from scegen.concretization.along.runner import Move, Runner, Step
+from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
 from scegen.concretization.asked import outward
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
+from scegen.concretization.speed_change import SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
@@ -173,7 +174,8 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     if fast.speed_mps - foremost.speed_mps < _FASTER_MPS / 2:
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]
-        fast.steps.append(Step(begins + lasts, top, COMFORTABLE_ACCELERATION_MPS2, act.id))
+        gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)
+        fast.steps.append(gains)
     back = _return_of(story, act, fast, slow)
     if all(each.lane != fast.lane or _makes_room(story, act, each) for each in line):
         past_m = 0.0 if back is None else _gap_at(story, back)

@@ -11,7 +11,7 @@ from scegen.concretization.along.auxiliary import (
 )
 from scegen.concretization.along.casting import usual_mps
 from scegen.concretization.along.doors import clear_of_m, door_before, opening_s
-from scegen.concretization.along.runner import Move, Runner, Step
+from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, lasting_s
 from scegen.concretization.asked import outward
@@ -20,6 +20,7 @@ from scegen.concretization.limits import (
     LANE_CHANGE_S,
     REACTION_S,
 )
+from scegen.concretization.speed_change import SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.concrete import MOST_OFFSET_M
@@ -55,7 +56,7 @@ def perform(story: Story, act: Act, begins_s: float) -> None:
     story.ends_s[act.id] = runner.profile.settles_s(begins_s)
 
 
-def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> Step:
+def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> SpeedChange:
     hazard = story.hazard_of(act)
     said = story.functional.participant(runner.id).speed_mps
     usual = min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
@@ -67,10 +68,10 @@ def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> Step:
     answered = story.stopped_before(act)
     if answered is not None and act.rate_mps2 is None:
         rate = min(answered.rate_mps2, runner.body.max_deceleration_mps2)
-    return Step(begins_s, target, rate, act.id, hazard, timed=timed)
+    return SpeedChange(target, rate, begins_s, act=act.id, hazard=hazard, timed=timed)
 
 
-def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[Step]:
+def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedChange]:
     """Who merges gains the speed of the traffic meanwhile, who leaves slows down after it.
 
     If nothing else is said of its speed.
@@ -87,9 +88,9 @@ def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[Step]:
             return []
         lasts = (target - runner.speed_mps) / GAINS_MPS2
         begins = max(moves[0].begins_s - lasts / 2, 0.5)
-        return [Step(begins, target, GAINS_MPS2)]
+        return [SpeedChange(target, GAINS_MPS2, begins)]
     if runner.id in exiting(functional) and runner.speed_mps > RAMP_MPS + _SAME_MPS:
-        return [Step(moves[-1].ends_s, RAMP_MPS, LOSES_MPS2)]
+        return [SpeedChange(RAMP_MPS, LOSES_MPS2, moves[-1].ends_s)]
     return []
 
 

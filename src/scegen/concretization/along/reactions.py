@@ -10,7 +10,7 @@ from math import ceil, floor
 import numpy as np
 
 from scegen.concretization.along.passing import keep_apart
-from scegen.concretization.along.runner import Runner, Step, gap_m
+from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.story import Story, contact_wanted
 from scegen.concretization.amounts import BRAKING, answering_rates_mps2
 from scegen.concretization.braking import (
@@ -22,6 +22,7 @@ from scegen.concretization.braking import (
     touch_s,
 )
 from scegen.concretization.limits import REACTION_S
+from scegen.concretization.speed_change import SpeedChange
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import AfterAct
@@ -95,7 +96,7 @@ def _running_in(story: Story, contact: Contact) -> Contact:
     return turned if had_ahead(story, turned)[0] else contact
 
 
-def _loose_step(story: Story, who: Runner) -> Step | None:
+def _loose_step(story: Story, who: Runner) -> SpeedChange | None:
     """The braking of an act of which nothing says when it begins: the answer to who is ahead."""
     for step in who.steps:
         slows = step.act is not None and step.target_mps < who.speed_mps and not step.timed
@@ -127,7 +128,7 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
         who.steps = kept
 
 
-def _brake_for(story: Story, contact: Contact, loose: Step | None = None) -> bool:
+def _brake_for(story: Story, contact: Contact, loose: SpeedChange | None = None) -> bool:
     """Add the latest braking that keeps them apart; whether there is one."""
     who, other = story.runners[contact.who], story.runners[contact.other]
     own = loose or _loose_step(story, who)
@@ -141,7 +142,7 @@ def _brake_for(story: Story, contact: Contact, loose: Step | None = None) -> boo
     slowest = slowest if other.speed_mps > 0.0 and who.towards == other.towards else 0.0
 
     def brake(begins_s: float, rate: float) -> None:
-        step = Step(begins_s, slowest, rate, None, hazard, reacts_to=other.id)
+        step = SpeedChange(slowest, rate, begins_s, hazard=hazard, reacts_to=other.id)
         if own is not None:
             target = min(own.target_mps, slowest)
             step = replace(step, target_mps=target, act=own.act, hazard=own.hazard)
@@ -181,7 +182,7 @@ def _follow(story: Story, who: Runner, other: Runner) -> bool:
     alone = not (who.steps or who.moves or other.moves)
     if not alone or not other.steps or not _same_way(story, who.id, other.id):
         return False
-    driver, steps, speed = story.driver(who.id), list[Step](), other.speed_mps
+    driver, steps, speed = story.driver(who.id), list[SpeedChange](), other.speed_mps
     for step in sorted(other.steps, key=lambda s: s.begins_s):
         ahead = Change(step.begins_s, step.target_mps, step.rate_mps2)
         if step.target_mps < speed:
@@ -192,7 +193,7 @@ def _follow(story: Story, who: Runner, other: Runner) -> bool:
         if found is None:
             return False
         begins = floor(found.begins_s / STEP_S + _ROUNDING) * STEP_S
-        steps.append(Step(begins, found.to_mps, found.rate_mps2, reacts_to=other.id))
+        steps.append(SpeedChange(found.to_mps, found.rate_mps2, begins, reacts_to=other.id))
         speed = step.target_mps
     hardest = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
     who.steps = steps

@@ -13,6 +13,7 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.profile import Profile
+from scegen.concretization.speed_change import SpeedChange
 from scegen.motion.model import Array
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import MAX_LANES
@@ -24,23 +25,6 @@ FORTH_M, FORTH_MPS = 0.4, 0.3
 from how it begins."""
 _TURNS_MPS, _MOST_TURNED = 0.5, 0.9
 """Who is slower does not turn its body to the side; the greatest sine of its angle to the road."""
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """From ``begins_s`` on the speed changes to ``target_mps`` at ``rate_mps2``.
-
-    ``act`` is the act of the text that it is; ``reacts_to`` whom it answers. ``timed``: it comes so
-    long after the start, whatever others do.
-    """
-
-    begins_s: float
-    target_mps: float
-    rate_mps2: float
-    act: str | None = None
-    hazard: HazardKind | None = None
-    reacts_to: str | None = None
-    timed: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +66,7 @@ class Runner:
     speed_mps: float
     offset_m: float = 0.0
     at_m: float | None = None
-    steps: list[Step] = field(default_factory=list)
+    steps: list[SpeedChange] = field(default_factory=list)
     moves: list[Move] = field(default_factory=list)
     thing: bool = False
     keeps_left: bool = False
@@ -92,7 +76,7 @@ class Runner:
     strips_m: tuple[float, ...] = ()
     backs: bool = False
     appears_s: float = 0.0
-    _told: tuple[tuple[float, tuple[Step, ...]], Profile] | None = field(
+    _told: tuple[tuple[float, tuple[SpeedChange, ...]], Profile] | None = field(
         default=None, init=False, repr=False, compare=False
     )
 

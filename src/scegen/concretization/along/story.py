@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.along.runner import Runner, Step
+from scegen.concretization.along.runner import Runner
 from scegen.concretization.asked import contact_wanted as said_to_touch
 from scegen.concretization.asked import dangers, hazard_of
+from scegen.concretization.speed_change import SpeedChange
 from scegen.motion.following import Driver, driver_of
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind, AfterAct
@@ -110,7 +111,7 @@ class Story:
         said = (s for s in self.functional.spacings if s.at_rest and s.at == act.id)
         return next(said, None)
 
-    def stopped_before(self, act: Act) -> Step | None:
+    def stopped_before(self, act: Act) -> SpeedChange | None:
         """The stopping of another before whom one is said to stop, and so answers it."""
         said = self.rests_at(act)
         names = {said.participant, said.reference} - {act.participant} if said else set()

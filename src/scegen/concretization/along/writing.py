@@ -9,9 +9,10 @@ from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.doors import endangered, opening_s
 from scegen.concretization.along.frame import Frame
 from scegen.concretization.along.parked import Parked
-from scegen.concretization.along.runner import FORTH_M, Runner, Step
+from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
+from scegen.concretization.speed_change import SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M
 from scegen.motion.trigger_steps import just_before_step_s
@@ -89,7 +90,7 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
     )
 
 
-def _in_order(runner: Runner) -> list[Step]:
+def _in_order(runner: Runner) -> list[SpeedChange]:
     return sorted(runner.steps, key=lambda step: step.begins_s)
 
 
@@ -114,7 +115,7 @@ def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
     return tuple(changes)
 
 
-def _phase(story: Story, frame: Frame, runner: Runner, step: Step) -> SpeedPhase:
+def _phase(story: Story, frame: Frame, runner: Runner, step: SpeedChange) -> SpeedPhase:
     return SpeedPhase(
         trigger=_trigger(story, frame, runner, step),
         target_speed_mps=round(step.target_mps, 4),
@@ -124,7 +125,7 @@ def _phase(story: Story, frame: Frame, runner: Runner, step: Step) -> SpeedPhase
     )
 
 
-def _trigger(story: Story, frame: Frame, runner: Runner, step: Step) -> Trigger:
+def _trigger(story: Story, frame: Frame, runner: Runner, step: SpeedChange) -> Trigger:
     """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
     if step.timed:
         return AtTime(time_s=round(step.begins_s, 3))

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from scegen.concretization.abreast import is_outward
 from scegen.concretization.amounts import lasting_s
-from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.concretization.lane_choice import (
@@ -29,6 +28,7 @@ from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.passing import change_length_m, slowing_s_m
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import SpeedChange
 from scegen.concretization.stationary import blocked_lane_ahead
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
@@ -225,7 +225,8 @@ def _brake_out_of_control(scene: Setup, hazard: Hazard) -> None:
         for change in draft.lane_changes[-1:]:
             rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
             place = draft.laid.path_s_m(change.position_m)
-            draft.add_speed_change(SpeedChange(place, 2.0, rate, hazard.kind, hold_s=1.0))
+            slows = SpeedChange(2.0, rate, s_m=place, hazard=hazard.kind)
+            draft.add_speed_change(slows, holds_s=1.0)
 
 
 STRAYS = Rule(shape=_swerves)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
 from scegen.concretization.asked import contact_wanted
-from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import (
     Rule,
@@ -17,6 +16,7 @@ from scegen.concretization.hazards.rule import (
     stops_for_walkers,
 )
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import SpeedChange
 from scegen.scenario.acts import Act
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS
@@ -58,7 +58,8 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
         )
         if act.kind in GAINING:
             draft.resume_mps = target
-            draft.add_speed_change(SpeedChange(max(_FIRST_M, event), target, rate, hazard.kind))
+            begins = max(_FIRST_M, event)
+            draft.add_speed_change(SpeedChange(target, rate, s_m=begins, hazard=hazard.kind))
             continue
         late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
         way = before**2 / (2 * rate) * (_LATE if late else 1.0)
@@ -66,9 +67,9 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
         walkers = stops_for_walkers(scene, draft)
         if walkers is not None:
             hold = max(hold, walkers[1] - before / rate + _AFTER_WALKER_S)
-        draft.add_speed_change(
-            SpeedChange(max(3.0, event - way - 0.1), 0.0, rate, hazard.kind, hold_s=hold)
-        )
+        begins = max(3.0, event - way - 0.1)
+        stop = SpeedChange(0.0, rate, s_m=begins, hazard=hazard.kind)
+        draft.add_speed_change(stop, holds_s=hold)
 
 
 CHANGES_SPEED = Rule(act=_change_speed)

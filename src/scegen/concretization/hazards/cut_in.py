@@ -7,7 +7,6 @@ front of another: they meet.
 
 from __future__ import annotations
 
-from scegen.concretization.courses import SpeedChange
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import close_before, come_into_lane
 from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm
@@ -16,6 +15,7 @@ from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S
 from scegen.concretization.meetings import Meeting, nearest_s_m
 from scegen.concretization.passing import change_length_m, speed_for_change_mps
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.motion.stretches import Stretch
@@ -74,7 +74,8 @@ def _in_ring(
     fastest = speed_for_change_mps(length)
     speed = culprit.course.speed_at(end_s - length)
     if speed > fastest:
-        culprit.add_speed_change(SpeedChange(max(1.0, end_s - length - speed), fastest, 3.0))
+        slows = max(1.0, end_s - length - speed)
+        culprit.add_speed_change(SpeedChange(fastest, 3.0, s_m=slows))
     pose = culprit.laid.path.pose(end_s)
     place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
     if apart > _SAME_LINE_M:

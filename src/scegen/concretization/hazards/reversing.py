@@ -176,10 +176,11 @@ def _react(scene: Setup, hazard: Hazard) -> None:
 
 def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
     """Begin to reverse when the other is so many seconds short of where it brakes."""
-    index = next(
-        n for n, mark in enumerate(draft.marks) if mark.resume_hazard is HazardKind.REVERSING
+    index, mark, back = next(
+        (n, mark, mark.then)
+        for n, mark in enumerate(draft.marks)
+        if mark.then is not None and mark.then.hazard is HazardKind.REVERSING
     )
-    mark = draft.marks[index]
     begins_s, _ = draft.laid.path.backwards[0]
     goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
     at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
@@ -191,7 +192,7 @@ def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
         place_m=round(brakes_s - other.start_m, 3),
         time_s=round(_away_m(other, at_s, brakes_s) / speed, 3),
     )
-    draft.marks[index] = replace(mark, waits_for=waits)
+    draft.marks[index] = replace(mark, then=replace(back, trigger=waits))
     draft.course_ = None
 
 
