@@ -12,11 +12,9 @@ import numpy as np
 from scegen.concretization.amounts import (
     BRAKING,
     CLOSEST_M,
-    SLOWING,
     answering_rates_mps2,
     goes_on_when_free,
 )
-from scegen.concretization.asked import contact_wanted
 from scegen.concretization.braking import (
     Contact,
     answer_each,
@@ -65,7 +63,7 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[Contact]:
     touching: dict[frozenset[str], float | None] = {}
     for name in scene.drives:
         for other, there in tracks.items():
-            if other == name or contact_wanted(scene.functional, name, other):
+            if other == name or scene.contact_wanted(name, other):
                 continue
             if _comes_back(scene, name):
                 continue  # who reverses looks ahead
@@ -108,11 +106,11 @@ def _parts_s(moments: Moments, *names: str) -> float:
 def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
     """Brake as late as leaves a little room; not at all where nothing does."""
     who = scene.drives[contact.who]
-    own = _loose(scene, who)
+    own = scene.loose(who.deeds, who.cruise_mps)
     before = who.deeds
     waits = [m for m in before if m.act is not None and goes_on_when_free(scene.act(m.act).when)]
     rest = [mark for mark in before if mark is not own and mark not in waits]
-    kinds = [h.kind for h in scene.functional.hazards if h.kind in BRAKING and who.id in h.by]
+    kinds = sorted(scene.kinds_by(who.id) & BRAKING)
     target, backs = _slowest_mps(scene, moments, contact), _comes_back(scene, contact.other)
     who.deeds, who.course_ = rest, None
     free, late = who.course, moments.offsets_s[who.id]
@@ -159,16 +157,6 @@ def _go_on(who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedCha
         if leaves(CLOSEST_M - 0.1):
             return
     who.deeds, who.course_ = kept, None
-
-
-def _loose(scene: Setup, who: DriveDraft) -> SpeedChange | None:
-    """Its own braking of which nothing says when it begins: the answer to who is ahead."""
-    for mark in who.deeds:
-        slows = mark.act is not None and scene.act(mark.act).kind in SLOWING
-        if slows and mark.then_s is None and scene.is_loose(mark.act):
-            said = {s.at for s in scene.functional.spacings if not s.at_rest}
-            return None if mark.act in said else mark
-    return None
 
 
 def _slowest_mps(scene: Setup, moments: Moments, contact: Contact) -> float:

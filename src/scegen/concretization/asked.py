@@ -4,40 +4,21 @@ from __future__ import annotations
 
 import re
 
-from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.speed_limits import limit_for_kind_mps
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
-
-_HAZARDS_OF = {
-    ActKind.BRAKE: (HazardKind.HARD_BRAKING, HazardKind.STOPPING, HazardKind.LOSS_OF_CONTROL),
-    ActKind.STOP: (HazardKind.HARD_BRAKING, HazardKind.STOPPING),
-    ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
-    ActKind.CHANGE_LANE: (
-        HazardKind.CUT_IN,
-        HazardKind.MERGING_CONFLICT,
-        HazardKind.FAILURE_TO_YIELD,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.SWERVE: (
-        HazardKind.SWERVING,
-        HazardKind.LOSS_OF_CONTROL,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
-}
-"""The dangers that an act may be."""
+from scegen.scenario.vocabulary import ParticipantKind, Side
 
 
-def dangers(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Hazard, ...]:
-    """The dangers of a logical scenario; of one made by hand, as the description has them."""
-    return logical.hazards or functional.hazards
+def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> FunctionalScenario:
+    """What is described, with dangers and acts as the logical scenario has them.
+
+    One made by hand may have none: there they are as described.
+    """
+    hazards, acts = logical.hazards or functional.hazards, logical.acts or functional.acts
+    return functional.model_copy(update={"hazards": hazards, "acts": acts})
 
 
 def outward(functional: FunctionalScenario, side: Side) -> int:
@@ -62,22 +43,6 @@ def endangering_mps(
         if name in hazard.by and share is not None:
             return min(share[2] * limit_for_kind_mps(kind, limit_mps), BODIES[kind].top_speed_mps)
     return None
-
-
-def hazard_of(asked: tuple[Hazard, ...], act: Act) -> HazardKind | None:
-    """The danger that an act is, of those asked for, if it is one."""
-    kinds = [hazard.kind for hazard in asked if act.participant in hazard.by]
-    return next((kind for kind in _HAZARDS_OF.get(act.kind, ()) if kind in kinds), None)
-
-
-def contact_wanted(functional: FunctionalScenario, first: str, second: str) -> bool:
-    """Whether the text says that these two touch."""
-    outcome = functional.outcome
-    if outcome is None or outcome.kind is not OutcomeKind.COLLISION:
-        return False
-    if outcome.between:
-        return {first, second} == {*outcome.between}
-    return functional.ego.id in {first, second}
 
 
 def slug_name(logical: LogicalScenario) -> str:

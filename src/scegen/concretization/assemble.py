@@ -103,7 +103,7 @@ def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
 def _program(scene: Setup, draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
     """Initial speed and phases, rounded."""
     speed, phases = speed_program(draft.id, draft.course, draft.start_s, draft.start_m)
-    told = {act.id for act in scene.logical.acts or scene.functional.acts}
+    told = {act.id for act in scene.functional.acts}
     return round(speed, 3), tuple(_rounded(phase, told) for phase in phases)
 
 

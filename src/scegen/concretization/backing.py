@@ -146,16 +146,10 @@ def _back_mps(scene: Setup, draft: DriveDraft) -> float:
     return speed
 
 
-def _asked(scene: Setup, draft: DriveDraft, kind: HazardKind) -> bool:
-    return any(h.kind is kind and draft.id in h.by for h in scene.functional.hazards)
-
-
 def _stop_before(scene: Setup, draft: DriveDraft, rest_s: float) -> None:
     """Brake to creeping, creep, stand: at the place from which it goes back."""
-    wanted = STOPPING_MPS2
-    if _asked(scene, draft, HazardKind.HARD_BRAKING):
-        wanted = HARD_BRAKING_MPS2[0]
-    rate = draft.braking_mps2(wanted)
+    hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
+    rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
     begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
     if begins < _LEAST_RUN_UP_M:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - begins + 1.0, draft.id)

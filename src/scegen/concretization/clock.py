@@ -12,7 +12,6 @@ from math import inf
 
 import numpy as np
 
-from scegen.concretization.asked import contact_wanted
 from scegen.concretization.clearance import LONGEST_S, clear_offset
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import lights_of, stands_at_red
@@ -108,7 +107,7 @@ def _arrange_one(
             # Those in danger touch nobody else; who has no part in one touches nobody.
             bystander = meeting.priority >= BYSTANDER
             spared = set() if bystander else _partners(meetings, draft.id)
-            if not bystander and contact_wanted(scene.functional, partner.id, draft.id):
+            if not bystander and scene.contact_wanted(partner.id, draft.id):
                 spared.add(partner.id)
             offset = clear_offset(
                 draft,

@@ -9,7 +9,7 @@ import numpy as np
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.along.doors import opens
 from scegen.concretization.answering import answer
-from scegen.concretization.asked import dangers
+from scegen.concretization.asked import as_meant
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.deeds import (
@@ -40,7 +40,7 @@ from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
+from scegen.concretization.setup import Setup, acts_of
 from scegen.concretization.speeds import cruise_speed_mps
 from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import (
@@ -85,6 +85,7 @@ def concretize(
         MotionInfeasibleError: it cannot be driven, or needs something unsupported.
         RoadInfeasibleError: the junction cannot be built.
     """
+    functional = as_meant(functional, logical)
     if tells_along(functional, logical):
         return compose_along(functional, logical, seed=seed, road=road)
     for name in opens(functional):
@@ -93,7 +94,6 @@ def concretize(
             where=name,
             hint="Leave the junction out, or let somebody pull out or stand in the way.",
         )
-    functional = functional.model_copy(update={"hazards": dangers(functional, logical)})
     try:
         return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
     except MotionInfeasibleError:
@@ -112,12 +112,13 @@ def _on_long_enough_arms(
     obstacles: bool,
 ) -> ConcreteScenario:
     arm_m = first_m = first_arm_m(logical)
+    acts = acts_of(functional, logical)
     for _ in range(_ATTEMPTS):
         parameters = road if road is not None else plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
         rng = np.random.Generator(np.random.PCG64(seed))
-        scene = Setup(functional, logical, parameters, network, rng, obstacles=obstacles)
+        scene = Setup(functional, logical, acts, parameters, network, rng, obstacles=obstacles)
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
@@ -189,7 +190,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     waits_s = waits_for_green_s(participant)
     if scene.sets_off(participant.id) or stands_at_red(participant):
         cruise = usual_speed_mps(scene, participant.id)
-    fast = {h.kind for h in scene.functional.hazards if participant.id in h.by} & _FAST
+    fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(
         id=participant.id,
         kind=participant.kind,

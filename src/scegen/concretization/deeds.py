@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
-from scegen.concretization.asked import hazard_of
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import happens_s_m, in_line_before
 from scegen.concretization.limits import (
@@ -128,7 +127,7 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         yield SpeedChange(0.0, rate, s_m=place - before**2 / (2 * rate), sort=Sort.ACT)
         before = 0.0
     for act in scene.speed_acts(draft.id):
-        hazard = hazard_of(scene.functional.hazards, act)
+        hazard = scene.hazard_of(act)
         target, rate = change_of_speed(
             act, before, draft.body, draft.grip_mps2, hazard, _usual_mps(scene, draft)
         )

@@ -51,8 +51,8 @@ _SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 def _goes(scene: Setup, draft: DriveDraft) -> Maneuver:
     """What it does beside its turn: who overtakes as a danger does so, too."""
-    kinds = {h.kind for h in scene.functional.hazards if draft.id in h.by}
-    return Maneuver.OVERTAKE if HazardKind.OVERTAKING in kinds else draft.drive.maneuver
+    overtakes = HazardKind.OVERTAKING in scene.kinds_by(draft.id)
+    return Maneuver.OVERTAKE if overtakes else draft.drive.maneuver
 
 
 def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
@@ -71,13 +71,11 @@ def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
         and other.drive.beside is None
         and other.drive.reverses is None
     ]
-    slow = {
-        name
-        for hazard in scene.functional.hazards
-        if hazard.kind is HazardKind.SLOW_DRIVING
-        for name in hazard.by
-    }
-    return max(ahead, key=lambda other: (other.id in slow, other.drive.rank), default=None)
+
+    def slow(other: DriveDraft) -> bool:
+        return HazardKind.SLOW_DRIVING in scene.kinds_by(other.id)
+
+    return max(ahead, key=lambda other: (slow(other), other.drive.rank), default=None)
 
 
 def _goes_round_somebody_standing(scene: Setup, draft: DriveDraft) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection
 from math import degrees
 
-from scegen.concretization.asked import dangers
 from scegen.concretization.things import SHAPES, Shape
 from scegen.road.geometry import Pose
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -46,7 +45,7 @@ def lying_in_the_way(
 ) -> list[tuple[Hazard, Thing]]:
     """The things that dangers need which nobody causes, each in the way of one of the drivers."""
     found: list[tuple[Hazard, Thing]] = []
-    for hazard in dangers(functional, logical):
+    for hazard in functional.hazards:
         if hazard.kind is not HazardKind.OBSTACLE:
             continue
         thing = causes_it(functional, hazard)
@@ -73,7 +72,7 @@ def _who_reacts(
     functional: FunctionalScenario, logical: LogicalScenario, drivers: Collection[str]
 ) -> str:
     """The driver who does something that one does because of a thing in its way; else the ego."""
-    acting = [h.by[0] for h in dangers(functional, logical) if h.by and HAZARDS[h.kind].acts]
+    acting = [h.by[0] for h in functional.hazards if h.by and HAZARDS[h.kind].acts]
     sideways = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
     aside = [d.participant for d in logical.drives if d.maneuver in sideways]
     return next((name for name in (*acting, *aside) if name in drivers), functional.ego.id)

@@ -115,10 +115,7 @@ def pass_drive(
 
 def _is_to_stray(scene: Setup, passer: DriveDraft) -> bool:
     """Whether one who overtakes is said to do so through the oncoming lane."""
-    return any(
-        hazard.kind is HazardKind.ONCOMING_LANE and passer.id in hazard.by
-        for hazard in scene.functional.hazards
-    )
+    return HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
 
 
 def pass_standing(

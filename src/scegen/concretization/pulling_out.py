@@ -70,7 +70,7 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     ]
     exit_ = min(exits)[1]
     route = next(r for r in scene.network.routes[entry, exit_] if r.entry_lane == lane)
-    own = sorted(hazard.kind for hazard in scene.functional.hazards if name in hazard.by)
+    own = scene.kinds_by(name)
     draft = DriveDraft(
         id=name,
         kind=stand.kind,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from scegen.concretization.amounts import GAINING, SLOWING, spelled_out
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.others import StandDraft, WalkDraft
+from scegen.concretization.tale import Tale
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, ActKind
@@ -25,8 +25,21 @@ from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.things import Thing
 
 
+def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Act, ...]:
+    """What happens, in order; who pulls out sets off, also where the text has no act for that."""
+    told = spelled_out(functional.acts, {drive.participant for drive in logical.drives})
+    first = {a.participant: a.kind for a in reversed(told) if a.kind in SLOWING | GAINING}
+    pulling = (p.id for p in functional.participants if p.pulls_out)
+    implied = (
+        Act(id=f"pull_of_{name}"[:40], participant=name, kind=ActKind.SET_OFF)
+        for name in pulling
+        if first.get(name) is not ActKind.SET_OFF
+    )
+    return (*implied, *told)
+
+
 @dataclass
-class Setup:
+class Setup(Tale):
     """Everything about one scenario in the making.
 
     ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers with the
@@ -35,8 +48,6 @@ class Setup:
     scenario's.
     """
 
-    functional: FunctionalScenario
-    logical: LogicalScenario
     road: RoadParameters
     network: RoadNetwork
     rng: np.random.Generator
@@ -99,25 +110,6 @@ class Setup:
                 return parameter.low, parameter.high
         return default
 
-    @property
-    def acts(self) -> tuple[Act, ...]:
-        """What the text tells that happens, in order."""
-        drivers = {drive.participant for drive in self.logical.drives}
-        told = spelled_out(self.logical.acts or self.functional.acts, drivers)
-        return (*self._pulling_out(told), *told)
-
-    def _pulling_out(self, told: Sequence[Act]) -> Iterator[Act]:
-        """Who pulls out sets off, also where the text has no act for that."""
-        first = {a.participant: a.kind for a in reversed(told) if a.kind in SLOWING | GAINING}
-        for person in self.functional.participants:
-            if person.pulls_out and first.get(person.id) is not ActKind.SET_OFF:
-                name = f"pull_of_{person.id}"[:40]
-                yield Act(id=name, participant=person.id, kind=ActKind.SET_OFF)
-
-    def act(self, name: str) -> Act:
-        """An act by its id."""
-        return next(act for act in self.acts if act.id == name)
-
     def speed_acts(self, name: str) -> list[Act]:
         """The changes of speed that the text tells of somebody, in order."""
         return [a for a in self.acts if a.participant == name and a.kind in SLOWING | GAINING]
@@ -129,10 +121,6 @@ class Setup:
     def sets_off(self, name: str) -> bool:
         """Whether the first that one does is to set off: it stands until then."""
         return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])
-
-    def is_loose(self, name: str | None) -> bool:
-        """Whether an act of the text is one of which nothing says when it begins."""
-        return name is not None and self.act(name).when is None
 
     def has_said_speed(self, name: str) -> bool:
         """Whether the text says how fast somebody is."""

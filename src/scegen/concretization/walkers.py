@@ -7,7 +7,6 @@ from collections.abc import Callable
 from math import sin, sqrt
 
 from scegen.concretization.amounts import pace_across_mps
-from scegen.concretization.asked import contact_wanted
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     PACE_MPS,
@@ -147,7 +146,7 @@ def rendezvous(
     if draft.backs_to == walk.id:
         begins_s, ends_s = draft.laid.path.backwards[0]
         return (begins_s + ends_s) / 2, point.second_s_m + spare
-    if contact_wanted(scene.functional, walk.id, draft.id):
+    if scene.contact_wanted(walk.id, draft.id):
         return _contact(scene, draft, walk, point)
     before = [m for m in draft.marks if m.then is not None]
     before += [m for m in draft.deeds if m.target_mps == 0.0 and scene.is_loose(m.act)]

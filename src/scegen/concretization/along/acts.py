@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.amounts import spelled_out
-from scegen.concretization.asked import dangers
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
@@ -23,11 +22,11 @@ def all_acts(
     functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
 ) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
-    told = spelled_out(logical.acts or functional.acts, runners)
+    told = spelled_out(functional.acts, runners)
     said = [a for a in told if a.participant in runners]
     acts = [_on_a_plain_road(act) for act in said]
     acts = [act for act in acts if act.kind in _ALONG]
-    for hazard in dangers(functional, logical):
+    for hazard in functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING:
             acts = _passing_first(hazard, runners, acts)
         for act in list(_implied(functional, hazard, runners, acts)):

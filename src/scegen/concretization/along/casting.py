@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from scegen.concretization.along.auxiliary import RAMP_MPS, merging
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
-from scegen.concretization.asked import allowed, dangers, endangering_mps
+from scegen.concretization.asked import allowed, endangering_mps
 from scegen.concretization.limits import (
     PACE_MPS,
     REVERSING_MPS,
@@ -128,12 +128,10 @@ def _speeds(
             if runner.id in on_ramp:
                 usual = min(usual, RAMP_MPS)
             speed = min(cruising if runner.forward else limit_mps, usual)
-            dangerous = endangering_mps(
-                dangers(functional, logical), runner.id, runner.kind, limit_mps
-            )
+            dangerous = endangering_mps(functional.hazards, runner.id, runner.kind, limit_mps)
             speed = speed if dangerous is None else dangerous
             runner.speed_mps = allowed(logical, runner.id, speed)
-    for hazard in dangers(functional, logical):
+    for hazard in functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING:
             _make_faster(runners, hazard.by, hazard.to, said)
     for act in functional.acts:

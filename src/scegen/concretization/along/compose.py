@@ -96,13 +96,13 @@ def compose_along(
     parked = park(story, walks)
     closest = closest_s(story, ends_s(story, walks))
     lasts = min(closest + _AFTER_S, _LONGEST_S)
-    planned = road or plan(functional, logical, _PLAIN_M, story.lane_count)
+    planned = road or plan(story.functional, logical, _PLAIN_M, story.lane_count)
     frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
-    parameters = fitted(road_of(planned, frame), functional, story.runners, frame.joint_m)
+    parameters = fitted(road_of(planned, frame), story.functional, story.runners, frame.joint_m)
     network = build_network(parameters)
     standing = [written_parked(story, frame, p) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
-    return hide(functional, made, network)
+    return hide(story.functional, made, network)
 
 
 def _stay_on_their_side(story: Story) -> None:
@@ -164,7 +164,7 @@ def _written(
 def _caused(story: Story) -> tuple[Hazard, ...]:
     """The dangers, those by a thing with the thing named."""
     found = []
-    for hazard in story.hazards:
+    for hazard in story.functional.hazards:
         if any(name in opens(story.functional) for name in hazard.by):
             by = tuple(door_of(n) if n in opens(story.functional) else n for n in hazard.by)
             found.append(hazard.model_copy(update={"by": by}))

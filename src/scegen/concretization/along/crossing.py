@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
-from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
 from scegen.concretization.asked import allowed
 from scegen.concretization.limits import (
@@ -82,7 +82,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     said = participant.speed_mps
     width = edge_y_m(story, left=True) - edge_y_m(story, left=False)
     usual = PACE_MPS[participant.kind]
-    acts = story.logical.acts or story.functional.acts
+    acts = story.functional.acts
     speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
     if said is None:
         speed = pace_across_mps(acts, participant.id, width) or speed
@@ -139,7 +139,7 @@ def _meets(story: Story, name: str) -> str:
     for act in story.functional.acts:
         if act.kind in LETS_BY and act.into == name and act.participant in story.runners:
             return act.participant
-    for hazard in story.hazards:
+    for hazard in story.functional.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in story.runners]
             if found:
@@ -148,7 +148,7 @@ def _meets(story: Story, name: str) -> str:
 
 
 def _act(story: Story, name: str) -> Act | None:
-    acts = story.logical.acts or story.functional.acts
+    acts = story.functional.acts
     return next((a for a in acts if a.participant == name and a.kind is ActKind.CROSS), None)
 
 
@@ -156,7 +156,7 @@ def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, i
     """Where its middle is across the road when the front of the other comes to its line."""
     middle = meets.y_m(0.0)
     outcome = story.functional.outcome
-    if contact_wanted(story, name, meets.id):
+    if story.contact_wanted(name, meets.id):
         percent = outcome.impact_percent if outcome is not None else None
         share = 0.5 if percent is None else percent.middle / 100
         return middle + meets.sign * (0.5 - share) * meets.body.width_m
@@ -168,13 +168,13 @@ def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, i
 
 def _brakes(story: Story, name: str) -> bool:
     """Whether the one whom it meets is said to brake for it."""
-    kinds = {h.kind for h in story.hazards if name in h.by}
-    acts = {a.kind for a in story.acts if a.participant == name and story.is_loose(a)}
+    kinds = story.kinds_by(name)
+    acts = {a.kind for a in story.acts if a.participant == name and story.is_loose(a.id)}
     return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
 
 
 def _stops(story: Story, name: str) -> bool:
-    return any(h.kind is HazardKind.STOPPING and name in h.by for h in story.hazards)
+    return HazardKind.STOPPING in story.kinds_by(name)
 
 
 def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> float | None:
@@ -242,7 +242,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     Not where the two are to touch. Who is not said to brake does so as a driver who sees it step
     out.
     """
-    if contact_wanted(story, walk.id, meets.id):
+    if story.contact_wanted(walk.id, meets.id):
         return
     said = meets.id == walk.meets and _brakes(story, meets.id)
     own = next((s for s in meets.steps if s.target_mps < meets.speed_mps and not s.timed), None)
@@ -254,7 +254,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     rate = own.rate_mps2 if own is not None else min(HARD_BRAKING_MPS2[0], most)
     target = own.target_mps if own is not None else 0.0
     meets.steps = [s for s in meets.steps if s is not own]
-    said_m = story.rests_at(story.act(own.act)) if own is not None and own.act else None
+    said_m = story.rests_at(own.act) if own is not None and own.act else None
     short = walk.body.width_m / 2 + (_STOPS_SHORT_M if said_m is None else said_m.value.middle)
     if said_m is None and walk.crossing.arm in story.functional.junction.crosswalks:
         short = max(short, CROSSWALK_WIDTH_M / 2 + _BEFORE_CROSSWALK_M)
@@ -270,8 +270,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
         begins = floor(begins / _LOOK_S) * _LOOK_S
         gone = meets.profile.way_m(begins - _LOOK_S / 2)
         rate = meets.speed_at_mps(begins) ** 2 / (2 * (room - gone))
-    hazard = next((h.kind for h in story.hazards if h.kind in _BRAKES and meets.id in h.by),
-                  None)  # fmt: skip
+    hazard = next(iter(sorted(story.kinds_by(meets.id) & _BRAKES)), None)
     act = own.act if own is not None else None
     answers = None if said else walk.id
     answer = SpeedChange(target, rate, begins, act=act, hazard=hazard, reacts_to=answers)

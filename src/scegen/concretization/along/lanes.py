@@ -12,7 +12,7 @@ from itertools import product
 
 from scegen.concretization.along.auxiliary import exiting, merging
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.asked import dangers, outward
+from scegen.concretization.asked import outward
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import Act, ActKind
@@ -59,7 +59,7 @@ def choose_lanes(
         return [
             *_from_words(functional, logical, runners, acts),
             *_from_acts(functional, runners, acts, count),
-            *_from_hazards(functional, logical, runners),
+            *_from_hazards(functional, runners),
             *_usual(functional, logical, runners, count),
         ]
 
@@ -243,12 +243,10 @@ def _from_acts(
     return wishes
 
 
-def _from_hazards(
-    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
-) -> list[Wish[int]]:
+def _from_hazards(functional: FunctionalScenario, runners: Mapping[str, Runner]) -> list[Wish[int]]:
     """Who endangers another from beside is beside it, who does it in line is in its lane."""
     wishes: list[Wish[int]] = []
-    for hazard in dangers(functional, logical):
+    for hazard in functional.hazards:
         for by, to in product(hazard.by, hazard.to):
             if not {by, to} <= runners.keys() or by == to:
                 continue

@@ -15,7 +15,7 @@ from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.reactions import contacts, react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import offset_all
-from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.along.story import Story
 from scegen.concretization.boxes import apart
 from scegen.errors import MotionInfeasibleError
 
@@ -59,10 +59,10 @@ def lay(story: Story) -> list[Walk]:
         touching = react(story)
         walks = cross(story, strips_m(story))
         touching += react(story)
-        unwanted = [p for p in touching if not contact_wanted(story, *p)]
+        unwanted = [p for p in touching if not story.contact_wanted(*p)]
         unwanted += [
             (a, b) for _, a, b in contacts(story)
-            if not contact_wanted(story, a, b) and (a, b) not in unwanted
+            if not story.contact_wanted(a, b) and (a, b) not in unwanted
         ]  # fmt: skip
         if not unwanted:
             break
@@ -78,7 +78,7 @@ def _rest_as_said(story: Story) -> None:
         act = story.act(spacing.at)
         runner = story.runners[act.participant]
         step = next((s for s in runner.steps if s.act == act.id), None)
-        if step is None or step.timed or not story.is_loose(act):
+        if step is None or step.timed or not story.is_loose(act.id):
             continue
         rest = np.array([_LATEST_S])
         one, other = (story.runners[name].track(rest)[0] for name in pair)

@@ -38,7 +38,7 @@ def time_what_is_known(story: Story) -> tuple[list[Act], list[Act]]:
         placed = isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
         placed = placed or isinstance(when, AfterDistance)
         follows = isinstance(when, AfterAct) and when.act not in story.begins_s
-        if placed or (follows and not story.is_loose(act)):
+        if placed or (follows and not story.is_loose(act.id)):
             waiting.append(act)
         else:
             perform(story, act, _moment_s(story, act))
@@ -77,7 +77,7 @@ def _moment_s(story: Story, act: Act) -> float:
         if runner is None:
             return NEVER_S
         return runner.profile.time_s(when.distance_m.middle)
-    if isinstance(when, AfterAct) and not story.is_loose(act):
+    if isinstance(when, AfterAct) and not story.is_loose(act.id):
         known = story.ends_s if when.since == "end" else story.begins_s
         delay = 0.0 if goes_on_when_free(when) else when.delay_s.middle
         alone = story.act(when.act).participant == act.participant

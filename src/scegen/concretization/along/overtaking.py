@@ -12,7 +12,7 @@ from scegen.concretization.along.passing import JUST_M, just_missed_s, keep_apar
 from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import level
-from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
+from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.asked import outward
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
 from scegen.concretization.speed_change import SpeedChange
@@ -118,7 +118,7 @@ def _meeting_when_back_s(
 
     One that brakes for it would be level with it there, if it did not.
     """
-    if contact_wanted(story, stray.id, other.id):
+    if story.contact_wanted(stray.id, other.id):
         return (out.ends_s + back.begins_s) / 2
     if brakes_for(story, other.id, stray.id):
         return back.begins_s + _STILL_THERE * back.lasts_s
@@ -133,7 +133,7 @@ def _at_odds(story: Story, first: str, second: str) -> bool:
     near = outcome is not None and outcome.kind is OutcomeKind.NEAR_MISS
     if near and outcome is not None and {first, second} == {*outcome.between}:
         return True
-    return any({first, second} <= {*h.by, *h.to} for h in story.hazards)
+    return any({first, second} <= {*h.by, *h.to} for h in story.functional.hazards)
 
 
 def passed_by(story: Story, act: Act) -> list[Runner]:
@@ -144,7 +144,7 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     own = story.runners[act.participant]
     to = {
         name
-        for hazard in story.hazards
+        for hazard in story.functional.hazards
         if hazard.kind is HazardKind.OVERTAKING and own.id in hazard.by
         for name in hazard.to
     }
@@ -292,7 +292,7 @@ def come_back(story: Story) -> None:
         if meets is None:
             continue
         name, time_s = meets
-        if contact_wanted(story, runner.id, name):
+        if story.contact_wanted(runner.id, name):
             continue
         back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane, offset = max(1, runner.lane), 0.0

@@ -84,7 +84,7 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
     """Places for all who are parked: rows before those whom they hide, and others along the way."""
     hiding = {
         name
-        for hazard in story.hazards
+        for hazard in story.functional.hazards
         if hazard.kind is HazardKind.OCCLUSION
         for name in hazard.by
     }

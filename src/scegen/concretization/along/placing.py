@@ -8,7 +8,7 @@ from dataclasses import replace
 from scegen.concretization.along.passing import JUST_M, just_missed_s, place_just_missed
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import GapAt, level, place
-from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank, contact_wanted
+from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.amounts import CLOSEST_M
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.concretization.measures import LENGTHWISE
@@ -148,7 +148,7 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     other = story.runners[_reference(story, name, order)]
     if runner.forward != other.forward:
         # Level at a moment: then and there they meet.
-        touches = contact_wanted(story, runner.id, other.id)
+        touches = story.contact_wanted(runner.id, other.id)
         runner.at_m = level(runner, other, _meets_s(runner, other, touches=touches))
         return
     front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
@@ -206,7 +206,7 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     for thing in story.things:
         if thing.id == name and thing.in_way_of in known:
             return thing.in_way_of
-    for hazard in story.hazards:
+    for hazard in story.functional.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in known]
             if found and _neighbours(story, name, found[0], order):
@@ -237,9 +237,9 @@ def _neighbours(story: Story, first: str, second: str, order: dict[str, int]) ->
 
 def _side_on(story: Story, front: Runner, back: Runner) -> bool:
     """Whether one who comes over is to touch the other's side: it neither cuts in nor is hit so."""
-    if not contact_wanted(story, front.id, back.id) or story.functional.outcome is None:
+    if not story.contact_wanted(front.id, back.id) or story.functional.outcome is None:
         return False
-    cuts = any(h.kind is HazardKind.CUT_IN and front.id in h.by for h in story.hazards)
+    cuts = HazardKind.CUT_IN in story.kinds_by(front.id)
     return not cuts and story.functional.outcome.struck not in {BodySide.FRONT, BodySide.REAR}
 
 
@@ -288,16 +288,15 @@ def _usual(
 def _seen_before_s(story: Story, door: Runner, other: Runner) -> float:
     """How long before one comes a door opens: as long as one takes to react and to stop short."""
     speed = other.speed_at_mps(door.appears_s)
-    if contact_wanted(story, door.id, other.id) or speed <= 0.0:
+    if story.contact_wanted(door.id, other.id) or speed <= 0.0:
         return _HIT_AFTER_S
     stops = speed / (2 * LATE_BRAKING_MPS2) + CLOSEST_M / speed
     return max(_HIT_AFTER_S, REACTION_S + stops + _A_LITTLE_S)
 
 
 def _headway_s(story: Story, front: Runner, back: Runner, wider: float) -> float:
-    for hazard in story.hazards:
-        if hazard.kind is HazardKind.TAILGATING and back.id in hazard.by:
-            return sum(TAILGATING_HEADWAY_S) / 2
+    if HazardKind.TAILGATING in story.kinds_by(back.id):
+        return sum(TAILGATING_HEADWAY_S) / 2
     slows = any(s.target_mps < front.speed_mps for s in front.steps)
     concerned = story.concern(front.id, back.id) or story.ego.id in {front.id, back.id}
     if not slows and not concerned:

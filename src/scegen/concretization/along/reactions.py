@@ -11,7 +11,7 @@ import numpy as np
 
 from scegen.concretization.along.passing import keep_apart
 from scegen.concretization.along.runner import Runner, gap_m
-from scegen.concretization.along.story import Story, contact_wanted
+from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import BRAKING, answering_rates_mps2
 from scegen.concretization.braking import (
     Contact,
@@ -65,7 +65,7 @@ def _unwanted(story: Story) -> Iterator[Contact]:
     crashed: dict[str, float] = {}
     for contact in sorted(contacts(story)):
         time_s, who, other = contact
-        if contact_wanted(story, who, other):
+        if story.contact_wanted(who, other):
             crashed = {who: time_s, other: time_s} | crashed
             continue
         answers = _same_way(story, who, other) or brakes_for(story, who, other)
@@ -79,7 +79,8 @@ def _same_way(story: Story, first: str, second: str) -> bool:
 
 def brakes_for(story: Story, who: str, other: str) -> bool:
     """Whether the braking of one is said to be a danger to the other."""
-    return any(h.kind in BRAKING and who in h.by and other in h.to for h in story.hazards)
+    braking = (hazard for hazard in story.functional.hazards if hazard.kind in BRAKING)
+    return any(who in hazard.by and other in hazard.to for hazard in braking)
 
 
 def _running_in(story: Story, contact: Contact) -> Contact:
@@ -96,18 +97,9 @@ def _running_in(story: Story, contact: Contact) -> Contact:
     return turned if had_ahead(story, turned)[0] else contact
 
 
-def _loose_step(story: Story, who: Runner) -> SpeedChange | None:
-    """The braking of an act of which nothing says when it begins: the answer to who is ahead."""
-    for step in who.steps:
-        slows = step.act is not None and step.target_mps < who.speed_mps and not step.timed
-        if slows and story.is_loose(act := story.act(step.act or "")) and not story.rests_at(act):
-            return step
-    return None
-
-
 def _set_aside_loose(story: Story, who: Runner) -> None:
     """Let who would run into somebody ahead without it brake for that one, not just sometime."""
-    step = _loose_step(story, who)
+    step = story.loose(who.steps, who.speed_mps)
     if step is None:
         return
     kept = who.steps
@@ -117,7 +109,7 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
         at = None if other is who else touch_s(_TIMES_S, own, other.track(_TIMES_S)[0])
         if at is None or _running_in(story, Contact(at, who.id, other.id)).who != who.id:
             continue
-        if contact_wanted(story, who.id, other.id):
+        if story.contact_wanted(who.id, other.id):
             late = max(step.begins_s, at - _TOO_LATE_S)
             who.steps = [*who.steps, replace(step, begins_s=late, reacts_to=other.id)]
             _put_off(story, step.act or "", late - step.begins_s)
@@ -131,10 +123,10 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
 def _brake_for(story: Story, contact: Contact, loose: SpeedChange | None = None) -> bool:
     """Add the latest braking that keeps them apart; whether there is one."""
     who, other = story.runners[contact.who], story.runners[contact.other]
-    own = loose or _loose_step(story, who)
+    own = loose or story.loose(who.steps, who.speed_mps)
     if own is None and not story.concern(who.id, other.id) and _follow(story, who, other):
         return True
-    kinds = [h.kind for h in story.hazards if h.kind in BRAKING and who.id in h.by]
+    kinds = sorted(story.kinds_by(who.id) & BRAKING)
     hazard = next(iter(kinds), HazardKind.OBSTACLE if other.thing else None)
     before = who.steps
     rest = [s for s in before if s is not own]

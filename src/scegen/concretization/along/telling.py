@@ -9,6 +9,7 @@ from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.along.strips import put_on_strips
+from scegen.concretization.asked import as_meant
 from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
@@ -28,6 +29,7 @@ def story_of(
     Raises:
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
+    functional = as_meant(functional, logical)
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
     grip = friction_of(functional.environment) * GRAVITY_MPS2
     runners = cast(functional, logical, min(limit, comfortable_mps(functional)))
@@ -60,7 +62,7 @@ def story_of(
     hang_doors(functional, logical, runners, count)
     for thing in things:
         runners[thing.id].lane = runners[thing.in_way_of or ""].lane
-    return Story(functional, logical, runners, acts, count, limit, grip, tuple(things))
+    return Story(functional, logical, acts, runners, count, limit, grip, tuple(things))
 
 
 def _keep_on_the_road(

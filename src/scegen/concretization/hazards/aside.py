@@ -166,7 +166,7 @@ def _over_the_line(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meet
     """Over the centre line; whom it then meets it meets head-on."""
     if not blocked_lane_ahead(scene, draft):
         draft.entry_lane = min(entry_lanes(scene, draft))
-        quick = any(h.kind in _ABRUPT and draft.id in h.by for h in scene.functional.hazards)
+        quick = scene.kinds_by(draft.id) & _ABRUPT
         seconds = ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S
         length = change_length_m(draft.cruise_mps, seconds)
         _stray(scene, draft, 0, length, _STAYS_ASTRAY_S * draft.cruise_mps, hazard.kind)

@@ -7,7 +7,6 @@ an act by the text does it so; who reverses stops for that.
 from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
-from scegen.concretization.asked import contact_wanted
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import (
     Rule,
@@ -43,7 +42,7 @@ def _act_of(scene: Setup, hazard: Hazard, draft: DriveDraft) -> Act | None:
 def _runs_in(scene: Setup, hazard: Hazard, draft: DriveDraft) -> bool:
     """Whether who brakes late runs into another, as is said, and the text tells of no braking."""
     late = hazard.kind is HazardKind.DELAYED_BRAKING
-    return late and any(contact_wanted(scene.functional, draft.id, to) for to in hazard.to)
+    return late and any(scene.contact_wanted(draft.id, to) for to in hazard.to)
 
 
 def _change_speed(scene: Setup, hazard: Hazard) -> None:
