@@ -94,7 +94,10 @@ class ClauseReader:
             state.between |= {"neg:not"} if word.term.data.get("denies") else set()
         placed = phrase_follows(k, self._chunks)  # "is half here and half in the next lane"
         if word.cat == "conj" and word.value in {"and", "but"} and not placed:
-            state.being = state.candidate if "aux:be" in state.between else None
+            somewhere = state.candidate is not None and any(
+                p.predicate for p in state.candidate.pps
+            )
+            state.being = state.candidate if "aux:be" in state.between or somewhere else None
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
             self._where(k)
@@ -202,7 +205,12 @@ class ClauseReader:
     def _clause_start(self) -> bool:
         """The candidate is new: words after it belong to it and not to the verb before."""
         state = self._state
-        if state.candidate is None or state.anchor is not state.candidate:
+        who, anchor = state.candidate, state.anchor
+        if who is None:
+            return False
+        beside = isinstance(anchor, Mention) and anchor.pronoun is not None
+        beside = beside and any(p.target is anchor for p in who.pps)  # "the ego, behind it at …"
+        if not (anchor is who or beside):
             return False
         if state.events and state.events[-1].object is state.candidate and not state.between:
             return False  # "the car that the ego overtakes at 60 km/h"

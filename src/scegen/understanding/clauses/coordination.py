@@ -55,7 +55,8 @@ def coordinate(event: Event, state: State) -> None:
     if who is not None and (parallel is None or (parallel.i < who.i and event.finite and helped)):
         event.subject = chain(who)  # "… while the ego has green and goes straight"
         return
-    if wanted == "ing" and who is not None and who is state.being:
+    goes_on = wanted == "ing" or (wanted == "finite" and not state.dependent)
+    if goes_on and who is not None and who is state.being:
         event.subject = chain(who)  # "pulls out when the ego is 20 m away and doing 30 km/h"
         return
     near = state.mentions[-1] if state.mentions else None

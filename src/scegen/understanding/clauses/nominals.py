@@ -163,7 +163,7 @@ def _start_clause(mention: Mention, state: State) -> None:
     others = any(e.finite and e.subject and not _ego(e.subject[-1]) for e in state.events)
     if "sub" in state.between and others and _ego(mention):
         state.trailing.append(mention)
-    state.candidate = mention
+    state.candidate, state.dependent = mention, "sub" in state.between
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:
         event.subject = event.subject if event.nominal and event.subject else [mention]

@@ -35,6 +35,7 @@ class State:
         where: a clause has been opened that says what takes place somewhere.
         trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
         being: who is said to be somewhere before an "and" ("is 20 m away and doing 30 km/h").
+        dependent: the clause of the candidate is opened by "when", "while" and the like.
         relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
@@ -61,3 +62,4 @@ class State:
     relating: Mention | None = None
     resumed: list[Mention] = field(default_factory=list)
     being: Mention | None = None
+    dependent: bool = False
