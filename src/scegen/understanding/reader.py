@@ -85,7 +85,7 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
-    chunks = lanes_meant(Chunker(terms, tokens).run())
+    chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
     chunks = name_roads(name_hiders(chunks), tokens)
     chunks = spell_out(both_sides(in_brackets(chunks), tokens))
     chunks = open_doors(repeat(silence(lead(chunks)), tokens), tokens)

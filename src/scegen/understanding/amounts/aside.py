@@ -11,10 +11,26 @@ from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart
 
 _SIDE_REACH = 14
+_TOWARDS_THE_EDGE_M = Interval(low=0.3, high=0.9)
+"""On one side of a lane, and still in it (lanes of 3 to 3.75 m, bodies of up to 2 m)."""
 
 
 class Aside(Teller):
     """Reads how far to which side somebody is."""
+
+    def within_the_lane(self) -> None:
+        """``on the right-hand side of the lane``: off its middle, how far nobody says."""
+        for clause in self._text.scenes:
+            for place in [p for p in clause.places() if p.kind == "within_lane"]:
+                sign = -1 if "right" in place.dirs else 1
+                low, high = sorted(
+                    sign * m for m in (_TOWARDS_THE_EDGE_M.low, _TOWARDS_THE_EDGE_M.high)
+                )
+                basis = Basis(place.i, place.j, "on one side of the lane and still in it")
+                amount = Amount(Interval(low=low, high=high), basis)
+                for who in [e for e in clause.actors if e.is_vehicle and not e.parked]:
+                    apart = Apart(Measure.LATERAL_OFFSET_M, who, who, amount)
+                    self._happenings.spacings.append(apart)
 
     def off_its_lane(self, number: Measured) -> bool:
         """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""

@@ -9,6 +9,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart
+from scegen.understanding.amounts.aside import Aside
 from scegen.understanding.amounts.doings import FIELDS, Filler
 from scegen.understanding.amounts.items import items_in
 from scegen.understanding.amounts.letting_by import go_on
@@ -70,6 +71,7 @@ def read_amounts(
         take = takers.get(number.frame.role)
         if take is None or not take(number):
             _note(number, context)
+    Aside(text, context, found).within_the_lane()
     Struck(text, context, found).settle()
     clock.order()
     found.acts = go_on(found.acts, text)

@@ -4,19 +4,25 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
 
 _LANES = frozenset({"lane", "ramp"})  # "the right lane ends"
 _SIDES = frozenset({"left", "right", "adjacent"})
+_INSIDE = frozenset({"in", "on", "at"})
+_OF_A_LANE = 3
+"""Phrases on, something else is named: "the right of its lane 's middle"."""
 
 
-def lanes_meant(chunks: list[Chunk]) -> list[Chunk]:
+def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks with a lane in place of each "one" and "it" that means one.
 
     Args:
         chunks: the chunks of the text.
+        tokens: its tokens.
     """
     found: list[Chunk] = []
     named: Place | None = None
+    chunks = _within_a_lane(chunks, tokens)
     for k, chunk in enumerate(chunks):
         lane = _lane(chunk, k, chunks, named)
         if lane is not None and found and found[-1].i == lane.i:
@@ -26,6 +32,42 @@ def lanes_meant(chunks: list[Chunk]) -> list[Chunk]:
         if isinstance(found[-1], Place) and found[-1].kind in _LANES and not part:
             named = found[-1]
     return found
+
+
+def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``on the right-hand side of the lane``, ``to the left of its lane``: in that lane."""
+    found: list[Chunk] = []
+    for k, chunk in enumerate(chunks):
+        lane = _whole(k, chunks)
+        where = tokens[chunk.i - 1].low if chunk.i else ""
+        if (
+            isinstance(chunk, Place)
+            and chunk.kind == "side"
+            and {"left", "right"} & set(chunk.dirs)
+            and lane is not None
+            and not _several(lane)
+            and (where in _INSIDE or (where == "to" and _keeps(k, chunks) and _its(lane)))
+            and not (k + _OF_A_LANE < len(chunks) and isinstance(chunks[k + _OF_A_LANE], Place))
+        ):
+            sides = [m for m in chunk.mods if m.cat == "dir"]
+            found.append(Place(chunk.i, lane.j, sides, None, kind="within_lane"))
+        elif not (found and chunk.i < found[-1].j):
+            found.append(chunk)
+    return found
+
+
+def _keeps(k: int, chunks: list[Chunk]) -> bool:
+    """``keeps to the right of its lane``, but ``half a metre to the right of …``."""
+    return k > 1 and isinstance(chunks[k - 2], Event)
+
+
+def _several(lanes: Place) -> bool:
+    """``of two lanes``: one of them."""
+    return lanes.mod("num") is not None or (lanes.head is not None and lanes.head.form == "s")
+
+
+def _its(lane: Place) -> bool:
+    return any((m.cat, m.value) == ("possessive", "its") for m in lane.mods)
 
 
 def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Place | None:
