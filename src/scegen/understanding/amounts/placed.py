@@ -246,9 +246,12 @@ class Spacer(Teller):
             of_act = any(f" {w} of the " in named for w in ("beginning", "start", "onset"))
             laned = [a for a in acts if a.kind in _LANED]
             return laned[-1] if of_act and laned else START
-        begun = [a for a in acts if self._in_trigger(a, start, end, number.i)]
-        if begun:
-            return begun[0]
+        own = self._text.verb_at(number.i, number.j)
+        told = {own.i} if own is not None and own.i < number.i else set()
+        into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
+        into = into or [a for a in acts if self._in_trigger(a, start, end, number.i)]
+        if into:
+            return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
         then = [a for a in acts if number.i < a.i < end]
         if then and self._opens(number, start):
             return then[0]  # "at a TTC of 2 s the ego brakes"
@@ -258,12 +261,10 @@ class Spacer(Teller):
             return here[-1]
         laned = [a for a in here if a.kind in _LANED | _MOVES_INTO]
         laned += [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
-        own = self._text.verb_at(number.i, number.j)
         laned = laned or [
             a
             for a in here
-            if own is not None
-            and own.i in (a.i, *a.told)
+            if told & {a.i, *a.told}
             and (measure is Measure.TTC_S or number.around.before.endswith(_AT))
         ]  # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
         changes = [a for a in acts if a.kind is ActKind.CHANGE_LANE]

@@ -19,6 +19,11 @@ _ONLY_VEHICLES = frozenset(
 _UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
                        "follow", "speed"})  # fmt: skip
 _FROM_REST, _AWAY = frozenset({"unpark", "door"}), frozenset({"off", "away"})
+_AGAIN = (
+    frozenset({"overtake", "pass", "undertake", "bypass"}),
+    frozenset({"cut_in", "lane_change", "merge", "return"}),
+)
+"""What a second clause may tell of another time, so that its subject is the same."""
 _CYCLING = frozenset({"cycle", "pedal"})
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
@@ -43,6 +48,23 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _towed(events)
     _left_standing(events, tokens)
     put_there(chunks, tokens)
+    _done_already(events, tokens)
+
+
+def _done_already(events: list[Event], tokens: list[Token]) -> None:
+    """``a car overtakes the ego at 90 km/h; the ego does 70. Once it has passed``: the car."""
+    for n, event in enumerate(events):
+        who = event.subject[0] if len(event.subject) == 1 else None
+        told = event.perfect and not event.negated and not event.modal
+        if who is None or not told or tokens[who.i].low != "it":
+            continue
+        alike = next((kinds for kinds in _AGAIN if event.name in kinds), frozenset())
+        same = [
+            e for e in events[:n] if e.name in alike and e.finite and not (e.negated or e.perfect)
+        ]
+        one = same and not same[-1].passive and len(same[-1].subject) == 1
+        if one and who.same_as is None and same[-1].subject[0] is not who:
+            who.same_as = same[-1].subject[0]
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:

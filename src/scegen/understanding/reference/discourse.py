@@ -72,6 +72,8 @@ class Discourse:
             same = mention.same_as  # "riding a moped, I …": whom comes later
             mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
             refine(mention, self._draft)
+            if mention.pronoun is not None:
+                self._roster.spoken_of(mention.entities, subject=subject, settled=settled)
             return mention.entities
         if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
