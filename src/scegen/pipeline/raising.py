@@ -16,7 +16,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
 from scegen.scenario.roadway import Strip
-from scegen.scenario.spacings import Measure
+from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
@@ -93,7 +93,7 @@ def _leaves_room(functional: FunctionalScenario) -> bool:
     return (
         functional.outcome is None
         and bool(beside)
-        and len(beside) == len(functional.spacings)
+        and all(s.at == START for s in functional.spacings if s not in beside)
         and passed == {p.id for p in functional.participants}
         and all(h.kind is HazardKind.OVERTAKING and h.by == (ego,) for h in functional.hazards)
         and all(a.kind is ActKind.OVERTAKE and a.participant == ego for a in functional.acts)

@@ -23,6 +23,10 @@ SENTENCES = [
     "lane.",
     "An ambulance comes up from behind at 100 km/h with blue lights; we, doing 80 km/h, move to "
     "the right lane and it passes us on the left.",
+    "A cyclist rides 20 m ahead of the ego at 15 km/h. The ego overtakes it with 1.5 m of "
+    "clearance at 45 km/h.",
+    "A cyclist rides 20 m ahead of the ego at 15 km/h on the right of the lane. The ego passes "
+    "with 1.5 m of clearance at 45 km/h.",
 ]
 
 

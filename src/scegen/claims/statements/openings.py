@@ -13,8 +13,10 @@ from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import CHANGES_MPS2, LEAVES_M
 from scegen.claims.told import Told
 from scegen.claims.view import View
-from scegen.scenario.acts import AfterDistance, AfterStart, WhenMeasure
+from scegen.scenario.acts import ActKind, AfterDistance, AfterStart, WhenMeasure
+from scegen.scenario.spacings import START, Measure
 
+_LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 LEAD_IN_S = 1.0
 """The shortest time in which an observer sees what somebody does before it does something else."""
 
@@ -40,9 +42,20 @@ def claims(told: Told) -> Iterator[Claim]:
 
 
 def _begins_as_said(told: Told, name: str) -> bool:
-    """Whether the text gives the moment of something that it does, by a number."""
+    """Whether the text gives the moment of something that it does, by a number.
+
+    Also who passes another is as close to that one at first as the text says.
+    """
     given = AfterStart | AfterDistance | WhenMeasure
-    return any(isinstance(act.when, given) for act in told.acts_of(name))
+    acts = told.acts_of(name)
+    passes = any(act.kind is ActKind.OVERTAKE for act in acts)
+    close = any(
+        spacing.at == START
+        and spacing.measure in _LENGTHWISE
+        and name in {spacing.participant, spacing.reference}
+        for spacing in told.functional.spacings
+    )
+    return any(isinstance(act.when, given) for act in acts) or (passes and close)
 
 
 def _undisturbed(told: Told, name: str, view: View) -> Judged:

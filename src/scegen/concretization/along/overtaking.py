@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from math import pi, sqrt
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.asked import outward
-from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S
+from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.speed_change import SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
@@ -167,10 +168,11 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
 
     Who drives in another lane than all of them, or is made room for, stays in it until then.
     """
-    hazard, lasts = story.hazard_of(act), LANE_CHANGE_S
+    hazard = story.hazard_of(act)
     slow, foremost = line[0], line[-1]
     out_lane, offset = _beside_lane(story, act, fast, slow)
     begins = max(FIRST_ACT_S / 2, story.begins_s[act.id] - FIRST_ACT_S)
+    begins, lasts = _in_time(fast, slow, (out_lane, offset), begins)
     if fast.speed_mps - foremost.speed_mps < _FASTER_MPS / 2:
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]
@@ -197,6 +199,23 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.ends_s[act.id] = clear if back is not None else clear + lasts
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _in_time(
+    fast: Runner, slow: Runner, place: tuple[int, float], begins_s: float
+) -> tuple[float, float]:
+    """When one pulls out and for how long, so that it is out as it comes up with the other.
+
+    Where the text puts the two close together, that is at once, and as quickly as one can steer.
+    """
+    reaches_s = _when(partial(_level, fast, slow, 0.0), 0.0)
+    if reaches_s == 0.0 or reaches_s >= begins_s + LANE_CHANGE_S:
+        return begins_s, LANE_CHANGE_S
+    lane, offset_m = place
+    aside_m = abs(fast.lane_y_m(lane) + fast.sign * offset_m - fast.y_m(0.0))
+    shortest_s = sqrt(2.0 * pi * aside_m / LATERAL_MPS2)
+    lasts_s = min(max(shortest_s, reaches_s), LANE_CHANGE_S)
+    return min(begins_s, max(0.0, reaches_s - lasts_s)), lasts_s
 
 
 def _makes_room(story: Story, passing: Act, slow: Runner) -> bool:

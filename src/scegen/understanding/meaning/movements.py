@@ -48,9 +48,15 @@ def overtake(clause: Clause, context: Context) -> None:
 
 
 def _whom(clause: Clause, context: Context) -> None:
-    """``drives behind a tractor and overtakes``: the one ahead, or that goes the same way."""
+    """``drives behind a tractor and overtakes``, ``passes``: who is ahead, or goes the same way."""
     event = clause.event
-    if event.name != "overtake" or clause.targets or event.object is not None or event.passive:
+    goes_on = event.name == "pass" and not any(
+        p.value != "with" and not isinstance(p.target, Thing) for p in event.pps
+    )
+    goes_on = goes_on and not (context.junction.crossing or event.nominal or event.negated)
+    if not (event.name == "overtake" or goes_on):
+        return
+    if clause.targets or event.object is not None or event.passive:
         return
     leaders = [
         p.entity
@@ -59,7 +65,7 @@ def _whom(clause: Clause, context: Context) -> None:
         and (p.reference in clause.actors or p.reference is None)
     ]
     one = [e for e in dict.fromkeys(leaders) if e.moving_vehicle and e not in clause.actors]
-    one = one or _same_way(clause, context)
+    one = one or ([] if goes_on else _same_way(clause, context))
     together = len({(e.basis.i, e.basis.j) for e in one}) == 1  # "two cyclists ride …"
     if together and any(e.ego for e in clause.actors):
         clause.targets = one
