@@ -183,7 +183,8 @@ def _make_faster(
     """Who overtakes is clearly faster; where its speed is said, the other is slower."""
     for fast in (runners[name] for name in by if name in runners):
         for slow in (runners[name] for name in to if name in runners):
-            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= 2.0:
+            enough = 2.0 if slow.id in said else _PASSES_BY_MPS
+            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= enough:
                 continue
             if slow.id not in said:
                 slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)

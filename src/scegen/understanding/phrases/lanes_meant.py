@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _LANES = frozenset({"lane", "ramp"})  # "the right lane ends"
 _SIDES = frozenset({"left", "right", "adjacent"})
-_INSIDE = frozenset({"in", "on", "at"})
 _OF_A_LANE = 3
-"""Phrases on, something else is named: "the right of its lane 's middle"."""
+"""Phrases: the side, "of", the lane."""
 
 
 def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -37,33 +37,32 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """``on the right-hand side of the lane``, ``to the left of its lane``: in that lane."""
     found: list[Chunk] = []
+    after = 0
     for k, chunk in enumerate(chunks):
         lane = _whole(k, chunks)
-        where = tokens[chunk.i - 1].low if chunk.i else ""
-        if (
-            isinstance(chunk, Place)
-            and chunk.kind == "side"
-            and {"left", "right"} & set(chunk.dirs)
-            and lane is not None
-            and not _several(lane)
-            and (where in _INSIDE or (where == "to" and _keeps(k, chunks) and _its(lane)))
-            and not (k + _OF_A_LANE < len(chunks) and isinstance(chunks[k + _OF_A_LANE], Place))
-        ):
-            sides = [m for m in chunk.mods if m.cat == "dir"]
-            found.append(Place(chunk.i, lane.j, sides, None, kind="within_lane"))
-        elif not (found and chunk.i < found[-1].j):
+        if isinstance(chunk, Place) and lane is not None and _is_within(chunk, lane, k, chunks):
+            where = tokens[chunk.i - 1].low
+            if where in word_list("inside") or (where == "to" and _keeps(k, chunks) and _its(lane)):
+                sides = [m for m in chunk.mods if m.cat == "dir"]
+                found.append(Place(chunk.i, lane.j, sides, None, kind="within_lane"))
+                after = k + _OF_A_LANE
+        if k >= after:
             found.append(chunk)
     return found
+
+
+def _is_within(side: Place, lane: Place, k: int, chunks: list[Chunk]) -> bool:
+    """One side of one lane, of which no more is said."""
+    several = lane.mod("num") is not None or (lane.head is not None and lane.head.form == "s")
+    sided = side.kind == "side" and bool({"left", "right"} & set(side.dirs))
+    further = chunks[k + _OF_A_LANE : k + _OF_A_LANE + 1]
+    more = bool(further) and isinstance(further[0], Place)
+    return sided and not several and not more and side.i > 0
 
 
 def _keeps(k: int, chunks: list[Chunk]) -> bool:
     """``keeps to the right of its lane``, but ``half a metre to the right of …``."""
     return k > 1 and isinstance(chunks[k - 2], Event)
-
-
-def _several(lanes: Place) -> bool:
-    """``of two lanes``: one of them."""
-    return lanes.mod("num") is not None or (lanes.head is not None and lanes.head.form == "s")
 
 
 def _its(lane: Place) -> bool:
