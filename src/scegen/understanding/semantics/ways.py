@@ -201,7 +201,8 @@ def past_the_roadside(clause: Clause, context: Context) -> bool:
     """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane."""
     sides = {Approach.LEFT, Approach.RIGHT}
     named = clause.event.name in {"bypass", "pass"} and bool(clause.targets)
-    return named and all(
+    around = {t.low for t in context.tokens[clause.event.i : clause.event.j]} & word_list("round")
+    return named and not around and all(
         not e.is_vehicle
         or (
             e.parked
@@ -273,7 +274,8 @@ def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     words = context.tokens
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
         return any(p.target is place and words[p.word.i].low == "onto" for p in clause.event.pps)
-    entered = place is clause.event.object or any(
+    kept = clause.event.lemma in word_list("keeping")  # "keeps its lane"
+    entered = (place is clause.event.object and not kept) or any(
         p.target is place and p.value == "into" for p in clause.event.pps
     )
     if place.kind != "lane" or not (entered or place.owner is not None):
