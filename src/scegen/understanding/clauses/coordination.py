@@ -7,6 +7,10 @@ from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.state import State
 
 
+_ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
+"""What one does, and no jam."""
+
+
 def auxiliary(state: State) -> bool:
     """Whether an auxiliary stands before the verb."""
     return any(word.startswith("aux:") for word in state.between)
@@ -45,6 +49,8 @@ def coordinate(event: Event, state: State) -> None:
         verbs = outer or verbs  # "a car passes the ego, which drives on, and changes lanes"
     if "," in state.between and "aux:modal" in state.between:
         verbs = outer or verbs  # "finds a spot where two cars stand, and has to change lanes"
+    if relative and event.name in _ONES and _mass(verbs[-1].subject):
+        verbs = outer or verbs  # "comes up to a jam that crawls and brakes late"
     alike = [e for e in verbs if _shape(e) == wanted]
     alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
     exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
@@ -72,6 +78,11 @@ def coordinate(event: Event, state: State) -> None:
         event.parent, event.link = parallel.parent, parallel.link
         event.modal = event.modal or parallel.modal
     alternative(event, parallel, state)
+
+
+def _mass(subject: list[Mention]) -> bool:
+    head = subject[-1].head if subject else None
+    return head is not None and bool(head.data.get("mass"))
 
 
 def _as_finite(first: Event, second: Event) -> bool:
