@@ -2,30 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
-from scegen.concretization.asked import slug_name
 from scegen.concretization.boxes import overlap
-from scegen.concretization.courses import speed_program
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
+from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.written import written, written_phase, written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path
 from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.concrete import (
+    ArrivalBelow,
     ConcreteParticipant,
     ConcreteScenario,
-    Motion,
-    SpeedPhase,
+    StoodStill,
+    Travelled,
+    Trigger,
 )
-from scegen.scenario.functional import Participant
-from scegen.scenario.model import middles
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
@@ -42,21 +42,11 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
         MotionInfeasibleError: bodies overlap at the start, or somebody never leaves.
         NeedsLongerArms: somebody reaches the end of its road before the scenario ends.
     """
-    participants = tuple(_participant(scene, p) for p in scene.functional.participants)
-    concrete = ConcreteScenario(
-        name=slug_name(scene.logical),
-        description=scene.functional.description,
-        seed=seed,
-        logical=scene.logical,
-        road=scene.road,
-        participants=participants,
-        objects=tuple(scene.objects),
-        environment=scene.functional.environment,
-        hazards=scene.hazards,
-        duration_s=MAX_DURATION_S,
-        signals=scene.signals,
-        provenance=tuple(scene.changes),
-    )
+    people = [_participant(scene, each.id) for each in scene.functional.participants]
+    concrete = written_scenario(
+        scene, scene.road, people, scene.objects, scene.hazards,
+        seed=seed, duration_s=MAX_DURATION_S, signals=scene.signals,
+    )  # fmt: skip
     paths = {p.id: build_path(p.motion, p.body, scene.network, p.id) for p in concrete.participants}
     require_apart(concrete, paths)
     _check_turns(concrete, paths)
@@ -72,52 +62,36 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
     return put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
 
 
-def _participant(scene: Setup, participant: Participant) -> ConcreteParticipant:
-    name, speed = participant.id, 0.0
-    length, width = middles(participant.length_m, participant.width_m)
-    program: tuple[SpeedPhase, ...] = ()
-    motion: Motion
+def _participant(scene: Setup, name: str) -> ConcreteParticipant:
     if name in scene.drives:
         draft = scene.drives[name]
-        speed, program = _program(scene, draft)
+        course, start_s = draft.course, draft.start_s
+        program = tuple(
+            written_phase(scene, change, _trigger(draft, change))
+            for change in course.from_then(start_s)
+        )
         motion = draft.motion(draft.laid.station_m(draft.start_m))
-    elif name in scene.stands:
-        motion = scene.stands[name].motion
-    elif name in scene.walks:
-        motion, program = scene.walks[name].motion, scene.walks[name].program
-    else:
-        raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
-    return ConcreteParticipant(
-        id=name,
-        kind=participant.kind,
-        role=participant.role,
-        parked=name in scene.stands,
-        speed_mps=speed,
-        motion=motion,
-        speed_program=program,
-        length_m=length,
-        width_m=width,
-    )
+        speed = course.speed_then(start_s)
+        return written(scene, name, motion, speed_mps=speed, program=program)
+    if name in scene.stands:
+        return written(scene, name, scene.stands[name].motion, parked=True)
+    if name in scene.walks:
+        return written(scene, name, scene.walks[name].motion, program=scene.walks[name].program)
+    raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
 
 
-def _program(scene: Setup, draft: DriveDraft) -> tuple[float, tuple[SpeedPhase, ...]]:
-    """Initial speed and phases, rounded."""
-    speed, phases = speed_program(draft.id, draft.course, draft.start_s, draft.start_m)
-    told = {act.id for act in scene.functional.acts}
-    return round(speed, 3), tuple(_rounded(phase, told) for phase in phases)
-
-
-def _rounded(phase: SpeedPhase, told: Collection[str]) -> SpeedPhase:
-    trigger = phase.trigger
-    value = round(getattr(trigger, trigger.measured), 3)
-    return phase.model_copy(
-        update={
-            "trigger": trigger.model_copy(update={trigger.measured: value}),
-            "target_speed_mps": round(phase.target_speed_mps, 3),
-            "rate_mps2": round(phase.rate_mps2, 3),
-            "act": phase.act if phase.act in told else None,
-        }
-    )
+def _trigger(draft: DriveDraft, phase: SpeedChange) -> Trigger:
+    """What sets a change of speed off: what is known, else how long it has stood, or its place."""
+    if phase.trigger is not None:
+        return phase.trigger
+    if phase.then_s is not None:
+        return StoodStill(participant=draft.id, duration_s=phase.then_s)
+    place = phase.s_m - draft.start_m
+    if phase.there:
+        lasts_s = draft.course.speed_then(phase.begins_s) / phase.rate_mps2
+        rests_m = place + phase.rate_mps2 * lasts_s**2 / 2
+        return ArrivalBelow(participant=draft.id, place_m=round(rests_m, 3), time_s=lasts_s / 2)
+    return Travelled(participant=draft.id, distance_m=max(0.0, place))
 
 
 def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None:

@@ -15,7 +15,6 @@ import numpy as np
 from scegen.concretization.profile import NEVER_S, Profile
 from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.motion.model import Array
-from scegen.scenario.concrete import ArrivalBelow, SpeedPhase, StoodStill, Travelled, Trigger
 
 STEP_S = 0.05
 _LONGEST_S = 240.0
@@ -69,6 +68,12 @@ class Course:
     def speed_then(self, time_s: float) -> float:
         """Its speed at a time."""
         return self.profile.speed_mps(max(time_s, 0.0))
+
+    def from_then(self, time_s: float) -> list[SpeedChange]:
+        """The change of speed under way at a time, and those to come."""
+        begun = [phase for phase in self.phases if phase.begins_s <= time_s]
+        ready = not begun or abs(self.speed_then(time_s) - begun[-1].target_mps) < _SAME_MPS
+        return [*([] if ready else begun[-1:]), *self.phases[len(begun) :]]
 
     def phase_of(self, act: str) -> SpeedChange | None:
         """The phase that an act of the text is, if it is carried out."""
@@ -184,37 +189,3 @@ def _sampled(drive: _Driving, length_m: float) -> Course:
     # Strictly rising places, so that the time at a place is the first one.
     first = np.concatenate(([True], np.diff(places) > 1e-9))
     return Course(times[first], places[first], speeds[first], tuple(drive.phases), profile)
-
-
-def speed_program(
-    who: str,
-    course: Course,
-    start_s: float,
-    start_m: float,
-) -> tuple[float, tuple[SpeedPhase, ...]]:
-    """Initial speed and phases of a vehicle that starts at a time and place of its course."""
-    speed = course.speed_then(start_s)
-    begun = [phase for phase in course.phases if phase.begins_s <= start_s]
-    under_way = begun[-1:] if begun and abs(speed - begun[-1].target_mps) >= _SAME_MPS else []
-    later = [phase for phase in course.phases if phase.begins_s > start_s]
-    phases: list[SpeedPhase] = []
-    for phase in (*under_way, *later):
-        trigger: Trigger = Travelled(participant=who, distance_m=max(0.0, phase.s_m - start_m))
-        if phase.trigger is not None:
-            trigger = phase.trigger
-        elif phase.then_s is not None:
-            trigger = StoodStill(participant=who, duration_s=phase.then_s)
-        elif phase.there:
-            lasts_s = course.speed_then(phase.begins_s) / phase.rate_mps2
-            rests_m = phase.s_m - start_m + phase.rate_mps2 * lasts_s**2 / 2
-            trigger = ArrivalBelow(participant=who, place_m=round(rests_m, 3), time_s=lasts_s / 2)
-        phases.append(
-            SpeedPhase(
-                trigger=trigger,
-                target_speed_mps=phase.target_mps,
-                rate_mps2=phase.rate_mps2,
-                hazard=phase.hazard,
-                act=phase.act,
-            )
-        )
-    return speed, tuple(phases)

@@ -14,7 +14,6 @@ from scegen.errors import MotionInfeasibleError
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.concrete import (
-    Change,
     RoadParameters,
 )
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -58,7 +57,6 @@ class Setup(Tale):
     expected: list[tuple[Hazard, Thing]] = field(default_factory=list)
     objects: list[StaticObject] = field(default_factory=list)
     caused: dict[Hazard, Hazard] = field(default_factory=dict)
-    changes: list[Change] = field(default_factory=list)
     signals: SignalPlan | None = None
     paces: dict[tuple[int, float], float] = field(default_factory=dict)
 
@@ -114,10 +112,6 @@ class Setup(Tale):
         """The changes of speed that the text tells of somebody, in order."""
         return [a for a in self.acts if a.participant == name and a.kind in SLOWING | GAINING]
 
-    def first_act(self, name: str, kind: ActKind) -> Act | None:
-        """The first act of somebody that is of a kind."""
-        return next((a for a in self.acts if a.participant == name and a.kind is kind), None)
-
     def sets_off(self, name: str) -> bool:
         """Whether the first that one does is to set off: it stands until then."""
         return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])
@@ -125,15 +119,3 @@ class Setup(Tale):
     def has_said_speed(self, name: str) -> bool:
         """Whether the text says how fast somebody is."""
         return self.functional.participant(name).speed_mps is not None
-
-    def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
-        """Record who set a parameter and why."""
-        self.changes.append(
-            Change(
-                parameter=parameter,
-                by="concretization",
-                before=before,
-                after=round(after, 3),
-                reason=reason,
-            )
-        )

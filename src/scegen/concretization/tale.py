@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from scegen.concretization.speed_change import SpeedChange
 from scegen.scenario.acts import Act, ActKind, AfterAct
+from scegen.scenario.concrete import Change
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
@@ -42,6 +43,19 @@ class Tale:
     functional: FunctionalScenario
     logical: LogicalScenario
     acts: Sequence[Act]
+    changes: list[Change] = field(default_factory=list, init=False)
+
+    def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
+        """Record who set a parameter and why."""
+        self.changes.append(
+            Change(
+                parameter=parameter,
+                by="concretization",
+                before=before,
+                after=round(after, 3),
+                reason=reason,
+            )
+        )
 
     def act(self, name: str) -> Act:
         """An act by its id."""
@@ -76,6 +90,11 @@ class Tale:
         if isinstance(when, AfterAct):
             return all(other.id != when.act for other in self.acts)
         return when is None
+
+    def first_act(self, name: str, kind: ActKind) -> Act | None:
+        """The first act of somebody that is of a kind."""
+        own = (act for act in self.functional.acts if act.participant == name)
+        return next((act for act in own if act.kind is kind), None)
 
     def rests_at(self, act: str | None) -> Spacing | None:
         """How far from another one is said to be once an act has brought it to rest."""

@@ -19,7 +19,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
-from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.acts import ActKind, AfterStart
 from scegen.scenario.concrete import AtTime, CrossingMotion, Travelled, Trigger
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
@@ -68,8 +68,8 @@ def place_walkers(scene: Setup) -> None:
 
 def _far_m(scene: Setup, crossing: Crossing) -> float | None:
     """How far from the kerb one stops of whom that is said."""
-    own = (a for a in scene.acts if a.participant == crossing.participant and _crosses(a))
-    return next((a.distance_m.middle for a in own if a.distance_m is not None), None)
+    act = scene.first_act(crossing.participant, ActKind.CROSS)
+    return None if act is None or act.distance_m is None else act.distance_m.middle
 
 
 def _abreast_m(number: int) -> float:
@@ -170,15 +170,11 @@ def _contact(
     return max(1.0, place), second_s - walk.body.centre_ahead_m - aside
 
 
-def _crosses(act: Act) -> bool:
-    return act.kind is ActKind.CROSS
-
-
 def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:
     """Step off when the driver has come so far that both arrive together; stop at the far side."""
     for walk in scene.walks.values():
         found = partner_of(scene, walk)
-        act = next((a for a in scene.acts if a.participant == walk.id and _crosses(a)), None)
+        act = scene.first_act(walk.id, ActKind.CROSS)
         go = leaves_s(walk.id)
         trigger: Trigger = AtTime(time_s=round(max(0.0, go), 3))
         draft = found[0] if found is not None else None

@@ -23,13 +23,13 @@ from scegen.concretization.along.writing import (
     written_runner,
     written_walk,
 )
-from scegen.concretization.asked import slug_name
 from scegen.concretization.objects import (
     made_of,
     shape_of,
 )
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
+from scegen.concretization.written import written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths
 from scegen.motion.standing import crossing_path
@@ -38,7 +38,6 @@ from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import (
-    Change,
     ConcreteParticipant,
     ConcreteScenario,
     RoadParameters,
@@ -129,34 +128,22 @@ def _written(
     standing = {p.id: p for p in parked}
     by_walk = {walk.id: walk for walk in walks}
     people = []
-    for participant in story.functional.participants:
-        if participant.id in standing:
-            people.append(standing[participant.id])
-        elif participant.id in story.runners:
-            people.append(written_runner(story, frame, participant))
-        elif participant.id in by_walk:
-            walk = by_walk[participant.id]
-            path = crossing_path(network, walk_motion(frame, walk), walk.id)
+    for name in (participant.id for participant in story.functional.participants):
+        if name in standing:
+            people.append(standing[name])
+        elif name in story.runners:
+            people.append(written_runner(story, frame, name))
+        elif name in by_walk:
+            walk = by_walk[name]
+            path = crossing_path(network, walk_motion(frame, walk), name)
             people.append(written_walk(story, frame, walk, path.length_m))
     doors = opens(story.functional)
     people += [written_door(story, doors[p.id], p) for p in parked if p.id in doors]
-    objects = tuple(
-        _thing(story, frame, network, name)
-        for name, r in story.runners.items()
-        if r.thing and not r.opens
-    )
-    concrete = ConcreteScenario(
-        name=slug_name(story.logical),
-        description=story.functional.description,
-        seed=seed,
-        logical=story.logical,
-        road=road,
-        participants=tuple(people),
-        objects=objects,
-        environment=story.functional.environment,
-        hazards=_caused(story),
-        duration_s=round(lasts_s * 20) / 20,
-        provenance=_provenance(story, walks),
+    things = (r.id for r in story.runners.values() if r.thing and not r.opens)
+    objects = [_thing(story, frame, network, name) for name in things]
+    _note(story, walks)
+    concrete = written_scenario(
+        story, road, people, objects, _caused(story), seed=seed, duration_s=lasts_s
     )
     return put_between_steps(concrete, build_paths(concrete, network))
 
@@ -192,24 +179,18 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
     return made_of(name, shape_of(thing), thing.called, pose)
 
 
-def _provenance(story: Story, walks: list[Walk]) -> tuple[Change, ...]:
-    """Who drives how fast and why, and who brakes for whom."""
+def _note(story: Story, walks: list[Walk]) -> None:
+    """Say who drives how fast and why, and who brakes for whom."""
     said = {p.id for p in story.functional.participants if p.speed_mps is not None}
-    changes = []
     for runner in story.runners.values():
         if runner.thing:
             continue
         reason = "as the description says" if runner.id in said else "usual speed"
-        changes.append(_change(f"{runner.id}.speed_mps", runner.speed_mps, reason))
+        story.note(f"{runner.id}.speed_mps", runner.speed_mps, reason)
         for step in runner.steps:
             if step.act is None and step.reacts_to is not None:
                 reason = f"brakes for {step.reacts_to}, as a driver who sees it does"
-                changes.append(_change(f"{runner.id}.rate_mps2", step.rate_mps2, reason))
+                story.note(f"{runner.id}.rate_mps2", step.rate_mps2, reason)
     for walk in walks:
         reason = "as the description says" if walk.id in said else "usual pace"
-        changes.append(_change(f"{walk.id}.speed_mps", walk.speed_mps, reason))
-    return tuple(changes)
-
-
-def _change(parameter: str, after: float, reason: str) -> Change:
-    return Change(parameter=parameter, by="concretization", after=round(after, 3), reason=reason)
+        story.note(f"{walk.id}.speed_mps", walk.speed_mps, reason)

@@ -90,7 +90,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     ego_arm = story.logical.assignment(story.ego.id)
     same_arm = isinstance(ego_arm, Drive) and crossing.arm == ego_arm.entry
     from_left = (crossing.start is Side.LEFT) == same_arm
-    act = _act(story, participant.id)
+    act = story.first_act(participant.id, ActKind.CROSS)
     far = None if act is None or act.distance_m is None else act.distance_m.middle
     edge = edge_y_m(story, left=from_left)
     strip = strips.get("left" if from_left else "right", 0.0)
@@ -145,11 +145,6 @@ def _meets(story: Story, name: str) -> str:
             if found:
                 return found[0]
     return story.ego.id
-
-
-def _act(story: Story, name: str) -> Act | None:
-    acts = story.functional.acts
-    return next((a for a in acts if a.participant == name and a.kind is ActKind.CROSS), None)
 
 
 def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, into: int) -> float:

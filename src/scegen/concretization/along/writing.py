@@ -13,6 +13,7 @@ from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.written import written, written_phase
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M
 from scegen.motion.trigger_steps import just_before_step_s
@@ -31,9 +32,7 @@ from scegen.scenario.concrete import (
     Trigger,
     door_of,
 )
-from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing, Standing
-from scegen.scenario.model import middles
 from scegen.scenario.reversing import MOST_BACK_M, BacksUp
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -46,10 +45,9 @@ _LOOK_S = 0.25
 _FLUNG_MPS2 = 6.0
 
 
-def written_runner(story: Story, frame: Frame, participant: Participant) -> ConcreteParticipant:
+def written_runner(story: Story, frame: Frame, name: str) -> ConcreteParticipant:
     """One along the road."""
-    runner = story.runners[participant.id]
-    length, width = middles(participant.length_m, participant.width_m)
+    runner = story.runners[name]
     entry = frame.ego_arm if runner.forward else 1 - frame.ego_arm
     changes = _changes(frame, runner)
     last = changes[-1].lane_after if changes else runner.lane
@@ -61,7 +59,7 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
         if back + _SPARE_M > MOST_BACK_M:
             raise MotionInfeasibleError(
                 f"it would back up for {back:.0f} m, more than {MOST_BACK_M:g} m",
-                where=participant.id,
+                where=name,
                 hint="Say when it stops, or at which speed it reverses.",
             )
         reversal = BacksUp(from_m=round(start + FORTH_M, 3), length_m=round(back + _SPARE_M, 3))
@@ -77,21 +75,12 @@ def written_runner(story: Story, frame: Frame, participant: Participant) -> Conc
         lane_changes=changes,
         reversal=reversal,
     )
-    return ConcreteParticipant(
-        id=participant.id,
-        kind=participant.kind,
-        role=participant.role,
-        parked=runner.stands,
-        speed_mps=round(runner.speed_mps, 4),
-        motion=motion,
-        speed_program=tuple(_phase(story, frame, runner, step) for step in _in_order(runner)),
-        length_m=length,
-        width_m=width,
+    program = tuple(
+        written_phase(story, step, _trigger(story, frame, runner, step))
+        for step in sorted(runner.steps, key=lambda step: step.begins_s)
     )
-
-
-def _in_order(runner: Runner) -> list[SpeedChange]:
-    return sorted(runner.steps, key=lambda step: step.begins_s)
+    speed = runner.speed_mps
+    return written(story, name, motion, speed_mps=speed, program=program, parked=runner.stands)
 
 
 def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
@@ -115,20 +104,10 @@ def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
     return tuple(changes)
 
 
-def _phase(story: Story, frame: Frame, runner: Runner, step: SpeedChange) -> SpeedPhase:
-    return SpeedPhase(
-        trigger=_trigger(story, frame, runner, step),
-        target_speed_mps=round(step.target_mps, 4),
-        rate_mps2=round(step.rate_mps2, 4),
-        hazard=step.hazard,
-        act=step.act if any(a.id == step.act for a in story.functional.acts) else None,
-    )
-
-
 def _trigger(story: Story, frame: Frame, runner: Runner, step: SpeedChange) -> Trigger:
     """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
     if step.timed:
-        return AtTime(time_s=round(step.begins_s, 3))
+        return AtTime(time_s=step.begins_s)
     moment = just_before_step_s(step.begins_s)
     if step.reacts_to is not None and step.reacts_to in story.runners:
         other = story.runners[step.reacts_to]
@@ -162,23 +141,13 @@ def come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
 
 def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
     """One who goes across the road; ``length_m`` is how long its way is."""
-    participant = story.functional.participant(walk.id)
-    length, width = middles(participant.length_m, participant.width_m)
     meets = story.runners[walk.meets]
     trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
     if not walk.timed:
         trigger = come_so_far([meets], just_before_step_s(walk.sets_off_s))
     stops = walk.stops_after_m is not None
-    return ConcreteParticipant(
-        id=walk.id,
-        kind=walk.kind,
-        role=participant.role,
-        speed_mps=0.0,
-        motion=walk_motion(frame, walk),
-        speed_program=walk.program_to(trigger, length_m, walk.act, stops=stops),
-        length_m=length,
-        width_m=width,
-    )
+    program = walk.program_to(trigger, length_m, walk.act, stops=stops)
+    return written(story, walk.id, walk_motion(frame, walk), program=program)
 
 
 def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
@@ -197,27 +166,18 @@ def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
 def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcreteParticipant:
     """One who is parked: its box's middle lies where the story has it."""
     standing: Standing = parked.standing
-    participant, body = story.functional.participant(parked.id), parked.body
-    length, width = middles(participant.length_m, participant.width_m)
+    body = parked.body
     away = frame.from_junction_m(standing.arm, parked.x_m)
     # It heads the way of the traffic on its side; its reference point lies behind its middle.
     towards = (parked.on_left == story.ego.keeps_left) == (standing.arm == frame.ego_arm)
     away += body.centre_ahead_m if towards else -body.centre_ahead_m
-    return ConcreteParticipant(
-        id=parked.id,
-        kind=participant.kind,
-        role=participant.role,
-        parked=True,
-        speed_mps=0.0,
-        motion=StandingMotion(
-            arm=standing.arm,
-            side=standing.side,
-            from_junction_m=round(max(0.0, away), 3),
-            strip=participant.strip,
-        ),
-        length_m=length,
-        width_m=width,
+    motion = StandingMotion(
+        arm=standing.arm,
+        side=standing.side,
+        from_junction_m=round(max(0.0, away), 3),
+        strip=story.functional.participant(parked.id).strip,
     )
+    return written(story, parked.id, motion, parked=True)
 
 
 def written_door(story: Story, act: Act, vehicle: ConcreteParticipant) -> ConcreteParticipant:
