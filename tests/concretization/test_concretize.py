@@ -8,7 +8,6 @@ import pytest
 from shapely.geometry import Polygon
 
 from scegen.concretization import concretize
-from scegen.errors import MotionInfeasibleError
 from scegen.motion import build_paths, simulate
 from scegen.motion.model import Path, Trace
 from scegen.road import build_network, plan_road
@@ -216,15 +215,6 @@ def test_an_overtaker_ends_in_front(cases):
     _, traces = run(concrete)
     lead = traces["car_2"].s_m[-1] + fast.motion.start_m
     assert lead > traces["car_1"].s_m[-1] + slow.motion.start_m
-
-
-def test_a_given_road_is_used_and_refused_if_too_short(cases):
-    functional, logical = cases["left_hand"]
-    place = functional.junction
-    long = plan_road(place, arm_length_m=200)
-    assert concretize(functional, logical, road=long).road == long
-    with pytest.raises(MotionInfeasibleError, match="too short"):
-        concretize(functional, logical, road=plan_road(place, arm_length_m=25))
 
 
 def test_turning_positions_are_those_of_the_road(made):

@@ -53,7 +53,7 @@ from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
 from scegen.scenario.acts import ActKind
-from scegen.scenario.concrete import ConcreteScenario, RoadParameters
+from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.vocabulary import HazardKind
@@ -71,7 +71,6 @@ def concretize(
     logical: LogicalScenario,
     *,
     seed: int = 0,
-    road: RoadParameters | None = None,
 ) -> ConcreteScenario:
     """The first concrete scenario: those in conflict arrive together, dangers get numbers.
 
@@ -79,7 +78,6 @@ def concretize(
         functional: what the description says.
         logical: who enters and leaves where, one of the functional scenario's.
         seed: of all random choices (small differences of speed, strength of dangers).
-        road: the road to use; None plans one that is long and wide enough.
 
     Raises:
         MotionInfeasibleError: it cannot be driven, or needs something unsupported.
@@ -87,7 +85,7 @@ def concretize(
     """
     functional = as_meant(functional, logical)
     if tells_along(functional, logical):
-        return compose_along(functional, logical, seed=seed, road=road)
+        return compose_along(functional, logical, seed=seed)
     for name in opens(functional):
         raise MotionInfeasibleError(
             "opens its door: that is made only on a road without a junction",
@@ -95,26 +93,25 @@ def concretize(
             hint="Leave the junction out, or let somebody pull out or stand in the way.",
         )
     try:
-        return _on_long_enough_arms(functional, logical, seed, road, obstacles=True)
+        return _on_long_enough_arms(functional, logical, seed, obstacles=True)
     except MotionInfeasibleError:
         if not any(needs_obstacle(functional, hazard) for hazard in functional.hazards):
             raise
     # Without the thing in the way, the rest can perhaps be driven; the proof says what is missing.
-    return _on_long_enough_arms(functional, logical, seed, road, obstacles=False)
+    return _on_long_enough_arms(functional, logical, seed, obstacles=False)
 
 
 def _on_long_enough_arms(
     functional: FunctionalScenario,
     logical: LogicalScenario,
     seed: int,
-    road: RoadParameters | None,
     *,
     obstacles: bool,
 ) -> ConcreteScenario:
     arm_m = first_m = first_arm_m(logical)
     acts = acts_of(functional, logical)
     for _ in range(_ATTEMPTS):
-        parameters = road if road is not None else plan(functional, logical, arm_m)
+        parameters = plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
         rng = np.random.Generator(np.random.PCG64(seed))
@@ -123,7 +120,7 @@ def _on_long_enough_arms(
             return _compose(scene, seed)
         except NeedsLongerArms as need:
             arm_m = _long_enough_m(arm_m, need.metres, first_m)
-            if road is not None or arm_m > LONGEST_ARM_M:
+            if arm_m > LONGEST_ARM_M:
                 longest = max(arm.length_m for arm in parameters.arms)
                 raise MotionInfeasibleError(
                     f"the arms ({longest:.0f} m) are {need.metres:.0f} m too short for its run-up",

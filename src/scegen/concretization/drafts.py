@@ -42,9 +42,8 @@ class DriveDraft:
     ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
     ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
     the outer end of the entry arm; ``start_m`` where on that path it starts at time 0.
-    ``slowing_mps2`` is how hard it brakes before turns, ``approach_mps`` and ``resume_mps`` its
-    speeds before and after them if not ``cruise_mps``; ``grip_mps2`` is what the tyres hold on this
-    road. ``rests_at_m`` is where it is to come to rest if it brakes, because of a thing in its way;
+    ``resume_mps`` is its speed after turns if not ``cruise_mps``, ``grip_mps2`` what the tyres hold
+    on this road. ``rests_at_m`` is where it is to come to rest if it brakes, for a thing in its way;
     ``halts_at_m`` where it stays, ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
@@ -64,8 +63,6 @@ class DriveDraft:
     ring_lane: int | None = None
     lateral_mps2: float = LATERAL_MPS2
     stops_at_line: bool = False
-    slowing_mps2: float = COMFORTABLE_BRAKING_MPS2
-    approach_mps: float | None = None
     resume_mps: float | None = None
     lane_changes: list[LaneChange] = field(default_factory=list)
     marks: list[SpeedChange] = field(default_factory=list)
@@ -212,10 +209,9 @@ class DriveDraft:
             self.cruise_mps,
             lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
             stop=self._stop(),
-            slowing_mps2=min(self.slowing_mps2, self.grip_mps2),
+            slowing_mps2=min(COMFORTABLE_BRAKING_MPS2, self.grip_mps2),
             faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
-            approach_mps=self.approach_mps,
-            resume_mps=self.resume_mps,
+            resume_mps=self.cruise_mps if self.resume_mps is None else self.resume_mps,
         )
 
     def _stop(self) -> Stop | None:

@@ -36,7 +36,7 @@ def change_length_m(speed_mps: float, seconds: float = LANE_CHANGE_S) -> float:
     return max(8.0, speed_mps * seconds)
 
 
-def speed_for_change_mps(length_m: float, width_m: float = 3.5) -> float:
+def speed_for_change_mps(length_m: float, width_m: float) -> float:
     """The speed at which a half-cosine change of lane needs 6 m/s2 sideways.
 
     Its greatest lateral acceleration is width * (pi v / length)^2 / 2.

@@ -64,33 +64,29 @@ def turning_changes(
     stop: Stop | None,
     slowing_mps2: float,
     faster_mps2: float,
-    approach_mps: float | None = None,
-    resume_mps: float | None = None,
+    resume_mps: float,
 ) -> list[SpeedChange]:
     """The marks of a drive along a way at ``cruise_mps``.
 
-    ``stop`` is where it stands for a while, ``approach_mps`` its speed when it begins to slow down,
-    ``resume_mps`` its speed after the bend; None: ``cruise_mps``.
+    ``stop`` is where it stands for a while, ``resume_mps`` its speed after the bend.
     """
     bend = bend_of(laid, cruise_mps, lateral_mps2)
     marks: list[SpeedChange] = []
-    before = cruise_mps if approach_mps is None else approach_mps
-    after = cruise_mps if resume_mps is None else resume_mps
     if stop is not None:
         # The reaction is before the braking: here it comes to rest exactly there.
         rest = stop.line_s_m - _SHORT_OF_LINE_M + _REACTION_M
         on = SpeedChange(
-            bend.speed_mps if bend else after,
+            bend.speed_mps if bend else resume_mps,
             faster_mps2,
             sort=Sort.GOES_ON,
             then_s=stop.stands_s,
             trigger=stop.goes_at,
         )
-        marks.append(replace(_slow_before(rest, before, 0.0, slowing_mps2), then=on))
+        marks.append(replace(_slow_before(rest, cruise_mps, 0.0, slowing_mps2), then=on))
     elif bend:
-        marks.append(_slow_before(bend.start_s_m, before, bend.speed_mps, slowing_mps2))
+        marks.append(_slow_before(bend.start_s_m, cruise_mps, bend.speed_mps, slowing_mps2))
     if bend:
-        marks.append(SpeedChange(after, faster_mps2, s_m=bend.end_s_m, sort=Sort.FREES))
+        marks.append(SpeedChange(resume_mps, faster_mps2, s_m=bend.end_s_m, sort=Sort.FREES))
     return marks
 
 

@@ -81,21 +81,20 @@ def compose_along(
     logical: LogicalScenario,
     *,
     seed: int,
-    road: RoadParameters | None = None,
 ) -> ConcreteScenario:
     """The first concrete scenario of one along a road.
 
     Raises:
         MotionInfeasibleError: what is said of lanes, places and times cannot all be had.
     """
-    story = story_of(functional, logical, road)
+    story = story_of(functional, logical)
     story.seed = seed
     walks = lay(story)
     _stay_on_their_side(story)
     parked = park(story, walks)
     closest = closest_s(story, ends_s(story, walks))
     lasts = min(closest + _AFTER_S, _LONGEST_S)
-    planned = road or plan(story.functional, logical, _PLAIN_M, story.lane_count)
+    planned = plan(story.functional, logical, _PLAIN_M, story.lane_count)
     frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
     parameters = fitted(road_of(planned, frame), story.functional, story.runners, frame.joint_m)
     network = build_network(parameters)

@@ -13,7 +13,6 @@ from scegen.concretization.asked import as_meant
 from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
-from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.speed_limits import comfortable_mps, implied_limit_mps
@@ -21,9 +20,7 @@ from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import ParticipantKind
 
 
-def story_of(
-    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters | None = None
-) -> Story:
+def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     """Everybody with its speed and lane, and what is done; no places and no moments yet.
 
     Raises:
@@ -33,9 +30,6 @@ def story_of(
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
     grip = friction_of(functional.environment) * GRAVITY_MPS2
     runners = cast(functional, logical, min(limit, comfortable_mps(functional)))
-    if road is not None:
-        for runner in runners.values():
-            runner.lane_width_m = road.arms[0].lane_width_m
     _keep_on_the_road(functional, runners, limit, grip)
     cast_doors(functional, logical, runners)
     things = _things(functional, logical, runners)
@@ -56,8 +50,6 @@ def story_of(
     acts = all_acts(functional, logical, runners)
     people = {name: runner for name, runner in runners.items() if not runner.thing}
     count = choose_lanes(functional, logical, people, acts)
-    if road is not None:
-        count = max(road.arms[0].lanes_in, road.arms[0].lanes_out)
     put_on_strips(functional, logical, people, count)
     hang_doors(functional, logical, runners, count)
     for thing in things:

@@ -24,7 +24,7 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 _RING_MARGIN_M = 0.25
 _LEAST_RING_CHANGE_M = 7.0
-_SAME_LINE_M = 2.0
+_SAME_LINE_M, _RING_LANE_M = 2.0, 3.5
 
 
 def _prepare(scene: Setup, hazard: Hazard) -> None:
@@ -71,7 +71,7 @@ def _in_ring(
     begin = piece.end_m - _RING_MARGIN_M - length
     end_s = culprit.laid.path_s_m(begin + length)
     change_lanes(scene, culprit, [(begin, length, scene.road.ring_lanes)], kind)
-    fastest = speed_for_change_mps(length)
+    fastest = speed_for_change_mps(length, _RING_LANE_M)
     speed = culprit.course.speed_at(end_s - length)
     if speed > fastest:
         slows = max(1.0, end_s - length - speed)
