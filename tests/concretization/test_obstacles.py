@@ -150,6 +150,15 @@ def test_a_parked_vehicle_is_what_is_meant_unless_a_thing_is_said(scenario):
     assert ball.what == "ball"
 
 
+@pytest.mark.parametrize(("kind", "arms"), [("straight", 2), ("four_way", 4)])
+def test_what_lies_in_the_way_does_not_stand_beside_it_too(scenario, kind, arms):
+    dangers = [("obstacle", (), ()), ("occlusion", ("crate_1",), ("ego",))]
+    case = scenario(kind, arms, [drive(0, arms // 2), drive(1, arms // 2)], dangers)
+    crate = {"id": "crate_1", "kind": "container", "in_way_of": "ego", "hides": ["car_1"]}
+    concrete, _, _ = made(case, crate)
+    assert [thing.id for thing in concrete.objects] == ["crate_1"]
+
+
 def test_the_same_seed_gives_the_same_object(scenario):
     case = scenario("straight", 2, [drive(0, 1)], AHEAD)
     assert made(case, seed=3)[0] == made(case, seed=3)[0]

@@ -31,6 +31,7 @@ from scegen.concretization.setup import Setup
 from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.motion.model import Array
 from scegen.motion.trigger_steps import STEP_S, just_before_step_s
+from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 8.0
 _ALONG = 0.5
@@ -59,7 +60,8 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[Contact]:
     Into walkers only where the text says when they set off.
     """
     times = _times(moments)
-    tracks = {n: moments.track(n, times)[0] for n in (*scene.drives, *scene.walks)}
+    people = (*scene.drives, *scene.walks, *scene.stands, *(o.id for o in scene.objects))
+    tracks = {name: moments.track(name, times)[0] for name in people}
     touching: dict[frozenset[str], float | None] = {}
     for name in scene.drives:
         for other, there in tracks.items():
@@ -120,7 +122,8 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
         if own is not None:
             mark = replace(own, s_m=place, target_mps=min(own.target_mps, target), rate_mps2=rate)
         else:
-            hazard = next(iter(kinds), None)
+            thing = any(each.id == contact.other for each in scene.objects)
+            hazard = next(iter(kinds), HazardKind.OBSTACLE if thing else None)
             mark = SpeedChange(target, rate, s_m=place, hazard=hazard, sort=Sort.ACT, there=backs)
         who.deeds, who.course_ = [*rest, mark], None
 
@@ -161,7 +164,7 @@ def _go_on(who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedCha
 
 def _slowest_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
     """How slow whoever it runs into becomes."""
-    if contact.other in scene.walks:
+    if contact.other not in scene.drives:
         return 0.0
     since = contact.time_s if scene.sets_off(contact.other) else 0.0
     times = np.arange(since, contact.time_s + _AFTER_S, STEP_S)
@@ -172,7 +175,7 @@ def _slowest_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
 def _seen_s(scene: Setup, moments: Moments, other: str) -> float:
     """When somebody becomes a danger: as it slows down, comes into the lane, or steps out."""
     if other not in scene.drives:
-        return moments.leaves_s(other)
+        return moments.leaves_s(other) if other in scene.walks else 0.0
     draft = scene.drives[other]
     late, course = moments.offsets_s[other], draft.course
     slowing = [p.begins_s for p in course.phases if p.target_mps < course.speed_then(p.begins_s)]

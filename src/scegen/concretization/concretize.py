@@ -33,7 +33,6 @@ from scegen.concretization.obstacles import (
     expect_obstacles,
     needs_obstacle,
     place_obstacles,
-    stop_short,
 )
 from scegen.concretization.occluders import hide
 from scegen.concretization.priorities import set_gaps
@@ -161,7 +160,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
             rule.act(scene, hazard)
     stand_in_line(scene)
     meetings += pull_out(scene)
-    stop_short(scene)
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, rules, meetings)
     moments = _start(scene, meetings)

@@ -43,8 +43,8 @@ class DriveDraft:
     ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
     the outer end of the entry arm; ``start_m`` where on that path it starts at time 0.
     ``resume_mps`` is its speed after turns if not ``cruise_mps``, ``grip_mps2`` what the tyres hold
-    on this road. ``rests_at_m`` is where it is to come to rest if it brakes, for a thing in its way;
-    ``halts_at_m`` where it stays, ``parked_s_m`` where it stood beside the road at first.
+    on this road. ``rests_at_m`` is where it is to come to rest before a thing in its way,
+    ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
     the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits_s`` is how
@@ -71,7 +71,6 @@ class DriveDraft:
     offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
     rests_at_m: float | None = None
-    halts_at_m: float | None = None
     parked_s_m: float | None = None
     reversal: Reversal | None = None
     joins_m: float = 0.0
@@ -122,8 +121,8 @@ class DriveDraft:
 
     @property
     def arrives_s_m(self) -> float:
-        """Where its approach ends: at the junction, or where it stays before."""
-        return self.junction_s_m if self.halts_at_m is None else self.halts_at_m
+        """Where its approach ends: at the junction, or before a thing in its way."""
+        return self.junction_s_m if self.rests_at_m is None else self.rests_at_m
 
     @property
     def changes_before(self) -> bool:
@@ -162,8 +161,8 @@ class DriveDraft:
     @property
     def stays(self) -> bool:
         """Whether it comes to rest in the end."""
-        phases = self.course.phases if self.deeds else ()
-        return self.halts_at_m is not None or bool(phases and phases[-1].target_mps == 0.0)
+        phases = self.course.phases
+        return bool(phases) and phases[-1].target_mps == 0.0
 
     @property
     def start_s(self) -> float:
@@ -222,10 +221,9 @@ class DriveDraft:
         return Stop(self.stop_line_s_m - self.body.front_m, stands_s, self.goes_at)
 
     def speed_changes(self) -> list[SpeedChange]:
-        """All marks in the order of the path; one that stays before the junction does not turn."""
-        turning = self.road_changes() if self.halts_at_m is None else []
+        """All marks in the order of the path."""
         low, high = self.alone_s_m or (1.0, 0.0)
-        ordinary = [mark for mark in turning if not low <= mark.s_m <= high]
+        ordinary = [mark for mark in self.road_changes() if not low <= mark.s_m <= high]
         return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
 
     def first_speed(self) -> float:

@@ -106,7 +106,7 @@ def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:
 
     One who brakes to a stop before the meeting is not to be met after going on again.
     """
-    place = meeting_s_m if draft.halts_at_m is None else min(meeting_s_m, draft.halts_at_m)
+    place = meeting_s_m
     for mark in draft.marks:
         if mark.then is not None and mark.target_mps == 0 and mark.s_m < meeting_s_m:
             rest = mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)

@@ -14,6 +14,7 @@ from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous
 from scegen.motion.model import Array
+from scegen.motion.standing import object_path
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.spacings import Measure
 
@@ -118,9 +119,12 @@ class Moments:
             way, speed = gained(walk.speed_mps, walk.rate_mps2, times_s - self.leaves_s(name))
             way = np.minimum(way, walk.path.length_m)
             return box_on(walk.path, walk.body, way), speed
-        stand = scene.stands[name]
         still = np.zeros(len(times_s))
-        return box_on(stand.path, stand.body, still), still
+        if name in scene.stands:
+            stand = scene.stands[name]
+            return box_on(stand.path, stand.body, still), still
+        thing = next(thing for thing in scene.objects if thing.id == name)
+        return box_on(object_path(thing), thing.body, still), still
 
     def gone_m(self, name: str, act: Act) -> float:
         """How far one who drives has gone from the start of the scenario until an act begins."""

@@ -82,6 +82,9 @@ def hide(
         thing = causes_it(functional, hazard)
         if thing is None and (parked or not caused_by_nobody(functional, hazard)):
             continue
+        if thing is not None and any(each.id == thing.id for each in concrete.objects):
+            concrete = _by_nothing(concrete, hazard)  # it lies in somebody's way
+            continue
         shape = SCREEN if thing is None else shape_of(thing)
         taken = {o.id for o in concrete.objects}
         name = free_name(functional, shape.kind, taken) if thing is None else thing.id

@@ -167,7 +167,7 @@ def patient_ones(
 def _is_free(draft: DriveDraft) -> bool:
     """Whether nothing else fixes how it comes to its line."""
     does = draft.marks or draft.deeds or draft.reversal or draft.lane_changes
-    stands = draft.stands or draft.halts_at_m is not None or draft.drive.circulating
+    stands = draft.stands or draft.drive.circulating
     return not (does or stands)
 
 

@@ -62,13 +62,14 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
             continue
         late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
         way = before**2 / (2 * rate) * (_LATE if late else 1.0)
+        stays = draft.rests_at_m is not None and not draft.lane_changes
         hold = _HOLDS_S.get(hazard.kind, _HOLD_S)
         walkers = stops_for_walkers(scene, draft)
         if walkers is not None:
             hold = max(hold, walkers[1] - before / rate + _AFTER_WALKER_S)
         begins = max(3.0, event - way - 0.1)
         stop = SpeedChange(0.0, rate, s_m=begins, hazard=hazard.kind)
-        draft.add_speed_change(stop, holds_s=hold)
+        draft.add_speed_change(stop, holds_s=None if stays else hold)
 
 
 CHANGES_SPEED = Rule(act=_change_speed)
