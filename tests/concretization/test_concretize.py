@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from importlib import import_module
 from itertools import combinations
 from math import cos, sin
 
@@ -143,7 +144,8 @@ def test_a_road_longer_than_needed_lets_nobody_start_farther_out(cases, case, mo
     # Starts are looked for in steps of half a second, so a little may change.
     farthest = {}
     for length in (900, 1500):
-        monkeypatch.setattr("scegen.concretization.concretize.first_arm_m", lambda _, m=length: m)
+        module = import_module("scegen.concretization.concretize")
+        monkeypatch.setattr(module, "first_arm_m", lambda _, m=length: m)
         people = concretize(*cases[case]).participants
         farthest[length] = max(p.motion.turning_starts_m - p.motion.start_m for p in people)
     assert farthest[1500] < farthest[900] + 60.0, farthest
