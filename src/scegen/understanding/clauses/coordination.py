@@ -6,7 +6,6 @@ from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.state import State
 
-
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
 """What one does, and no jam."""
 
@@ -45,12 +44,11 @@ def coordinate(event: Event, state: State) -> None:
         return  # "ahead of the ego, which is doing 70 km/h and stops"
     outer = [e for e in verbs if not e.embedded]
     relative = bool(verbs) and verbs[-1].embedded and verbs[-1].form == event.form
-    if "," in state.between and relative:
-        verbs = outer or verbs  # "a car passes the ego, which drives on, and changes lanes"
-    if "," in state.between and "aux:modal" in state.between:
-        verbs = outer or verbs  # "finds a spot where two cars stand, and has to change lanes"
-    if relative and event.name in _ONES and _mass(verbs[-1].subject):
-        verbs = outer or verbs  # "comes up to a jam that crawls and brakes late"
+    # "A car passes the ego, which drives on, and changes lanes", "finds a spot where two stand,
+    # and has to change lanes", "comes up to a jam that crawls and brakes late".
+    besides = "," in state.between and (relative or "aux:modal" in state.between)
+    if besides or (relative and event.name in _ONES and _mass(verbs[-1].subject)):
+        verbs = outer or verbs
     alike = [e for e in verbs if _shape(e) == wanted]
     alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
     exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]

@@ -202,13 +202,17 @@ def past_the_roadside(clause: Clause, context: Context) -> bool:
     sides = {Approach.LEFT, Approach.RIGHT}
     named = clause.event.name in {"bypass", "pass"} and bool(clause.targets)
     around = {t.low for t in context.tokens[clause.event.i : clause.event.j]} & word_list("round")
-    return named and not around and all(
-        not e.is_vehicle
-        or (
-            e.parked
-            and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
+    return (
+        named
+        and not around
+        and all(
+            not e.is_vehicle
+            or (
+                e.parked
+                and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
+            )
+            for e in clause.targets
         )
-        for e in clause.targets
     )
 
 
