@@ -9,30 +9,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from scegen.concretization.asked import may_endanger, outward, side_of
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
-_SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
 _WITHOUT_TURNS = frozenset({JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT})
 
 
 def is_outward(functional: FunctionalScenario, name: str, reference: str) -> bool | None:
     """Whether one is said to be on the kerb's side of another; None if no side is said."""
-    words = {
-        word
-        for relation in functional.relations
-        if (relation.participant, relation.reference) == (name, reference)
-        for word in relation.approaches
-    }
-    if reference == functional.ego.id:
-        words |= functional.participant(name).approaches
-    said = words & _SIDES
-    if len(said) != 1:
-        return None
-    return next(iter(said)).value == functional.junction.driving_side.value
+    side = side_of(functional, name, reference)
+    return None if side is None else outward(functional, side) > 0
 
 
 def abreast(logical: LogicalScenario) -> Iterator[tuple[Drive, Drive]]:
@@ -75,11 +65,7 @@ def _at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool
     """Whether the danger is between the two: no other is asked for."""
     if not functional.hazards:
         return functional.ego.id in {drive.participant, other.participant}
-    pair = {drive.participant, other.participant}
-    return any(
-        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
-        for hazard in functional.hazards
-    )
+    return may_endanger(functional, {drive.participant, other.participant})
 
 
 def _bend(functional: FunctionalScenario, drive: Drive) -> int:

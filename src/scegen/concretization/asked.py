@@ -9,7 +9,7 @@ from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.speed_limits import limit_for_kind_mps
-from scegen.scenario.vocabulary import ParticipantKind, Side
+from scegen.scenario.vocabulary import Approach, ParticipantKind, Side
 
 
 def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> FunctionalScenario:
@@ -24,6 +24,31 @@ def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> Functi
 def outward(functional: FunctionalScenario, side: Side) -> int:
     """1 if that side of one who drives is towards the kerb, -1 if towards the centre line."""
     return 1 if side.value == functional.junction.driving_side.value else -1
+
+
+def words_between(functional: FunctionalScenario, name: str, reference: str) -> frozenset[Approach]:
+    """Where somebody is said to be, seen from another; nothing is said of things."""
+    found: frozenset[Approach] = frozenset()
+    if reference == functional.ego.id:
+        found = found.union(*(p.approaches for p in functional.participants if p.id == name))
+    for relation in functional.relations:
+        if (relation.participant, relation.reference) == (name, reference):
+            found |= relation.approaches
+    return found
+
+
+def side_of(functional: FunctionalScenario, name: str, reference: str) -> Side | None:
+    """On which side of another somebody is said to be, None if on neither or on both."""
+    sides = words_between(functional, name, reference) & {Approach.LEFT, Approach.RIGHT}
+    return Side(next(iter(sides)).value) if len(sides) == 1 else None
+
+
+def may_endanger(functional: FunctionalScenario, pair: set[str]) -> bool:
+    """Whether one of two causes a danger that the other suffers, or that nobody is said to."""
+    return any(
+        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
+        for hazard in functional.hazards
+    )
 
 
 def allowed(logical: LogicalScenario, name: str, speed_mps: float) -> float:

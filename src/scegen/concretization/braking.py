@@ -105,17 +105,17 @@ def brake_late(
         if not keeps(CLOSEST_M / 2, earliest_s, rate):
             continue
         latest = max(earliest_s, contact_s)
-        begins = _last(partial(keeps, CLOSEST_M, rate_mps2=rate), earliest_s, latest)
+        begins = last_that(partial(keeps, CLOSEST_M, rate_mps2=rate), earliest_s, latest)
         begins = max(earliest_s, floor(begins / STEP_S + _ROUNDING) * STEP_S)
         enough = rate
         if len(rates_mps2) > 1:
-            enough = _last(partial(keeps, CLOSEST_M, begins), rate, _SOFTER * rate)
+            enough = last_that(partial(keeps, CLOSEST_M, begins), rate, _SOFTER * rate)
         brake(begins, enough)
         return begins, enough
     return None
 
 
-def _last(holds: Callable[[float], bool], good: float, bad: float) -> float:
+def last_that(holds: Callable[[float], bool], good: float, bad: float) -> float:
     """The last value on the way from one to another at which something holds, by halves."""
     for _ in range(_ROUNDS):
         middle = (good + bad) / 2

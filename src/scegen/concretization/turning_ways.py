@@ -6,6 +6,7 @@ from itertools import combinations
 from math import radians, tan
 
 from scegen.concretization.abreast import turns_across
+from scegen.concretization.asked import may_endanger
 from scegen.errors import MotionInfeasibleError
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.arms import arm_angles_deg, seen_from
@@ -150,7 +151,4 @@ def _meant(functional: FunctionalScenario, first: Drive, second: Drive) -> bool:
     if not functional.hazards:
         others = {d.id for d in functional.vehicles} | {c.id for c in functional.crossers}
         return functional.ego.id in pair and len(others) == len(pair)
-    return any(
-        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
-        for hazard in functional.hazards
-    )
+    return may_endanger(functional, pair)

@@ -7,12 +7,12 @@ says how many there are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 
 from scegen.concretization.along.auxiliary import exiting, merging
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.asked import outward
+from scegen.concretization.asked import outward, side_of, words_between
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import Act, ActKind
@@ -148,7 +148,7 @@ def _from_words(
                 Wish((name,), SAID, _among(name, allowed), f"{name} is in lane {numbers}")
             )
         assignment = logical.assignment(name)
-        seen = {r: words for r, words in _seen_from(functional, name) if r in runners}
+        seen = {r: words_between(functional, name, r) for r in runners if r != name}
         beside = assignment.beside if isinstance(assignment, InLine) else None
         if beside is not None and beside in runners and name not in passing:
             seen[beside] = seen.get(beside, frozenset()) | {Approach.ADJACENT}
@@ -156,7 +156,7 @@ def _from_words(
             if (name, reference) in aside or (reference, name) in aside:
                 continue
             if Approach.ADJACENT in words_of:
-                step_out = _step_out(functional, assignment, reference, words_of)
+                step_out = _step_out(functional, assignment, reference)
                 met = _beside(name, reference, step_out)
                 words = f"{name} is in the lane beside {reference}"
                 wishes.append(Wish((name, reference), SAID, met, words))
@@ -169,29 +169,12 @@ def _from_words(
     return wishes
 
 
-def _step_out(
-    functional: FunctionalScenario,
-    assignment: Assignment,
-    reference: str,
-    words: frozenset[Approach],
-) -> int | None:
+def _step_out(functional: FunctionalScenario, assignment: Assignment, reference: str) -> int | None:
     """On which side somebody is beside another, as lanes farther out; None if either will do."""
     said = getattr(assignment, "beside_on", None)
-    if said is not None and getattr(assignment, "beside", None) == reference:
-        return outward(functional, said)
-    sides = words & {Approach.LEFT, Approach.RIGHT}
-    return outward(functional, Side(next(iter(sides)).value)) if len(sides) == 1 else None
-
-
-def _seen_from(
-    functional: FunctionalScenario, name: str
-) -> Iterator[tuple[str, frozenset[Approach]]]:
-    """From whom somebody is placed, and how."""
-    if name != functional.ego.id:
-        yield functional.ego.id, functional.participant(name).approaches
-    for relation in functional.relations:
-        if relation.participant == name:
-            yield relation.reference, relation.approaches
+    if said is None or getattr(assignment, "beside", None) != reference:
+        said = side_of(functional, assignment.participant, reference)
+    return None if said is None else outward(functional, said)
 
 
 def _lanes_aside(

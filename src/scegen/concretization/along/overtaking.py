@@ -15,6 +15,7 @@ from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import level
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.asked import outward
+from scegen.concretization.braking import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.speed_change import SpeedChange
 from scegen.errors import MotionInfeasibleError
@@ -26,7 +27,6 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind
 
 _CLEAR_M = 6.0
-_ROUNDS = 20
 _LONG_BACK_S = 2.5
 _LOOK_S, _LONGEST_S, _PASSES_S = 0.05, 60.0, 4.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
@@ -283,14 +283,14 @@ def _latest_out_s(
     """The latest moment to pull out at which one still gets past close by, without touching."""
     reaches = _when(partial(_level, fast, slow, JUST_M), earliest_s)
     kept = list(fast.moves)
-    low, high = earliest_s, max(reaches, earliest_s)
-    for _ in range(_ROUNDS):
-        middle = (low + high) / 2
-        fast.moves = [*kept, Move(middle, lasts_s, *place)]
-        past = keep_apart(fast, slow, JUST_M, middle, middle + lasts_s + _PASSES_S)
-        low, high = (middle, high) if past else (low, middle)
+
+    def past(begins_s: float) -> bool:
+        fast.moves = [*kept, Move(begins_s, lasts_s, *place)]
+        return keep_apart(fast, slow, JUST_M, begins_s, begins_s + lasts_s + _PASSES_S)
+
+    latest = last_that(past, earliest_s, max(reaches, earliest_s))
     fast.moves = kept
-    return low
+    return latest
 
 
 def _when(true: Callable[[Array], Bools], from_s: float) -> float:

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import GapAt, level, place
 from scegen.concretization.boxes import apart
+from scegen.concretization.braking import last_that
 from scegen.scenario.spacings import Measure
 
 JUST_M = 0.5
 """The room that is left between two of whom one just misses the other."""
 _LOOK_S = 0.05
-_ROUNDS = 16
 _AROUND_S = 3.0
 
 
@@ -22,14 +20,6 @@ def keep_apart(first: Runner, second: Runner, room_m: float, from_s: float, to_s
     """Whether two come no nearer than so much within a time, with their boxes as they turn."""
     times = np.arange(max(from_s, 0.0), to_s + _LOOK_S, _LOOK_S)
     return bool(np.all(apart(first.track(times)[0], second.track(times)[0], room_m) >= room_m))
-
-
-def _least(holds: Callable[[float], bool], low: float, high: float) -> float:
-    """The least value from which on something holds, by halves."""
-    for _ in range(_ROUNDS):
-        middle = (low + high) / 2
-        low, high = (low, middle) if holds(middle) else (middle, high)
-    return high
 
 
 def place_just_missed(
@@ -47,7 +37,7 @@ def place_just_missed(
         return keep_apart(front, back, room_m, move.begins_s, until_s)
 
     closing = max(back.speed_at_mps(move.begins_s) - front.speed_at_mps(move.begins_s), 1.0)
-    missed(_least(missed, 0.0, closing * move.lasts_s))
+    missed(last_that(missed, closing * move.lasts_s, 0.0))
 
 
 def just_missed_s(who: Runner, other: Runner, back: Move) -> float:
@@ -59,6 +49,6 @@ def just_missed_s(who: Runner, other: Runner, back: Move) -> float:
         around = _AROUND_S / 2
         return keep_apart(who, other, JUST_M, moment_s - around, moment_s + around)
 
-    found = _least(missed, back.begins_s, back.ends_s + 1.0)
+    found = last_that(missed, back.ends_s + 1.0, back.begins_s)
     who.at_m = kept
     return found

@@ -10,6 +10,7 @@ from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import GapAt, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
 from scegen.concretization.amounts import CLOSEST_M
+from scegen.concretization.asked import words_between
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.profile import NEVER_S
@@ -109,7 +110,7 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
     if first.forward != second.forward:
         return True
     for name, reference, sign in ((who, other, True), (other, who, False)):
-        words = story.words(name, reference)
+        words = words_between(story.functional, name, reference)
         if Approach.AHEAD in words or Approach.BEHIND in words:
             return (Approach.AHEAD in words) == sign
         comes_in = any(
@@ -264,7 +265,10 @@ def _usual(
         gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
         return Measure.GAP_M, gap * wider, comes_in.begins_s
     if front.lane != back.lane:
-        diagonal = story.words(runner.id, other.id) & {Approach.AHEAD, Approach.BEHIND}
+        diagonal = words_between(story.functional, runner.id, other.id) & {
+            Approach.AHEAD,
+            Approach.BEHIND,
+        }
         return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
     leaves = next((m for m in front.moves if m.lane != back.lane), None)
     slows = next((s for s in front.steps if s.target_mps < front.speed_mps), None)

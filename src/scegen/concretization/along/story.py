@@ -16,7 +16,7 @@ from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import HazardKind
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
@@ -49,16 +49,6 @@ class Story(Tale):
     def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
         """The boxes of somebody over time, and its speeds."""
         return self.runners[name].track(times_s)
-
-    def words(self, name: str, reference: str) -> frozenset[Approach]:
-        """Where somebody is said to be, seen from another; nothing is said of things."""
-        found: frozenset[Approach] = frozenset()
-        if reference == self.ego.id and not self.runners[name].thing:
-            found |= self.functional.participant(name).approaches
-        for relation in self.functional.relations:
-            if (relation.participant, relation.reference) == (name, reference):
-                found |= relation.approaches
-        return found
 
     def driver(self, name: str) -> Driver:
         """Who drives somebody."""
