@@ -269,8 +269,8 @@ def test_on_a_motorway_nobody_crawls(describe):
     people = [EGO, {"id": "truck", "kind": "truck"}]
     functional = describe("straight", 2, people, speed_limit_mps=130 / 3.6)
     found = parameters(functional)
-    assert found["ego.speed_mps"] == (28.889, 32.5, 36.111)
-    assert found["truck.speed_mps"] == (20, 22.5, 25)
+    assert found["ego.speed_mps"] == (28.889, 36.111, 36.111)
+    assert found["truck.speed_mps"] == (20, 25, 25)
 
 
 @pytest.mark.parametrize("reduction", list(Reduction))

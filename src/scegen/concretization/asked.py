@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 
-from scegen.scenario.bodies import BODIES
-from scegen.scenario.functional import FunctionalScenario, Hazard
-from scegen.scenario.hazards import HAZARDS
+from scegen.enumeration.ranges import speed_range
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.speed_limits import limit_for_kind_mps
-from scegen.scenario.vocabulary import Approach, ParticipantKind, Side
+from scegen.scenario.parameters import ParameterRange
+from scegen.scenario.vocabulary import Approach, Side
+
+_ROUNDING_MPS = 1e-3
 
 
 def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> FunctionalScenario:
@@ -51,23 +52,15 @@ def may_endanger(functional: FunctionalScenario, pair: set[str]) -> bool:
     )
 
 
-def allowed(logical: LogicalScenario, name: str, speed_mps: float) -> float:
-    """The nearest speed that the logical scenario allows."""
-    for parameter in logical.parameters:
-        if parameter.name == f"{name}.speed_mps":
-            return min(max(speed_mps, parameter.low), parameter.high)
-    return speed_mps
-
-
-def endangering_mps(
-    asked: tuple[Hazard, ...], name: str, kind: ParticipantKind, limit_mps: float
-) -> float | None:
-    """The usual speed of one whose danger is its speed; None of others."""
-    for hazard in asked:
-        share = HAZARDS[hazard.kind].speed_share
-        if name in hazard.by and share is not None:
-            return min(share[2] * limit_for_kind_mps(kind, limit_mps), BODIES[kind].top_speed_mps)
-    return None
+def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str) -> ParameterRange:
+    """How fast somebody may be who moves; of a logical scenario made by hand, as of one listed."""
+    listed = (p for p in logical.parameters if p.name == f"{name}.speed_mps")
+    pace = next(listed, None) or speed_range(functional, logical.assignment(name))
+    said = functional.participant(name).speed_mps
+    if said is None or abs(said.middle - pace.default) > _ROUNDING_MPS:
+        return pace
+    exact = {"low": said.low, "high": said.high, "default": said.middle}
+    return pace.model_copy(update=exact)
 
 
 def slug_name(logical: LogicalScenario) -> str:

@@ -6,8 +6,7 @@ adaptive cruise control from 0.8 s, decelerations beyond 3.5 m/s2 are not comfor
 Policy on Geometric Design: about nine in ten drivers brake harder than 3.4 m/s2 when something
 surprises them; [2S] the two-second rule of driving schools; [UN152] UN R152: emergency braking of
 at least 5 m/s2 (*); [UN157] UN R157: the delay of its
-careful driver (*); [MUTCD] signals are timed for 1.2 m/s, which two thirds of younger
-pedestrians exceed, nine in ten when they cross (Transportation Research Record 2002, 2007).
+careful driver (*).
 (*) quoted from memory: the text itself could not be consulted. Where no source is named, the
 number is this program's own choice.
 """
@@ -43,16 +42,7 @@ CREEP_MPS = 0.5
 
 JITTER = 0.04  # relative spread of ordinary speeds
 
-WALKING_MPS = 1.4  # above the 1.2 of [MUTCD]
-CYCLING_MPS = 4.0
 WALKING_START_MPS2 = 2.5
-PACE_MPS = {
-    ParticipantKind.PEDESTRIAN: WALKING_MPS,
-    ParticipantKind.BICYCLE: CYCLING_MPS,
-    ParticipantKind.ANIMAL: 5.0,
-    ParticipantKind.LARGE_ANIMAL: 7.0,
-}
-"""How fast those usually are who cross: animals run."""
 
 
 def starting_mps2(kind: ParticipantKind) -> float:

@@ -101,13 +101,6 @@ class Setup(Tale):
         ranked = dict.fromkeys([*named, self.ego.id, *self.drives])
         return [self.drives[other] for other in ranked if other in self.drives]
 
-    def allowed(self, name: str, default: tuple[float, float]) -> tuple[float, float]:
-        """The range of a parameter of the logical scenario."""
-        for parameter in self.logical.parameters:
-            if parameter.name == name:
-                return parameter.low, parameter.high
-        return default
-
     def speed_acts(self, name: str) -> list[Act]:
         """The changes of speed that the text tells of somebody, in order."""
         return [a for a in self.acts if a.participant == name and a.kind in SLOWING | GAINING]

@@ -7,11 +7,9 @@ from collections.abc import Callable
 from math import sin, sqrt
 
 from scegen.concretization.amounts import pace_across_mps
+from scegen.concretization.asked import pace_of
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.limits import (
-    PACE_MPS,
-    starting_mps2,
-)
+from scegen.concretization.limits import starting_mps2
 from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.setup import Setup
@@ -25,6 +23,7 @@ from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
 from scegen.scenario.vocabulary import HazardKind, Side
 
+_SPREAD, _SLOWEST_MPS = (0.9, 1.2), 0.3
 _SETBACK_M = 1.5
 _BEYOND_STRIP_M = 1.0
 _UNMARKED_M = 4.0
@@ -78,11 +77,10 @@ def _abreast_m(number: int) -> float:
 
 
 def _speed(scene: Setup, participant: Participant, arm: int) -> float:
-    usual = PACE_MPS[participant.kind]
-    low, high = scene.allowed(f"{participant.id}.speed_mps", (0.9 * usual, 1.2 * usual))
-    least = min(max(low, 0.9 * usual), high)
-    speed = float(scene.rng.uniform(least, max(min(high, 1.2 * usual), least)))
-    speed = min(max(speed, low, 0.3), max(high, 0.3))
+    pace = pace_of(scene.functional, scene.logical, participant.id)
+    slow, fast = (share * pace.default for share in _SPREAD)
+    speed = float(scene.rng.uniform(max(slow, pace.low), min(fast, pace.high)))
+    speed = max(speed, _SLOWEST_MPS)
     if participant.speed_mps is None:
         road = scene.network.arm_road(arm)
         width = road.edge_t_m(1) - road.edge_t_m(-1)

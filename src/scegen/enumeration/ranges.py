@@ -38,9 +38,13 @@ KIND_SPEED_MPS: dict[ParticipantKind, Range] = {
     ParticipantKind.LARGE_ANIMAL: (1.5, 12.0, 7.0, "trotting to running"),
 }
 USUAL_SHARE: Range = (0.6, 1.0, 0.8, "usual")
-CRUISING_SHARE: Range = (0.8, 1.0, 0.9, "cruising")
-"""Where nobody turns: free-flowing traffic goes about as fast as the limit, by the Highway
-Capacity Manual (6th edition, chapter 12) a few km/h faster; none here breaks the limit unasked."""
+CRUISING_SHARE: Range = (0.8, 1.0, 1.0, "cruising")
+PASSED_SHARE: Range = (0.6, 1.0, 1.0, "cruising")
+"""Where nobody turns, and where moreover somebody passes another, who is slower than that.
+
+Free-flowing traffic goes about as fast as the limit, by the Highway Capacity Manual (6th edition,
+chapter 12) a few km/h faster; none here breaks the limit unasked.
+"""
 MOST_FOR_KIND_MPS: dict[ParticipantKind, float] = {
     ParticipantKind.TRUCK: 90 / 3.6,
     ParticipantKind.BUS: 100 / 3.6,
@@ -71,21 +75,22 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
     own = {hazard.kind for hazard in functional.hazards if participant.id in hazard.by}
     if kind in KIND_SPEED_MPS and not (kind in FAST_FOR_KIND_MPS and HazardKind.SPEEDING in own):
         return KIND_SPEED_MPS[kind]
-    # Who overtakes passes somebody who is slower than the traffic may be.
-    passing = any(Maneuver.OVERTAKE in p.maneuvers for p in functional.participants)
-    cruising = functional.junction.kind is JunctionKind.STRAIGHT and not passing
-    share = CRUISING_SHARE if cruising else USUAL_SHARE
+    share = USUAL_SHARE
+    if functional.junction.kind is JunctionKind.STRAIGHT:
+        passing = any(Maneuver.OVERTAKE in p.maneuvers for p in functional.participants)
+        share = PASSED_SHARE if passing else CRUISING_SHARE
+    ordinary = share
     for hazard in functional.hazards:
         own_share = HAZARDS[hazard.kind].speed_share
         if own_share is not None and participant.id in hazard.by:
             share = (*own_share, str(hazard.kind).replace("_", " "))
     limit = limit_for_kind_mps(kind, implied_limit_mps(functional))
-    if share in {CRUISING_SHARE, USUAL_SHARE}:
+    if share is ordinary:
         limit = min(limit, MOST_FOR_KIND_MPS.get(kind, limit), comfortable_mps(functional))
     low, high, default, reason = share
     low, high, default = low * limit, high * limit, default * limit
     pace = functional.ego.speed_mps
-    if share in {CRUISING_SHARE, USUAL_SHARE} and pace is not None and pace.low > _MOVES_MPS:
+    if share is ordinary and pace is not None and pace.low > _MOVES_MPS:
         # Who drives in line with the ego may be as slow as that is said to be.
         in_line = participant.approaches & {Approach.AHEAD, Approach.BEHIND}
         low, default = (min(low, pace.low), min(default, pace.high)) if in_line else (low, default)

@@ -6,9 +6,8 @@ from collections.abc import Mapping
 
 from scegen.concretization.along.auxiliary import RAMP_MPS, merging
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
-from scegen.concretization.asked import allowed, endangering_mps
+from scegen.concretization.asked import pace_of
 from scegen.concretization.limits import (
-    PACE_MPS,
     REVERSING_MPS,
     REVERSING_MPS2,
 )
@@ -28,15 +27,9 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
 
-_USUAL_MPS = {
-    **PACE_MPS,
-    ParticipantKind.TRUCK: 80 / 3.6,
-    ParticipantKind.BUS: 80 / 3.6,
-}
-"""How fast kinds go at most where nobody says how fast: lorries and buses as the EU's limiters and
-limits have it, cyclists and walkers at their pace."""
+_STANDS_MPS = 1.0
 _EDGE_M = 1.5
 """Who walks along the side of the road keeps so far from the middle of its outermost lane."""
 _PASSES_BY_MPS = 6.0
@@ -52,9 +45,7 @@ def is_along(assignment: Assignment, participant: Participant) -> bool:
     return True
 
 
-def cast(
-    functional: FunctionalScenario, logical: LogicalScenario, limit_mps: float
-) -> dict[str, Runner]:
+def cast(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, Runner]:
     """Everybody along the road, at the speed that is said or usual; lanes and places come later."""
     ego = logical.assignment(functional.ego.id)
     arm = ego.entry if isinstance(ego, Drive) else 0
@@ -63,7 +54,7 @@ def cast(
         participant = functional.participant(assignment.participant)
         if is_along(assignment, participant):
             runners[participant.id] = _runner(functional, assignment, participant, arm)
-    _speeds(functional, logical, runners, limit_mps)
+    _speeds(functional, logical, runners)
     return runners
 
 
@@ -102,14 +93,11 @@ def _speeds(
     functional: FunctionalScenario,
     logical: LogicalScenario,
     runners: Mapping[str, Runner],
-    limit_mps: float,
 ) -> None:
     """Said, else by the danger that it causes, else the one speed of cruising traffic."""
     said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
     ego = runners[functional.ego.id]
-    cruising = said[ego.id].middle if ego.id in said else limit_mps
-    if cruising < 1.0:
-        cruising = limit_mps
+    cruising = pace_of(functional, logical, ego.id).default
     ramps = functional.junction.auxiliary is AuxiliaryLane.ON_RAMP
     on_ramp = merging(functional) if ramps else frozenset()
     for runner in runners.values():
@@ -121,27 +109,18 @@ def _speeds(
             _reverse(runner, said.get(runner.id), back)
         elif stays or _sets_off(functional, runner.id):
             runner.speed_mps = 0.0
-        elif runner.id in said:
-            runner.speed_mps = said[runner.id].middle
         else:
-            usual = usual_mps(runner.kind, limit_mps)
-            if runner.id in on_ramp:
-                usual = min(usual, RAMP_MPS)
-            speed = min(cruising if runner.forward else limit_mps, usual)
-            dangerous = endangering_mps(functional.hazards, runner.id, runner.kind, limit_mps)
-            speed = speed if dangerous is None else dangerous
-            runner.speed_mps = allowed(logical, runner.id, speed)
+            pace = pace_of(functional, logical, runner.id)
+            with_ego = cruising if runner.forward and cruising > _STANDS_MPS else pace.high
+            speed = max(min(pace.default, with_ego), pace.low)
+            slow = runner.id in on_ramp and runner.id not in said
+            runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
     for hazard in functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING:
             _make_faster(runners, hazard.by, hazard.to, said)
     for act in functional.acts:
         if act.kind is ActKind.OVERTAKE and act.into:
             _make_faster(runners, (act.participant,), (act.into,), said)
-
-
-def usual_mps(kind: ParticipantKind, limit_mps: float) -> float:
-    """How fast one of a kind goes where nobody says how fast."""
-    return _USUAL_MPS.get(kind, limit_mps)
 
 
 def _sets_off(functional: FunctionalScenario, name: str) -> bool:

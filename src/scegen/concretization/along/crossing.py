@@ -11,10 +11,9 @@ from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
-from scegen.concretization.asked import allowed
+from scegen.concretization.asked import pace_of
 from scegen.concretization.limits import (
     HARD_BRAKING_MPS2,
-    PACE_MPS,
     REACTION_S,
     starting_mps2,
 )
@@ -79,12 +78,10 @@ def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
 def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: list[Walk]) -> Walk:
     participant = story.functional.participant(crossing.participant)
     body = participant.body
-    said = participant.speed_mps
     width = edge_y_m(story, left=True) - edge_y_m(story, left=False)
-    usual = PACE_MPS[participant.kind]
     acts = story.functional.acts
-    speed = said.middle if said is not None else allowed(story.logical, participant.id, usual)
-    if said is None:
+    speed = pace_of(story.functional, story.logical, participant.id).default
+    if participant.speed_mps is None:
         speed = pace_across_mps(acts, participant.id, width) or speed
     meets = story.runners[_meets(story, participant.id)]
     ego_arm = story.logical.assignment(story.ego.id)

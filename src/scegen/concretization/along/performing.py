@@ -9,12 +9,11 @@ from scegen.concretization.along.auxiliary import (
     exiting,
     merging,
 )
-from scegen.concretization.along.casting import usual_mps
 from scegen.concretization.along.doors import clear_of_m, door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, lasting_s
-from scegen.concretization.asked import outward
+from scegen.concretization.asked import outward, pace_of
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     LANE_CHANGE_S,
@@ -82,7 +81,7 @@ def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedC
     if runner.id in merging(functional):
         others = (r for r in story.runners.values() if r.forward and r is not runner)
         traffic = max((r.speed_mps for r in others), default=story.limit_mps)
-        target = min(traffic, usual_mps(runner.kind, story.limit_mps))
+        target = min(traffic, pace_of(functional, story.logical, runner.id).high)
         said = functional.participant(runner.id).speed_mps is not None
         if said or target < runner.speed_mps + _SAME_MPS:
             return []

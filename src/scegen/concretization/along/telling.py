@@ -15,7 +15,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.speed_limits import comfortable_mps, implied_limit_mps
+from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -29,7 +29,7 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     functional = as_meant(functional, logical)
     limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
     grip = friction_of(functional.environment) * GRAVITY_MPS2
-    runners = cast(functional, logical, min(limit, comfortable_mps(functional)))
+    runners = cast(functional, logical)
     _keep_on_the_road(functional, runners, limit, grip)
     cast_doors(functional, logical, runners)
     things = _things(functional, logical, runners)
