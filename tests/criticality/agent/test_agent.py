@@ -65,7 +65,7 @@ def test_objections_go_back_and_the_better_answer_counts(advised, good_changes, 
     assert raised.proof.advice.accepted == 2
     assert session.usage.requests == 2
     said = json.dumps(chat_server.asked("parameters")[1]["messages"])
-    assert "car_1.start_m = 500: lies outside 1.995 to 45.74 m" in said
+    assert "car_1.start_m = 500: lies outside 1.995 to 45.7" in said
     assert "car_7.warp = 1: there is no such parameter" in said
 
 
