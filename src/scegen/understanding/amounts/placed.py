@@ -60,6 +60,8 @@ class Spacer(Teller):
         measure = MEASURES[number.frame.role]
         if measure in _ALONG and self._releaser.sets_off(number, measure):
             return True
+        if self._releaser.from_elsewhere(number):
+            return False
         after = self._text.phrase_after(number.j)
         place = after[1] if after is not None else None
         if isinstance(place, Place) and place.kind in JUNCTION | _PLACES:

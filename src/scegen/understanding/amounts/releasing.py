@@ -16,6 +16,7 @@ from scegen.understanding.happenings import Apart, Doing, Item, Trigger, amount_
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _SHORT = frozenset({"before", "short", "from", "away", "off", "of", "in", "ahead", "prior"})
 _SOON = 14
+_ASIDE = frozenset({"side", "direction", "lane", "front"})
 
 
 class Releaser(Teller):
@@ -71,7 +72,7 @@ class Releaser(Teller):
         other = named[0] if named else doing.entity if subject is not doing.entity else None
         near = [e for m in text.mentions if m.i < number.i for e in m.entities if e is not subject]
         other = other or doing.into or counterpart(subject, self._context, near)
-        if other is None or other is subject:
+        if other is None or other is subject or self.from_elsewhere(number):
             return False
         entity, reference = subject, other
         behind_or_ahead(number, subject, other, self._context)
@@ -80,6 +81,19 @@ class Releaser(Teller):
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
+
+    def from_elsewhere(self, number: Measured) -> bool:
+        """``40 m from the line``, ``40 m before the bridge``: from nobody who takes part."""
+        after = self._text.phrase_after(number.j)
+        if after is None or number.quantity.dimension != "length":
+            return False
+        word, noun = after
+        if self._text.tokens[word.i].low not in {"from", "before"}:
+            return False
+        if isinstance(noun, Place):
+            return noun.kind not in _ASIDE and noun.owner is None
+        named = self._text.tokens[word.j : word.j + 1]
+        return noun is None and bool(named) and named[0].low in {"the", "a", "an"}
 
     def _waits(self, number: Measured, entity: Entity) -> bool:
         """``where a van waits 5 m before the line``: so far it stays, which sets nothing off."""

@@ -7,7 +7,6 @@ from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.state import State
 
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
-"""What one does, and no jam."""
 
 
 def auxiliary(state: State) -> bool:
@@ -47,7 +46,7 @@ def coordinate(event: Event, state: State) -> None:
     # "A car passes the ego, which drives on, and changes lanes", "finds a spot where two stand,
     # and has to change lanes", "comes up to a jam that crawls and brakes late".
     besides = "," in state.between and (relative or "aux:modal" in state.between)
-    if besides or (relative and event.name in _ONES and _mass(verbs[-1].subject)):
+    if besides or (relative and _no_jam(event, verbs[-1].subject)):
         verbs = outer or verbs
     alike = [e for e in verbs if _shape(e) == wanted]
     alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
@@ -78,9 +77,10 @@ def coordinate(event: Event, state: State) -> None:
     alternative(event, parallel, state)
 
 
-def _mass(subject: list[Mention]) -> bool:
+def _no_jam(event: Event, subject: list[Mention]) -> bool:
+    """``comes up to a jam that crawls and brakes late``: what one does, and no jam."""
     head = subject[-1].head if subject else None
-    return head is not None and bool(head.data.get("mass"))
+    return event.name in _ONES and head is not None and bool(head.data.get("mass"))
 
 
 def _as_finite(first: Event, second: Event) -> bool:

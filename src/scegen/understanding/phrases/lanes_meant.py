@@ -74,7 +74,7 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
     if isinstance(chunk, Place) and chunk.kind == "side":
         named_side = chunk.mod("det") is not None and chunk.head is None and _sided(chunk)
         after = before is not None and getattr(before, "value", "") in {"to", "on"}
-        if whole is None or not named_side or after:
+        if not named_side or after or (whole is None and not _to_another(k, chunks)):
             return None
         return _as_lane(chunk, chunk, chunk.mods)
     if not isinstance(chunk, Mention):
@@ -91,6 +91,16 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
         sides = [m for m in named.mods if m.cat == "dir"]
         return _as_lane(chunk, chunk, sides)
     return None
+
+
+def _to_another(k: int, chunks: list[Chunk]) -> bool:
+    """``from the left to the right lane``."""
+    before, after, lane = (
+        chunks[m] if 0 <= m < len(chunks) else None for m in (k - 1, k + 1, k + 2)
+    )
+    leads = isinstance(after, Word) and after.value in {"to", "into"}
+    sided = isinstance(lane, Place) and lane.kind == "lane" and _sided(lane)
+    return isinstance(before, Word) and before.value == "from" and leads and sided
 
 
 def _as_lane(first: NounPhrase, last: NounPhrase, mods: list[Term]) -> Place:

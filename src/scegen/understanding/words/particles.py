@@ -180,9 +180,18 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     before = tokens[k - 2].low if k > 1 else ""
     sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
     after = tokens[k + 1].low if k + 1 < len(tokens) else ""
-    governs = after in {"the", "a", "an", "its", "their", "his", "her", "to", "and"} | word_list(
-        "particles_across"
-    )
+    governs = after in {
+        "the",
+        "a",
+        "an",
+        "its",
+        "their",
+        "his",
+        "her",
+        "to",
+        "and",
+        "from",
+    } | word_list("particles_across")
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
