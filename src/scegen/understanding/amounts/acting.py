@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import let_by
 from scegen.understanding.amounts.sentences import Sentences
@@ -99,7 +99,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         if kind is None or _stands_then(entity, event):
             continue
         across = event.name == "cut_in" and text.tokens[event.j - 1].low == "across"
-        if across and entity.maneuvers & _TURNS:
+        if across and (entity.maneuvers & _TURNS or _round(context)):
             continue  # "turns right and cuts across a cyclist"
         if kind is ActKind.OVERTAKE and scene.targets and all(t.parked for t in scene.targets):
             continue  # past one who is parked beside the lanes leads no move aside
@@ -115,6 +115,11 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         further = whom[1:] if doing.kind is ActKind.GIVE_WAY else []
         made += [replace(doing, into=other) for other in further]
     return made
+
+
+def _round(context: Context) -> bool:
+    """At a roundabout who cuts across goes on round it."""
+    return context.junction.kind is JunctionKind.ROUNDABOUT
 
 
 def _starts(event: Event) -> bool:

@@ -72,11 +72,18 @@ def _ends_there(event: Event, prep: Prep) -> bool:
         for p in event.pps
     )
     afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
+    if prep.value == "ahead" and _meets(prep):
+        return True  # "a car comes the other way; the ego goes in front of it"
     if afoot and (event.name, prep.value) == ("stop", "ahead"):
         return True  # "stops 1 m in front of her"
     return (event.name, prep.value) == ("swerve", "behind") or (
         (turns or onto) and prep.value == "ahead"
     )
+
+
+def _meets(prep: Prep) -> bool:
+    led = prep.target.entities if isinstance(prep.target, Mention) else []
+    return any("opposite" in e.dirs for e in led)
 
 
 _BOTH = ("left", "right")

@@ -77,7 +77,7 @@ class Pronouns:
         meant = self.roster.together(exclude)
         number = mention.mod("num")
         if number is not None and int(number.data["number"]) != len(meant):
-            people = everybody(mention, self.draft)
+            people = [e for e in everybody(mention, self.draft) if e not in exclude]
             return people if len(people) == int(number.data["number"]) else meant
         opens = mention.i == 0 or self.tokens[mention.i - 1].kind == "punct"
         if opens and self.tokens[mention.i].low == "all" and len(meant) == _TWO:
