@@ -111,10 +111,20 @@ def attach(prep: Prep, state: State) -> None:
     if described is not None:
         described.pps.append(prep)
         prep.predicate = "aux:be" in state.between and "rel" not in state.between
+    elif _put_in(prep, state) and state.candidate is not None:
+        state.candidate.pps.append(prep)
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _put_in(prep: Prep, state: State) -> bool:
+    """``…, while the ego, with green, goes on``: of who is named before the comma."""
+    who = state.candidate
+    fresh = who is not None and not state.candidate_done and state.anchor is who
+    fresh = fresh and not any(who in e.subject for e in state.events)
+    return fresh and prep.value == "with" and state.between == {","}
 
 
 def _does_it(event: Event) -> bool:
