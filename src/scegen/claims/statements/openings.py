@@ -15,6 +15,7 @@ from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.scenario.acts import ActKind, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import START, Measure
+from scegen.scenario.vocabulary import Maneuver
 
 _LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 LEAD_IN_S = 1.0
@@ -44,18 +45,27 @@ def claims(told: Told) -> Iterator[Claim]:
 def _begins_as_said(told: Told, name: str) -> bool:
     """Whether the text gives the moment of something that it does, by a number.
 
-    Also who passes another is as close to that one at first as the text says.
+    Also who passes another, or comes up to one that stands, is as close to that one at first as
+    the text says.
     """
     given = AfterStart | AfterDistance | WhenMeasure
     acts = told.acts_of(name)
+    if any(isinstance(act.when, given) for act in acts):
+        return True
     passes = any(act.kind is ActKind.OVERTAKE for act in acts)
-    close = any(
-        spacing.at == START
-        and spacing.measure in _LENGTHWISE
-        and name in {spacing.participant, spacing.reference}
-        for spacing in told.functional.spacings
-    )
-    return any(isinstance(act.when, given) for act in acts) or (passes and close)
+    return any(passes or _stays(told, other) for other in _close_at_first(told, name))
+
+
+def _stays(told: Told, name: str) -> bool:
+    drive = told.drive(name)
+    return drive is None or drive.maneuver is Maneuver.STAY
+
+
+def _close_at_first(told: Told, name: str) -> Iterator[str]:
+    for spacing in told.functional.spacings:
+        pair = {spacing.participant, spacing.reference}
+        if spacing.at == START and spacing.measure in _LENGTHWISE and name in pair:
+            yield from pair - {name}
 
 
 def _undisturbed(told: Told, name: str, view: View) -> Judged:
