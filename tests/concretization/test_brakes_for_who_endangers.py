@@ -21,3 +21,11 @@ def test_it_holds_from_the_first(text):
     functional = read(text)
     assert functional.acts
     assert not missed(functional, first(functional))
+
+
+def test_who_backs_out_of_a_bay_comes_from_beside_at_the_speed_that_is_said():
+    text = "A car backs out of a parking space on the right at 6 km/h into the ego's path."
+    functional = read(text)
+    concrete = first(functional)
+    assert concrete.participant("car_1").motion.reversal.side == "right"
+    assert not missed(functional, concrete) & {"speed.car_1", "approach.car_1"}

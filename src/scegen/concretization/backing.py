@@ -141,6 +141,9 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
 
 
 def _back_mps(scene: Setup, draft: DriveDraft) -> float:
+    said = scene.functional.participant(draft.id).speed_mps
+    if said is not None:
+        return said.middle
     speed = float(scene.rng.uniform(*REVERSING_MPS))
     scene.note(f"{draft.id}.reversing_mps", speed, "usual speed backwards")
     return speed

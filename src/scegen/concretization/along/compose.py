@@ -44,7 +44,7 @@ from scegen.scenario.concrete import (
     door_of,
 )
 from scegen.scenario.functional import FunctionalScenario, Hazard
-from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.logical import Drive, LogicalScenario, Reverses
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
@@ -69,7 +69,8 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
     backing = {a.participant for a in functional.acts if a.kind is ActKind.REVERSE}
     reversing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
     return reversing <= backing and not any(
-        (d.reverses is not None and d.participant not in backing)
+        d.reverses not in {None, Reverses.BACKS_UP}
+        or (d.reverses is not None and d.participant not in backing)
         or d.turn is Maneuver.U_TURN
         or d.entry == d.exit
         for d in logical.drives

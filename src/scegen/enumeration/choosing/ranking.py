@@ -30,9 +30,9 @@ def richest_first(
 ) -> tuple[int, int, int, int]:
     """A key to sort by: rich before poor, of equally rich ones the plainest first.
 
-    Who reverses at a junction comes most plainly out of an arm, as out of a drive.
+    But who reverses at a junction comes out of an arm, as out of a drive, where it can.
     """
     turns = sum(drive.turn is not Maneuver.STRAIGHT for drive in scenario.drives)
     junction = functional.junction.kind is not JunctionKind.STRAIGHT
     odd = sum(junction and drive.reverses is Reverses.BACKS_UP for drive in scenario.drives)
-    return -richness(scenario, functional), odd, turns, scenario.index
+    return odd, -richness(scenario, functional), turns, scenario.index

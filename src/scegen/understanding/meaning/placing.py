@@ -72,7 +72,10 @@ def _ends_there(event: Event, prep: Prep) -> bool:
         for p in event.pps
     )
     afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
-    if prep.value == "ahead" and _meets(prep):
+    backs_out = event.name == "reverse" and any(
+        isinstance(p.target, Place) and p.target.kind in {"parking", "access"} for p in event.pps
+    )
+    if prep.value == "ahead" and (backs_out or _meets(prep)):
         return True  # "a car comes the other way; the ego goes in front of it"
     if afoot and (event.name, prep.value) == ("stop", "ahead"):
         return True  # "stops 1 m in front of her"
