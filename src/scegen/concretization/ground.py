@@ -8,9 +8,10 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scegen.motion.model import Array, Path
+from scegen.claims.boxes import Boxes
+from scegen.concretization.boxes import box_of, box_on
+from scegen.motion.model import Path
 from scegen.motion.standing import object_path
-from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, Road, RoadNetwork
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
@@ -34,44 +35,28 @@ def taken_ground(
     for participant in concrete.participants:
         path, body = paths[participant.id], participant.body
         if len(path.s_m) > 1:
-            parts.append(shapely.union_all(swept(path, body)).buffer(_OFF_THE_WAY_M))
+            # All along its way: in bends the corners of a body go wide.
+            s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
+            parts.append(shapely.union_all(outlines(box_on(path, body, s))).buffer(_OFF_THE_WAY_M))
         else:
-            middle = path.start.shifted(forward_m=body.centre_ahead_m)
-            parts.append(_standing_on(middle, body))
-    parts += [_standing_on(object_path(thing).start, thing.body) for thing in concrete.objects]
+            parts.append(_standing_on(path, body))
+    parts += [_standing_on(object_path(thing), thing.body) for thing in concrete.objects]
     return shapely.union_all(parts)
 
 
-def swept(path: Path, body: Body) -> NDArray[np.object_]:
-    """The outlines of a body all along its way: in bends its corners go wide."""
-    s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
-    heading = np.interp(s, path.s_m, path.heading_rad)
-    return boxes(
-        np.interp(s, path.s_m, path.x_m) + body.centre_ahead_m * np.cos(heading),
-        np.interp(s, path.s_m, path.y_m) + body.centre_ahead_m * np.sin(heading),
-        heading,
-        body.length_m,
-        body.width_m,
-    )
+def _standing_on(path: Path, body: Body) -> shapely.Geometry:
+    return outlines(box_of(path.start, body))[0].buffer(_OFF_THE_ROAD_M)
 
 
-def _standing_on(middle: Pose, body: Body) -> shapely.Geometry:
-    x, y, heading = (np.array([v]) for v in (middle.x_m, middle.y_m, middle.heading_rad))
-    return boxes(x, y, heading, body.length_m, body.width_m)[0].buffer(_OFF_THE_ROAD_M)
-
-
-def boxes(
-    x_m: Array, y_m: Array, heading_rad: Array, length_m: float, width_m: float
-) -> NDArray[np.object_]:
-    """The outlines of boxes of one size, (n,), by centre and heading."""
-    along = np.array([1, 1, -1, -1]) * length_m / 2
-    left = np.array([1, -1, -1, 1]) * width_m / 2
-    c, s = np.cos(heading_rad)[:, None], np.sin(heading_rad)[:, None]
-    corners = np.stack(
-        (x_m[:, None] + along * c - left * s, y_m[:, None] + along * s + left * c), axis=-1
-    )
-    outlines: NDArray[np.object_] = shapely.polygons(corners)
-    return outlines
+def outlines(boxes: Boxes) -> NDArray[np.object_]:
+    """The outlines of boxes, (n,)."""
+    along = np.array([1, 1, -1, -1]) * boxes.half_length
+    left = np.array([1, -1, -1, 1]) * boxes.half_width
+    c, s = boxes.cos[:, None], boxes.sin[:, None]
+    x, y = boxes.x[:, None], boxes.y[:, None]
+    corners = np.stack((x + along * c - left * s, y + along * s + left * c), axis=-1)
+    found: NDArray[np.object_] = shapely.polygons(corners)
+    return found
 
 
 def _carriageway(road: Road) -> shapely.Geometry | None:

@@ -38,7 +38,7 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
                 comes_back=_goes(scene, draft) is Maneuver.OVERTAKE,
             )
         elif not (
-            _goes_round_somebody_standing(scene, draft)
+            _stands_on_its_way(scene, draft, in_lane=True)
             or _drives_past(scene, draft)
             or goes_round_a_thing(scene, draft)
         ):
@@ -78,11 +78,11 @@ def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
     return max(ahead, key=lambda other: (slow(other), other.drive.rank), default=None)
 
 
-def _goes_round_somebody_standing(scene: Setup, draft: DriveDraft) -> bool:
-    return any(
-        stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
-        for stand in scene.stands.values()
-    )
+def _stands_on_its_way(scene: Setup, draft: DriveDraft, *, in_lane: bool) -> bool:
+    """Whether somebody stands in a lane, or beside, of an arm on which it drives."""
+    arms = {draft.drive.entry, draft.drive.exit}
+    standings = [stand.standing for stand in scene.stands.values()]
+    return any(s.in_lane is in_lane and s.arm in arms for s in standings)
 
 
 def _drives_past(scene: Setup, draft: DriveDraft) -> bool:
@@ -90,10 +90,7 @@ def _drives_past(scene: Setup, draft: DriveDraft) -> bool:
 
     Nor does passing one who reverses into its way: it gets no farther.
     """
-    beside = any(
-        not stand.standing.in_lane and stand.standing.arm in {draft.drive.entry, draft.drive.exit}
-        for stand in scene.stands.values()
-    )
+    beside = _stands_on_its_way(scene, draft, in_lane=False)
     reverses = any(
         other.drive.reverses is not None
         and same_arm(other, draft)

@@ -128,14 +128,8 @@ class Moments:
 
     def gone_m(self, name: str, act: Act) -> float:
         """How far one who drives has gone from the start of the scenario until an act begins."""
-        profile = self.scene.drives[name].course.profile
-        late = self.offsets_s[name]
-
-        def way(time_s: float) -> float:
-            own = time_s - late
-            return profile.way_m(max(own, 0.0)) + min(own, 0.0) * profile.speed_mps(0.0)
-
-        return way(self.begins_s(act)) - way(0.0)
+        course, late = self.scene.drives[name].course, self.offsets_s[name]
+        return course.s_at(self.begins_s(act) - late) - course.s_at(-late)
 
     def before_junction_s(self, name: str, far_m: float) -> float:
         """When the front of one who drives is so far before the junction."""

@@ -15,7 +15,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scegen.concretization.ground import boxes, taken_ground
+from scegen.claims.boxes import Boxes
+from scegen.concretization.ground import outlines, taken_ground
 from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
 from scegen.concretization.things import SCREEN, Shape
 from scegen.motion.batch.playing import play
@@ -169,18 +170,20 @@ def _best_place(
     ground: shapely.Geometry,
 ) -> tuple[float, float, float, float] | None:
     """(worth, x, y, heading) of the best place; None if none hides the target long enough."""
-    eye, mark = _centre(concrete, observer), _centre(concrete, target)
+    eye, points = _points(concrete, observer)[0], _points(concrete, target)
+    mark = points[0]
     nearest = int(np.hypot(*(eye - mark)).argmin())
     places = _places(eye, mark, observer, target, thing, nearest)
-    outlines = boxes(places.x_m, places.y_m, places.heading_rad, thing.length_m, thing.width_m)
+    cos, sin = np.cos(places.heading_rad), np.sin(places.heading_rad)
+    tried = Boxes(places.x_m, places.y_m, cos, sin, thing.length_m / 2, thing.width_m / 2)
     shapely.prepare(ground)
-    free = ~shapely.intersects(ground, outlines)
+    free = ~shapely.intersects(ground, outlines(tried))
     if not free.any():
         return None
     places = places.only(free)
     first = max(0, nearest - round(_LOOK_S / _STEP_S))
     hidden = np.ones((len(places.x_m), nearest - first), dtype=np.bool_)
-    for point in _points(concrete, target, mark):
+    for point in points:
         hidden &= _cut(places, thing, eye[:, first:nearest], point[:, first:nearest])
     before_s = (nearest - np.arange(first, nearest)) * _STEP_S
     worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * places.worth
@@ -196,32 +199,21 @@ def _best_place(
     )
 
 
-def _centre(concrete: ConcreteScenario, trace: Trace) -> Array:
-    """The middle of a body over time, (2, t)."""
-    ahead = concrete.participant(trace.participant).body.centre_ahead_m
-    return np.array(
-        [
-            trace.x_m + ahead * np.cos(trace.heading_rad),
-            trace.y_m + ahead * np.sin(trace.heading_rad),
-        ]
-    )
-
-
-def _points(concrete: ConcreteScenario, trace: Trace, centre: Array) -> list[Array]:
-    """The middle and the corners of a body over time."""
+def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:
+    """The middle and the corners of a body over time, (2, t) each."""
     body = concrete.participant(trace.participant).body
     c, s = np.cos(trace.heading_rad), np.sin(trace.heading_rad)
-    corners = [
-        centre
-        + np.array(
+    along, left = body.length_m / 2, body.width_m / 2
+    places = [(0.0, 0.0), *product((-along, along), (-left, left))]
+    return [
+        np.array(
             [
-                i * body.length_m / 2 * c - j * body.width_m / 2 * s,
-                i * body.length_m / 2 * s + j * body.width_m / 2 * c,
+                trace.x_m + (body.centre_ahead_m + ahead) * c - aside * s,
+                trace.y_m + (body.centre_ahead_m + ahead) * s + aside * c,
             ]
         )
-        for i, j in product((-1, 1), (-1, 1))
+        for ahead, aside in places
     ]
-    return [centre, *corners]
 
 
 def _places(

@@ -74,9 +74,7 @@ class Setup(Tale):
     @property
     def limit_mps(self) -> float:
         """The speed limit of the junction."""
-        return self.functional.junction.speed_limit_mps or min(
-            implied_limit_mps(self.functional), self.road.arms[0].speed_limit_mps
-        )
+        return implied_limit_mps(self.functional)
 
     @property
     def ego(self) -> DriveDraft:

@@ -105,9 +105,9 @@ def _speeds(
         stays = isinstance(assignment, Standing) or (
             isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
         )
-        if (back := _backs(functional, runner.id)) is not None:
+        if (back := _begins_with(functional, runner.id, ActKind.REVERSE)) is not None:
             _reverse(runner, said.get(runner.id), back)
-        elif stays or _sets_off(functional, runner.id):
+        elif stays or _begins_with(functional, runner.id, ActKind.SET_OFF):
             runner.speed_mps = 0.0
         else:
             pace = pace_of(functional, logical, runner.id)
@@ -123,16 +123,10 @@ def _speeds(
             _make_faster(runners, (act.participant,), (act.into,), said)
 
 
-def _sets_off(functional: FunctionalScenario, name: str) -> bool:
-    """Whether the first thing that one does is to set off: it stands until then."""
-    first: Act | None = next((a for a in functional.acts if a.participant == name), None)
-    return first is not None and first.kind is ActKind.SET_OFF
-
-
-def _backs(functional: FunctionalScenario, name: str) -> Act | None:
-    """How one reverses of whom that is the first thing that it does."""
-    first: Act | None = next((a for a in functional.acts if a.participant == name), None)
-    return first if first is not None and first.kind is ActKind.REVERSE else None
+def _begins_with(functional: FunctionalScenario, name: str, kind: ActKind) -> Act | None:
+    """The first thing that somebody does, if it is of a kind."""
+    first = next((act for act in functional.acts if act.participant == name), None)
+    return first if first is not None and first.kind is kind else None
 
 
 def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:

@@ -27,7 +27,7 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
     functional = as_meant(functional, logical)
-    limit = functional.junction.speed_limit_mps or implied_limit_mps(functional)
+    limit = implied_limit_mps(functional)
     grip = friction_of(functional.environment) * GRAVITY_MPS2
     runners = cast(functional, logical)
     _keep_on_the_road(functional, runners, limit, grip)
