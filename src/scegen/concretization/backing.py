@@ -24,6 +24,7 @@ from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
 from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.errors import MotionInfeasibleError
+from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Path
 from scegen.motion.standing import side_sign
@@ -63,7 +64,8 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
     """
     laid, ways = draft.laid, None
     if other is not None and other.drive.entry != draft.drive.entry:
-        ways = _shared_ground(draft.laid.path, draft.body, other.laid.path, other.body)
+        shared = grounds(draft.laid.path, draft.body, other.laid.path, other.body)
+        ways = next(((ground.enter_m, ground.leave_m) for ground in shared), None)
         if ways is None:
             raise MotionInfeasibleError(
                 f"its way and that of {other.id} do not touch, so it cannot reverse into it",
@@ -188,20 +190,6 @@ def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: flo
 
 def _brakes_at(rest_s: float) -> float:
     return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2)
-
-
-def _shared_ground(
-    path: Path, body: Body, other: Path, other_body: Body
-) -> tuple[float, float] | None:
-    """Where on a way one is in the way of who takes another: the first stretch, from and to."""
-    rows: NDArray[np.bool_] = np.any(in_each_others_way(path, body, other, other_body), axis=1)
-    if not rows.any():
-        return None
-    s = sampled(path)[0]
-    first = int(rows.argmax())
-    free = np.flatnonzero(~rows[first:])
-    last = first + int(free[0]) - 1 if free.size else len(rows) - 1
-    return float(s[first]), float(s[last])
 
 
 def in_each_others_way(path: Path, body: Body, other: Path, other_body: Body) -> NDArray[np.bool_]:
