@@ -48,7 +48,6 @@ from scegen.concretization.walkers import (
     stop_in_the_way,
 )
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
 from scegen.scenario.acts import ActKind
@@ -193,7 +192,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
         drive=drive,
         cruise_mps=cruise,
         lateral_mps2=FAST_LATERAL_MPS2 if fast else LATERAL_MPS2,
-        grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
+        grip_mps2=scene.grip_mps2,
         waits_s=waits_s,
         stops_at_line=participant.id in must_stop(scene.functional, scene.logical)
         or any(

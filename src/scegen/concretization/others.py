@@ -20,6 +20,7 @@ from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 _STOPS_SHORT_M = 0.15
+_ABREAST_M = 1.2
 _CROSSES = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
     ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
@@ -34,6 +35,11 @@ def gained(speed_mps: float, rate_mps2: float, since_s: Array) -> tuple[Array, A
     gaining = np.minimum(since, speed_mps / rate_mps2)
     way = rate_mps2 * gaining**2 / 2 + speed_mps * (since - gaining)
     return way, rate_mps2 * gaining
+
+
+def abreast_m(number: int) -> float:
+    """How far aside the next of several walks: 0, one to the left, one to the right, and so on."""
+    return (number + 1) // 2 * _ABREAST_M * (1 if number % 2 else -1)
 
 
 @dataclass

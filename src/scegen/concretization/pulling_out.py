@@ -16,7 +16,6 @@ from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import towards_junction
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.lanes import STANDING, strip_number
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.logical import Drive
@@ -87,7 +86,7 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
         entry_lane=strip_number(road, STANDING, inbound=True),
         exit_lane=route.exit_lane,
         ring_lane=route.ring_lane,
-        grip_mps2=friction_of(scene.functional.environment) * GRAVITY_MPS2,
+        grip_mps2=scene.grip_mps2,
     )
     draft.lane_changes = [
         LaneChange(

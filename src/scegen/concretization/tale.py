@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from scegen.concretization.speed_change import SpeedChange
+from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.concrete import Change
 from scegen.scenario.functional import FunctionalScenario
@@ -56,6 +57,11 @@ class Tale:
                 reason=reason,
             )
         )
+
+    @property
+    def grip_mps2(self) -> float:
+        """What the tyres hold on this road."""
+        return friction_of(self.functional.environment) * GRAVITY_MPS2
 
     def act(self, name: str) -> Act:
         """An act by its id."""

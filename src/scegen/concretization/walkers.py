@@ -11,7 +11,7 @@ from scegen.concretization.asked import pace_of
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import starting_mps2
 from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
-from scegen.concretization.others import WalkDraft
+from scegen.concretization.others import WalkDraft, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
@@ -37,7 +37,6 @@ _SPARE_S = 0.1
 _INTO_PATH_M = 1.0
 """The walker is in the driver's line when the bumper is this close (both at their speed)."""
 _STEPS_OFF_M = 0.5
-_ABREAST_M = 0.9
 _OF_PEAK = 0.9
 """Of the pace at which one who sets off must begin to stop, the share that is used."""
 
@@ -47,7 +46,7 @@ def place_walkers(scene: Setup) -> None:
     side_by_side: Counter[tuple[int, Side]] = Counter()
     for crossing in scene.logical.crossings:
         place = (crossing.arm, crossing.start)
-        aside = _abreast_m(side_by_side[place])
+        aside = abreast_m(side_by_side[place])
         side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
         speed = _speed(scene, participant, crossing.arm)
@@ -69,11 +68,6 @@ def _far_m(scene: Setup, crossing: Crossing) -> float | None:
     """How far from the kerb one stops of whom that is said."""
     act = scene.first_act(crossing.participant, ActKind.CROSS)
     return None if act is None or act.distance_m is None else act.distance_m.middle
-
-
-def _abreast_m(number: int) -> float:
-    """How far aside the next of several walks: 0, one to the left, one to the right, and so on."""
-    return (number + 1) // 2 * _ABREAST_M * (1 if number % 2 else -1)
 
 
 def _speed(scene: Setup, participant: Participant, arm: int) -> float:

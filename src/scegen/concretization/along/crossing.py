@@ -18,7 +18,7 @@ from scegen.concretization.limits import (
     starting_mps2,
 )
 from scegen.concretization.measures import LENGTHWISE
-from scegen.concretization.others import Walker, gained
+from scegen.concretization.others import Walker, abreast_m, gained
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.speed_change import SpeedChange
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
@@ -38,7 +38,6 @@ _PASSES_BEFORE_S = 0.5
 _LEAST_LEAD_S = 1.0
 BEFORE_WALKER_M = 0.9
 """Who is parked and hides somebody stands so far before that one's line."""
-_ABREAST_M = 1.2
 _STOPS_SHORT_M = 0.8
 _STAYS_M = 0.3
 _BEFORE_CROSSWALK_M = 0.3
@@ -121,7 +120,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
         if not walk.timed:
             walk.sets_off_s = max(walks[0].arrives_s - takes, _LEAST_LEAD_S)
     walk.arrives_s = walk.sets_off_s + takes
-    walk.x_m += _ABREAST_M * ((number + 1) // 2) * (1 if number % 2 else -1)
+    walk.x_m += abreast_m(number)
     if far is not None:
         walk.stops_after_m = setback + far
     elif _stops(story, walk.id):

@@ -29,7 +29,6 @@ class Story(Tale):
     runners: dict[str, Runner]
     lane_count: int
     limit_mps: float
-    grip_mps2: float
     things: tuple[Thing, ...] = ()
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)

@@ -12,7 +12,6 @@ from scegen.concretization.along.strips import put_on_strips
 from scegen.concretization.asked import as_meant
 from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.speed_limits import implied_limit_mps
@@ -28,9 +27,7 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     """
     functional = as_meant(functional, logical)
     limit = implied_limit_mps(functional)
-    grip = friction_of(functional.environment) * GRAVITY_MPS2
     runners = cast(functional, logical)
-    _keep_on_the_road(functional, runners, limit, grip)
     cast_doors(functional, logical, runners)
     things = _things(functional, logical, runners)
     for thing in things:
@@ -54,27 +51,27 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     hang_doors(functional, logical, runners, count)
     for thing in things:
         runners[thing.id].lane = runners[thing.in_way_of or ""].lane
-    return Story(functional, logical, acts, runners, count, limit, grip, tuple(things))
+    story = Story(functional, logical, acts, runners, count, limit, tuple(things))
+    _keep_on_the_road(story)
+    return story
 
 
-def _keep_on_the_road(
-    functional: FunctionalScenario, runners: dict[str, Runner], limit_mps: float, grip_mps2: float
-) -> None:
+def _keep_on_the_road(story: Story) -> None:
     """Nobody is so fast in a bend that no tyre would hold.
 
     Raises:
         MotionInfeasibleError: somebody is said to be.
     """
-    bend = functional.junction.bend
+    bend = story.functional.junction.bend
     if bend is None:
         return
-    radius = bend.radius_at_m(limit_mps)
-    for runner in runners.values():
+    radius = bend.radius_at_m(story.limit_mps)
+    for runner in story.runners.values():
         asked = runner.fastest_mps**2 / radius
-        if asked > grip_mps2:
+        if asked > story.grip_mps2:
             raise MotionInfeasibleError(
                 f"at {runner.fastest_mps * 3.6:.0f} km/h a bend of {radius:g} m radius needs "
-                f"{asked:.1f} m/s2 sideways, and tyres give {grip_mps2:.1f} on this road",
+                f"{asked:.1f} m/s2 sideways, and tyres give {story.grip_mps2:.1f} on this road",
                 where=runner.id,
                 hint="Let it drive more slowly, or widen the bend.",
             )
