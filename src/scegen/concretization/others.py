@@ -20,7 +20,7 @@ from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
 _STOPS_SHORT_M = 0.15
-_ABREAST_M = 1.2
+_ABREAST_M = 0.9
 _CROSSES = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
     ParticipantKind.BICYCLE: HazardKind.CROSSING_CYCLIST,
