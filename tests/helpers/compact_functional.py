@@ -24,7 +24,7 @@ def compact(scenario: FunctionalScenario) -> dict[str, Any]:
                 "of": [s.participant, s.reference],
                 s.measure.value: number(s.value),
                 "at": s.at,
-                **({"at_rest": True} if s.at_rest else {}),
+                **({"at_rest": True} if s.since == "end" else {}),
                 **({"side": s.side.value} if s.side else {}),
             }
             for s in scenario.spacings

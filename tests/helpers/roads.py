@@ -103,7 +103,7 @@ SCENARIOS: dict[str, FunctionalScenario] = {
         ],
         spacings=[
             apart("ego", "lead", "headway_s", 2.0, "slows"),
-            {**apart("ego", "lead", "gap_m", 1.0, "halts"), "at_rest": True},
+            {**apart("ego", "lead", "gap_m", 1.0, "halts"), "since": "end"},
         ],
     ),
     "called_slow_at_a_speed": road(

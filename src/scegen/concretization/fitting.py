@@ -125,7 +125,7 @@ def _said(scene: Setup) -> Iterator[Residual]:
                     reference=pair[1],
                     value=spacing.value,
                 )
-                yield _measured(said, at, at_rest=spacing.at_rest)
+                yield _measured(said, at, spacing.since)
     for act in scene.acts:
         when = act.when
         if act.participant not in known:
@@ -149,9 +149,9 @@ def _is_chained(scene: Setup, act: Act) -> bool:
     return any(mark.act == act.id and mark.then_s is not None for mark in marks)
 
 
-def _measured(when: WhenMeasure, act: Act | None, *, at_rest: bool = False) -> Residual:
+def _measured(when: WhenMeasure, act: Act | None, since: str = "begin") -> Residual:
     def residual(moments: Moments) -> float:
-        moment = moments.ends_s if at_rest else moments.begins_s
+        moment = moments.ends_s if since == "end" else moments.begins_s
         time_s = 0.0 if act is None else moment(act)
         return _PER_M * moments.missing_m(
             when.measure, when.participant, when.reference, when.value.middle, time_s

@@ -104,7 +104,7 @@ class Tale:
 
     def rests_at(self, act: str | None) -> Spacing | None:
         """How far from another one is said to be once an act has brought it to rest."""
-        return next((s for s in self.functional.spacings if s.at_rest and s.at == act), None)
+        return next((s for s in self.functional.spacings if s.since == "end" and s.at == act), None)
 
     def loose(self, changes: Sequence[SpeedChange], before_mps: float) -> SpeedChange | None:
         """The braking of which nothing says when it begins: the answer to who is ahead."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from pydantic import Field, model_validator
 
 from scegen.scenario.definitions import Word
@@ -64,10 +66,11 @@ class Measure(Word):
 class Spacing(FrozenModel):
     """The ``measure`` of ``participant`` to ``reference`` is ``value``.
 
-    ``at`` says when: ``start``, ``contact``, or the id of an act: when it begins, or ``at_rest``,
-    when who does it has come to rest by it, the other too if that one stops ("stops 3 m behind the
-    truck"; gaps only). Where an overlap is said to be on a ``side``, it is that side of the
-    reference's width. Only a lateral offset may be one to itself: from the middle of its lane.
+    ``at`` says when: ``start``, ``contact``, or the id of an act: ``since`` its begin, or its end
+    ("is 10 m ahead when it has changed lanes"). Who stops by it has come to rest then, the other
+    too if that one stops ("stops 3 m behind the truck"). Where an overlap is said to be on a
+    ``side``, it is that side of the reference's width. Only a lateral offset may be one to itself:
+    from the middle of its lane.
     """
 
     participant: Identifier
@@ -75,7 +78,7 @@ class Spacing(FrozenModel):
     measure: Measure
     value: Interval
     at: str = Field(default=START, pattern=r"^[a-z][a-z0-9_]*$")
-    at_rest: bool = False
+    since: Literal["begin", "end"] = "begin"
     side: Side | None = None
 
     @model_validator(mode="after")
@@ -84,7 +87,16 @@ class Spacing(FrozenModel):
         if alone and self.measure is not Measure.LATERAL_OFFSET_M:
             msg = f"{self.participant} has a {self.measure} to itself; name another as reference"
             raise ValueError(msg)
-        if self.at_rest and (self.at in {START, CONTACT} or self.measure is not Measure.GAP_M):
-            msg = f"at rest there is a gap_m, `at` the act that ends there; not {self.measure} at "
-            raise ValueError(f"{msg}{self.at!r}")
+        if self.since == "end" and self.at in {START, CONTACT}:
+            msg = f"`since: end` is of an act; `at` names none but {self.at!r}"
+            raise ValueError(msg)
         return self
+
+    @model_validator(mode="before")
+    @classmethod
+    def _as_it_was_written(cls, data: object) -> object:
+        """Files of before say ``at_rest``."""
+        if isinstance(data, dict) and "at_rest" in data:
+            rest = {k: v for k, v in data.items() if k != "at_rest"}
+            return rest | ({"since": "end"} if data["at_rest"] else {})
+        return data

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
@@ -91,7 +92,7 @@ class Apart:
     amount: Amount
     at: Doing | str = START
     side: Side | None = None
-    at_rest: bool = False
+    since: Literal["begin", "end"] = "begin"
 
 
 @dataclass(slots=True, eq=False)

@@ -23,7 +23,7 @@ LONG_S = 60.0
 
 def at_rest(name, other, value, moment):
     """A gap once who does the act has come to rest."""
-    return {**apart(name, other, "gap_m", value, moment), "at_rest": True}
+    return {**apart(name, other, "gap_m", value, moment), "since": "end"}
 
 
 def stopping(gap, speed=50.0, **amounts):
@@ -79,7 +79,7 @@ def test_the_claim_is_of_where_it_stands_and_no_other_place(person):
     concrete = concretize(said, enumerate_scenarios(said).scenarios[0], seed=0)
     assert claims_of(said, concrete)["spacing.0"].holds
     (spacing,) = said.spacings
-    begins = said.model_copy(update={"spacings": (spacing.model_copy(update={"at_rest": False}),)})
+    begins = said.model_copy(update={"spacings": (spacing.model_copy(update={"since": "begin"}),)})
     assert not claims_of(begins, concrete)["spacing.0"].holds
 
 
@@ -90,5 +90,5 @@ def test_rest_is_that_of_an_act():
             reference="car_1",
             measure=Measure.GAP_M,
             value=kmh(3.0),
-            at_rest=True,
+            since="end",
         )

@@ -30,7 +30,7 @@ def test_every_distance_along_the_road_holds_when_it_is_said_to(name):
     said = [
         (s.measure, s.participant, s.reference, s.value.middle, s.at)
         for s in told.functional.spacings
-        if s.at != CONTACT and not s.at_rest
+        if s.at != CONTACT and s.since == "begin"
     ]
     for done in told.functional.acts:
         when = done.when

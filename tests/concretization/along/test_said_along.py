@@ -27,6 +27,9 @@ SENTENCES = [
     "clearance at 45 km/h.",
     "A cyclist rides 20 m ahead of the ego at 15 km/h on the right of the lane. The ego passes "
     "with 1.5 m of clearance at 45 km/h.",
+    "The ego follows a car at 80 km/h with a gap of 25 m. The car changes to the left lane and "
+    "reveals a stationary van 60 m ahead of the ego.",
+    "A car from the left lane cuts in; when it has changed lanes it is 8 m ahead of the ego.",
 ]
 
 

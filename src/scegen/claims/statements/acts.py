@@ -13,7 +13,6 @@ from scegen.claims.boxes import box_at, boxes, contact, offset, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always, within
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
-    ASIDE_MPS,
     GAINING,
     SIDEWAYS,
     SLOWING,
@@ -24,6 +23,7 @@ from scegen.claims.moments import (
     rest,
     sideways_begin,
 )
+from scegen.claims.statements.act_ends import SWERVES_M, act_ends, aside_over
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
@@ -50,9 +50,6 @@ _AJAR_M = 0.05
 _OPENS_BEFORE_S = Interval(low=0.0, high=4.0)
 """Whoever is farther away when a door opens has time to look for another way."""
 _BESIDE_M = 0.5
-_SWERVES_M = 0.3
-_TURNS_BACK_S = 1.0
-"""Who swerves out and comes back later than this does so by something else."""
 _SPEED_OVER_S = 0.1
 _THEN_S = Interval(low=0.0, high=2.0)
 """Where no delay is said, one act follows another within the time of a slow reaction."""
@@ -288,7 +285,7 @@ def _goes_back(told: Told, act: Act, view: View) -> Judged:
 def _sideways(told: Told, act: Act) -> Iterator[Claim]:
     name = act.participant
     if act.kind is not ActKind.OVERTAKE:
-        far = LANE_M if act.kind is ActKind.CHANGE_LANE else _SWERVES_M
+        far = LANE_M if act.kind is ActKind.CHANGE_LANE else SWERVES_M
         to = f" to the {act.side}" if act.side else ""
         moves = "changes lane" if act.kind is ActKind.CHANGE_LANE else "swerves"
         yield _claim(told, act, "side", f"{name} {moves}{to}", "m", _aside, far)
@@ -329,7 +326,7 @@ def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
     step = moved.argmax(axis=1)
     most = at(moved, step)
     # Who hits the one beside it comes no farther.
-    far_m = np.where(_hits(told, act, view), min(far, _SWERVES_M), far)
+    far_m = np.where(_hits(told, act, view), min(far, SWERVES_M), far)
     return Judged(most - far_m, most, view.time_of(step))
 
 
@@ -434,14 +431,7 @@ def _after_start(told: Told, act: Act, when: AfterStart, view: View) -> Judged:
 
 
 def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> Judged:
-    since = _begins(told, other, view)
-    if when.since == "end" and other.kind in SLOWING | GAINING:
-        run = act_run(view, told.functional, other)
-        since = np.where(run.happens, run.end, view.steps)
-    elif when.since == "end" and other.kind is ActKind.WAIT:
-        since = rest(view, told.functional, other)[1]
-    elif when.since == "end" and other.kind in SIDEWAYS:
-        since = _ends_aside(told, other, since, view)
+    since = act_ends(told, other, view) if when.since == "end" else _begins(told, other, view)
     began = _begins(told, act, view)
     delay = np.where((since < view.steps) & (began < view.steps), began - since, np.nan)
     delay = delay * view.dt_s
@@ -450,39 +440,10 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
     return Judged(margin, delay, view.time_of(began))
 
 
-def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
-    """When a move to the side, once under way, first comes to rest sideways or turns round.
-
-    A swerve is over when it has come to rest sideways for a moment, an overtake when who has gone
-    out has come back; if it does, either.
-    """
-    steps, (moved, speed, sense, over) = np.arange(view.steps), _aside_over(told, act, begins, view)
-    if act.kind is ActKind.CHANGE_LANE:
-        return over
-    # A body that straightens up swings back a little: who comes back does so farther.
-    comes = sense * (at(moved, over)[:, None] - moved) > _SWERVES_M
-    back = first(comes & (steps >= over[:, None]))
-    there = first((sense * speed >= -ASIDE_MPS) & (steps > back[:, None]))
-    either = act.kind is ActKind.OVERTAKE or (back - over) * view.dt_s <= _TURNS_BACK_S
-    return np.where((there < view.steps) & either, there, over)
-
-
-def _aside_over(
-    told: Told, act: Act, begins: Ints, view: View
-) -> tuple[Floats, Floats, Floats, Ints]:
-    """Way and speed to the left (c, t), to which side it goes, and when it no longer does so."""
-    moved = lateral_m(view, act.participant, told.drive(act.participant))
-    steps = np.arange(view.steps)
-    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
-    sense = np.sign(at(speed, goes))[:, None]
-    return moved, speed, sense, first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))
-
-
 def _lasts_aside(told: Told, act: Act, view: View) -> Judged:
     """From when it leaves its line until its rear has come as far aside as its middle."""
     begins = _begins(told, act, view)
-    _, _, _, over = _aside_over(told, act, begins, view)
+    _, _, _, over = aside_over(told, act, begins, view)
     speed = np.maximum(at(view.speed_mps(act.participant), over), 1.0)
     took = view.time_of(over - begins) + view.body(act.participant).centre_ahead_m / speed
     wanted = act.duration_s or Interval(low=0.0, high=0.0)

@@ -62,7 +62,7 @@ def measured_out(told: Told, hazard: Hazard) -> list[Act]:
         for act in told.acts_of(name)
         if act.kind in MADE_BY.get(hazard.kind, ())
     ]
-    spaced = {s.at for s in told.functional.spacings if not s.at_rest}
+    spaced = {s.at for s in told.functional.spacings if s.since == "begin"}
     return [
         act
         for act in acts

@@ -11,7 +11,8 @@ from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, same_way, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import act_begins, at, comes_to_rest
+from scegen.claims.moments import SLOWING, act_begins, at, comes_to_rest
+from scegen.claims.statements.act_ends import act_ends
 from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
@@ -30,6 +31,9 @@ _NAMES = {
     Measure.OVERLAP_PERCENT: "the overlap",
 }
 
+_FADES_S = 0.3
+"""So long a move aside goes on, slower than anybody sees, when it has ended."""
+
 
 def claims(told: Told) -> Iterator[Claim]:
     """One for every spacing."""
@@ -42,7 +46,10 @@ def claims(told: Told) -> Iterator[Claim]:
         if when is None:
             act = acts[spacing.at]
             when = f"when {act.participant} begins to {plain(act.kind)}"
-            when = f"when {act.participant} has come to rest" if spacing.at_rest else when
+            if spacing.since == "end":
+                stops = act.kind in SLOWING
+                does = "come to rest" if stops else f"ended its {plain(act.kind)}"
+                when = f"when {act.participant} has {does}"
         on = f" on the {spacing.side}" if spacing.side else ""
         yield Claim(
             id=f"spacing.{number}",
@@ -94,7 +101,9 @@ def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
     else:
         act = next(act for act in told.functional.acts if act.id == spacing.at)
         step = act_begins(view, told.functional, told.logical, act)
-        if spacing.at_rest:
+        if spacing.since == "end" and act.kind not in SLOWING:
+            step = act_ends(told, act, view)
+        elif spacing.since == "end":
             other = reference if who == act.participant else who
             step = comes_to_rest(view, told.functional, told.logical, act, other)
     if who == reference:
@@ -104,8 +113,10 @@ def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
     value = measure_at(view, spacing.measure, who, reference, step, spacing.side)
     margin = within(value, spacing.value, tolerance)
     if spacing.at != START and spacing.measure is not Measure.LATERAL_GAP_M:
-        # Somewhere within the step in which the act begins.
-        after = measure_at(view, spacing.measure, who, reference, step + 1, spacing.side)
+        # Somewhere within the step in which the act begins, or while it fades out.
+        fades = round(_FADES_S / view.dt_s) if spacing.since == "end" else 1
+        later = np.minimum(step + fades, view.steps - 1)
+        after = measure_at(view, spacing.measure, who, reference, later, spacing.side)
         low, high = np.minimum(value, after), np.maximum(value, after)
         passes = (low <= spacing.value.high) & (high >= spacing.value.low)
         margin = np.where(passes, np.maximum(margin, tolerance), margin)

@@ -221,7 +221,7 @@ def _spacing(
     """A distance along the road that is said between the two; whether as it sets off, or first."""
     for spacing in story.functional.spacings:
         pair = {spacing.participant, spacing.reference}
-        if spacing.measure in LENGTHWISE and pair == {name, other} and not spacing.at_rest:
+        if spacing.measure in LENGTHWISE and pair == {name, other} and spacing.since == "begin":
             own = act is not None and spacing.at == act.id
             return spacing.measure, spacing.value.middle, own
     return None

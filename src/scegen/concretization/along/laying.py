@@ -73,7 +73,7 @@ def _rest_as_said(story: Story) -> None:
     """Who stops so far behind another brakes later where its place leaves it too much room."""
     for spacing in story.functional.spacings:
         pair = spacing.participant, spacing.reference
-        if not spacing.at_rest or not story.runners.keys() >= {*pair}:
+        if spacing.since == "begin" or not story.runners.keys() >= {*pair}:
             continue
         act = story.act(spacing.at)
         runner = story.runners[act.participant]

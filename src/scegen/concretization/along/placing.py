@@ -9,12 +9,12 @@ from scegen.concretization.along.passing import JUST_M, just_missed_s, place_jus
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import GapAt, level, place
 from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
-from scegen.concretization.amounts import CLOSEST_M
+from scegen.concretization.amounts import CLOSEST_M, SLOWING
 from scegen.concretization.asked import words_between
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.profile import NEVER_S
-from scegen.scenario.acts import ActKind, WhenMeasure
+from scegen.scenario.acts import Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
 
@@ -79,8 +79,8 @@ def _said(story: Story) -> Iterator[GapAt]:
         known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
         if known and spacing.at != CONTACT:
             time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
-            if spacing.at_rest:
-                time_s = _at_rest_s(story, pair, time_s)
+            if spacing.since == "end":
+                time_s = _ends_s(story, story.act(spacing.at), pair, time_s)
             yield _gap_at(story, spacing.participant, spacing.reference, spacing.measure,
                        spacing.value.middle, time_s)  # fmt: skip
     for act in story.acts:
@@ -92,8 +92,10 @@ def _said(story: Story) -> Iterator[GapAt]:
                        when.value.middle, story.begins_s[act.id])  # fmt: skip
 
 
-def _at_rest_s(story: Story, pair: set[str], since_s: float) -> float:
-    """When the last of two who come to rest from a moment on does so."""
+def _ends_s(story: Story, act: Act, pair: set[str], since_s: float) -> float:
+    """When an act has ended: when the last of two who come to rest by then does so."""
+    if act.kind not in SLOWING:
+        return story.ends_s.get(act.id, since_s)
     rests = [story.runners[name].profile.rests_s(since_s) for name in pair]
     return max((r for r in rests if r < NEVER_S), default=since_s)
 

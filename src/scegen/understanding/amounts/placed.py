@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Literal
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, START, Measure
@@ -118,7 +119,7 @@ class Spacer(Teller):
         if number.around.after.startswith(" behind "):
             behind_or_ahead(number, *pair, self._context)
         amount = self._with_place(amount_of(number), number)
-        self._happenings.spacings.append(Apart(measure, *pair, amount, stops[-1], at_rest=True))
+        self._happenings.spacings.append(Apart(measure, *pair, amount, stops[-1], since="end"))
         return True
 
     def _sideways(self, measure: Measure, number: Measured, one: Entity, other: Entity) -> Measure:
@@ -152,7 +153,29 @@ class Spacer(Teller):
             ]  # "with full overlap (100 %)"
         behind_or_ahead(number, one, other, self._context)
         self._in_file(measure, entity, reference, amount)
-        return Apart(measure, entity, reference, amount, at, side)
+        return Apart(measure, entity, reference, amount, at, side, self._since(at, one, other))
+
+    def _since(self, at: Doing | str, one: Entity, other: Entity) -> Literal["begin", "end"]:
+        """``when it has changed lanes``; what somebody reveals who leaves the lane."""
+        if not isinstance(at, Doing) or at.kind is not ActKind.CHANGE_LANE:
+            return "begin"
+        told = {at.i, *at.told}
+        over = any(s.event.perfect and s.event.i in told for s in self._text.scenes)
+        return "end" if over or at.entity not in (one, other) else "begin"
+
+    def _revealed_by(self, one: Entity, other: Entity) -> Doing | None:
+        """``the car ahead changes lanes and reveals a truck 60 m ahead``: as it has done so."""
+        if not (one.still or other.still) or not (one.ego or other.ego):
+            return None
+        ahead = [
+            a
+            for a in self._happenings.acts
+            if a.kind is ActKind.CHANGE_LANE
+            and a.entity not in (one, other)
+            and a.into is None
+            and self._context.placed(a.entity, Approach.AHEAD)
+        ]
+        return ahead[0] if len(ahead) == 1 and ahead[0].when is None else None
 
     def _to_a_thing(self, number: Measured) -> bool:
         """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
@@ -252,6 +275,7 @@ class Spacer(Teller):
         told = {own.i} if own is not None and own.i < number.i else set()
         into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
         into = into or [a for a in acts if self._in_trigger(a, start, end, number.i)]
+        into = into or [a for a in [self._revealed_by(entity, reference)] if a is not None]
         if into:
             return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
         then = [a for a in acts if number.i < a.i < end]

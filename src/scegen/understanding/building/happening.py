@@ -103,7 +103,7 @@ class Writer:
                     measure=apart.measure,
                     value=apart.amount.value,
                     at=apart.at if isinstance(apart.at, str) else apart.at.name,
-                    at_rest=apart.at_rest,
+                    since=apart.since,
                     side=apart.side,
                 )
             )

@@ -1,0 +1,67 @@
+"""When an act has ended: a change of speed is over, a stop has been left, a move aside is done."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scegen.claims.lateral import lateral_m
+from scegen.claims.moments import (
+    ASIDE_MPS,
+    GAINING,
+    SIDEWAYS,
+    SLOWING,
+    act_begins,
+    act_run,
+    at,
+    first,
+    rest,
+)
+from scegen.claims.told import Told
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.acts import Act, ActKind
+
+SWERVES_M = 0.3
+"""Less to the side is no swerve."""
+_TURNS_BACK_S = 1.0
+"""Who swerves out and comes back later than this does so by something else."""
+
+
+def act_ends(told: Told, act: Act, view: View) -> Ints:
+    """The step in which an act has ended; its beginning where it takes no time (c,)."""
+    begins = act_begins(view, told.functional, told.logical, act)
+    if act.kind in SLOWING | GAINING:
+        run = act_run(view, told.functional, act)
+        return np.where(run.happens, run.end, view.steps)
+    if act.kind is ActKind.WAIT:
+        return rest(view, told.functional, act)[1]
+    return _ends_aside(told, act, begins, view) if act.kind in SIDEWAYS else begins
+
+
+def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
+    """When a move to the side, once under way, first comes to rest sideways or turns round.
+
+    A swerve is over when it has come to rest sideways for a moment, an overtake when who has gone
+    out has come back; if it does, either.
+    """
+    steps, (moved, speed, sense, over) = np.arange(view.steps), aside_over(told, act, begins, view)
+    if act.kind is ActKind.CHANGE_LANE:
+        return over
+    # A body that straightens up swings back a little: who comes back does so farther.
+    comes = sense * (at(moved, over)[:, None] - moved) > SWERVES_M
+    back = first(comes & (steps >= over[:, None]))
+    there = first((sense * speed >= -ASIDE_MPS) & (steps > back[:, None]))
+    either = act.kind is ActKind.OVERTAKE or (back - over) * view.dt_s <= _TURNS_BACK_S
+    return np.where((there < view.steps) & either, there, over)
+
+
+def aside_over(
+    told: Told, act: Act, begins: Ints, view: View
+) -> tuple[Floats, Floats, Floats, Ints]:
+    """Way and speed to the left (c, t), to which side it goes, and when it no longer does so."""
+    moved = lateral_m(view, act.participant, told.drive(act.participant))
+    steps = np.arange(view.steps)
+    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
+    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
+    sense = np.sign(at(speed, goes))[:, None]
+    return moved, speed, sense, first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))
