@@ -163,7 +163,7 @@ class Spacer(Teller):
         over = any(s.event.perfect and s.event.i in told for s in self._text.scenes)
         return "end" if over or at.entity not in (one, other) else "begin"
 
-    def _revealed_by(self, one: Entity, other: Entity) -> Doing | None:
+    def _revealed_by(self, number: Measured, one: Entity, other: Entity) -> Doing | None:
         """``the car ahead changes lanes and reveals a truck 60 m ahead``: as it has done so."""
         if not (one.still or other.still) or not (one.ego or other.ego):
             return None
@@ -173,6 +173,7 @@ class Spacer(Teller):
             if a.kind is ActKind.CHANGE_LANE
             and a.entity not in (one, other)
             and a.into is None
+            and a.i < self._text.bounds(number.i)[1]
             and self._context.placed(a.entity, Approach.AHEAD)
         ]
         return ahead[0] if len(ahead) == 1 and ahead[0].when is None else None
@@ -275,7 +276,7 @@ class Spacer(Teller):
         told = {own.i} if own is not None and own.i < number.i else set()
         into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
         into = into or [a for a in acts if self._in_trigger(a, start, end, number.i)]
-        into = into or [a for a in [self._revealed_by(entity, reference)] if a is not None]
+        into = into or [a for a in [self._revealed_by(number, entity, reference)] if a is not None]
         if into:
             return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
         then = [a for a in acts if number.i < a.i < end]
