@@ -11,6 +11,7 @@ from scegen.understanding.words.tokens import Token
 _HELPS = frozenset({"aux", "copy", "manner"})
 _ENDS = frozenset({".", ";"})
 _REACH = 2
+_LONGEST = 6
 
 
 def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -44,7 +45,9 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found.append(Event("door", chunk.i, chunks[k + 1].j, "s", lemma="open"))
             k += 2
             continue
-        verb = k + 1 + 2 * len(owned[::2])
+        after = k + 1 + 2 * len(owned[::2])
+        verb = _behind_participle(chunks, after, tokens) if owned else after
+        described = chunks[after:verb]
         while verb < len(chunks) and getattr(chunks[verb], "cat", "") in _HELPS:
             verb += 1
         door = isinstance(chunk, Thing) and chunk.kind == "door" and verb < len(chunks)
@@ -55,10 +58,12 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             continue
         genitive = any(m.value == "genitive" for m in chunk.mods)
         before = found[-1] if found else None
-        if genitive and isinstance(before, Mention):
+        if genitive and owned and isinstance(before, Mention):
+            found = [*found[:-1], *owned, *described]  # "the driver's door of a parked car"
+        elif genitive and isinstance(before, Mention):
             before.possessor = False
         else:
-            found += owned or [_who(chunk, found)]
+            found += [*owned, *described] or [_who(chunk, found)]
         found.append(Event("door", chunks[verb].i, end, "s", lemma="open"))
         k = next((m for m in range(verb, len(chunks)) if chunks[m].i >= end), len(chunks))
     return found + ended
@@ -72,6 +77,19 @@ def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
             break
         found += [of, who]
     return found[1:]
+
+
+def _behind_participle(chunks: list[Chunk], k: int, tokens: list[Token]) -> int:
+    """``the door of a car parked on the right opens``: where the verb stands."""
+    told = chunks[k] if k < len(chunks) else None
+    if not isinstance(told, Event) or told.form != "ed":
+        return k
+    for m in range(k + 1, min(k + _LONGEST, len(chunks))):
+        if getattr(chunks[m], "cat", "") in {"punct", "sub", "conj"}:
+            break
+        if _opens(chunks[m].i, tokens) is not None and tokens[chunks[m].i].low != "open":
+            return m
+    return k
 
 
 def _opens_one(two: list[Chunk], tokens: list[Token]) -> bool:
