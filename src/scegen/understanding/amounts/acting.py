@@ -7,7 +7,7 @@ from dataclasses import replace
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
-from scegen.understanding.amounts.letting_by import let_by
+from scegen.understanding.amounts.letting_by import goes_first, let_by
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
@@ -40,7 +40,12 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
     described = [s for s in text.scenes if s.event.premod_of is not None]
     told = [s for s in text.scenes if s.event.premod_of is None]
     for scene in told:
-        for doing in _acts_of(scene, text, context):
+        first = (
+            goes_first(scene, text.tokens, context.draft.entities)
+            if context.junction.crossing
+            else []
+        )
+        for doing in [*_acts_of(scene, text, context), *first]:
             if not _continued(doing, found, text) and not _told_again(doing, found, text):
                 found.append(doing)
     for scene in described:  # "the braking car ahead": unless the text tells of it

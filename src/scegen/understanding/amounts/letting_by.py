@@ -6,10 +6,12 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.draft import Entity
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause
+from scegen.understanding.words.tokens import Token
 
 _GOES = frozenset(
     {"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge", "through"}
@@ -39,6 +41,33 @@ def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     if not named and event.name == "wait":
         return _passing_meanwhile(clause, scenes) or _coming_across(clause, scenes)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
+
+
+def goes_first(clause: Clause, tokens: list[Token], everybody: list[Entity]) -> list[Doing]:
+    """``the car goes first``: all others let it go.
+
+    Args:
+        clause: what happens.
+        tokens: of the text.
+        everybody: in traffic.
+    """
+    event = clause.event
+    after = [t.low for t in tokens[event.j : event.j + 2]]
+    ends = after[1:] == [] or tokens[event.j + 1].kind == "punct" or after[1] in {"and", "while"}
+    told = (
+        event.name in _GOING
+        and event.lemma in word_list("going")
+        and after[:1] == ["first"]
+        and ends
+        and not event.negated
+    )
+    if not told or len(clause.drivers) != 1 or event.parent is not None:
+        return []
+    first, basis = clause.drivers[0], Basis(event.i, event.j + 1)
+    others = [e for e in everybody if e.moving_vehicle and e is not first]
+    return [
+        Doing(ActKind.GIVE_WAY, e, basis, event.i, into=first, into_basis=basis) for e in others
+    ]
 
 
 def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:

@@ -20,14 +20,15 @@ def held(terms: list[Term], k: int) -> bool:
 
 
 def away_from(terms: list[Term], k: int) -> bool:
-    """``outside a junction``: the road between junctions.
+    """``outside a junction``, ``between two junctions``: the road between them.
 
     Args:
         terms: the terms of the text.
         k: index of the one that names it.
     """
-    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape"}]
-    return bool(before) and before[-1].value == "outside"
+    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape", "num"}]
+    between = terms[k].form == "s" and bool(before) and before[-1].value == "between"
+    return between or (bool(before) and before[-1].value == "outside")
 
 
 def none_named(terms: list[Term], k: int, tokens: list[Token]) -> bool:
