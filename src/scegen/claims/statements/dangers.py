@@ -50,8 +50,10 @@ def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judge
     if measured_out(told, hazard):
         return _as_said
     paced = {p.id for p in told.functional.participants if p.speed_mps is not None}
-    slow = hazard.kind is HazardKind.SLOW_DRIVING and bool(hazard.by) and paced >= {*hazard.by}
-    return _slower if slow else _happens
+    if hazard.kind is HazardKind.SLOW_DRIVING and hazard.by and paced >= {*hazard.by}:
+        return _slower
+    hits = all(_struck(told, hazard, by) for by in hazard.by)
+    return _too_late if hazard.kind is HazardKind.DELAYED_BRAKING and hits else _happens
 
 
 def measured_out(told: Told, hazard: Hazard) -> list[Act]:
@@ -97,17 +99,26 @@ def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
     doors = {of: door for door, of in told.doors.items() if door in view.index}
     by = tuple(doors.get(name, name) for name in hazard.by)
     margin, time_s = decisive(view, hazard.model_copy(update={"by": by}))
-    if hazard.kind is HazardKind.DELAYED_BRAKING:
-        margin = np.where(_never_brakes(told, hazard, view), np.maximum(margin, 0.0), margin)
     return Judged(margin, margin, time_s)
+
+
+def _struck(told: Told, hazard: Hazard, by: str) -> list[str]:
+    """Into whom one who causes it is said to run."""
+    return [to for to in hazard.to or (told.ego,) if told.may_touch(by, to)]
+
+
+def _too_late(told: Told, hazard: Hazard, view: View) -> Judged:
+    """Who is said to run into somebody brakes late, or has not braked when it does."""
+    late = _happens(told, hazard, view)
+    margin = np.where(_never_brakes(told, hazard, view), np.maximum(late.margin, 0.0), late.margin)
+    return Judged(margin, margin, late.time_s)
 
 
 def _never_brakes(told: Told, hazard: Hazard, view: View) -> Bools:
     """Whether all who cause it run into whom they are said to without braking before."""
     never = np.ones(view.count, dtype=np.bool_)
     for by in hazard.by:
-        struck = [to for to in hazard.to or (told.ego,) if told.may_touch(by, to)]
-        hits = [view.of_pair("contact_s", by, to) for to in struck]
+        hits = [view.of_pair("contact_s", by, to) for to in _struck(told, hazard, by)]
         hit = np.min([*hits, np.full(view.count, np.inf)], axis=0)
         run = speed_runs(view, by, -1)[0]
         brakes = run.happens & (view.time_of(run.begin) < hit)
