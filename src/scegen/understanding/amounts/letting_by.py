@@ -8,8 +8,8 @@ from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
-from scegen.understanding.lexicon import word_list
 from scegen.understanding.happenings import Doing
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.tokens import Token
 
