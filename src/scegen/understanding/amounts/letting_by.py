@@ -52,15 +52,10 @@ def goes_first(clause: Clause, tokens: list[Token], everybody: list[Entity]) -> 
         everybody: in traffic.
     """
     event = clause.event
+    goes = event.name in _GOING and event.lemma in word_list("going") and not event.negated
     after = [t.low for t in tokens[event.j : event.j + 2]]
     ends = after[1:] == [] or tokens[event.j + 1].kind == "punct" or after[1] in {"and", "while"}
-    told = (
-        event.name in _GOING
-        and event.lemma in word_list("going")
-        and after[:1] == ["first"]
-        and ends
-        and not event.negated
-    )
+    told = goes and after[:1] == ["first"] and ends
     if not told or len(clause.drivers) != 1 or event.parent is not None:
         return []
     first, basis = clause.drivers[0], Basis(event.i, event.j + 1)
