@@ -15,6 +15,7 @@ from scegen.understanding.frames import ActFrame, acts, words
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.words.quantities import quantity_at
 
 _BEFORE = 4
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
@@ -22,6 +23,7 @@ _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 _WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
+_CHANGING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
                      ActKind.REVERSE, ActKind.TURN, ActKind.GIVE_WAY,
@@ -115,8 +117,9 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
             doing.into, doing.into_basis = whom[0], basis
         to_the_side(doing, scene, text, context)
-        _to_standstill(doing, text)
-        made.append(doing)
+        again = _then_again(doing, text)
+        _to_standstill(doing, text, again.i if again is not None else None)
+        made += [doing] if again is None else [doing, again]
         further = whom[1:] if doing.kind is ActKind.GIVE_WAY else []
         made += [replace(doing, into=other) for other in further]
     return made
@@ -200,11 +203,26 @@ def _stands_then(entity: Entity, event: Event) -> bool:
     )
 
 
-def _to_standstill(doing: Doing, text: Sentences) -> None:
+def _then_again(doing: Doing, text: Sentences) -> Doing | None:
+    """``brakes at 3 m/s² to 60 km/h, then at 8 m/s²``: the same once more, without its verb."""
+    then = text.find(words()["then"], doing.i + 1, text.bounds(doing.i)[1])
+    if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1]):
+        return None
+    after = then[1] + 1
+    only = text.tokens[then[1] - 1].low == "again"  # "picks up speed again at 1.5 m/s²"
+    number = quantity_at(text.tokens, after) if after < len(text.tokens) and not only else None
+    if number is None or number.dimension not in {"acceleration", "speed"}:
+        return None
+    again = Doing(doing.kind, doing.entity, Basis(*then), then[1], always=True)
+    _to_standstill(again, text)
+    return again
+
+
+def _to_standstill(doing: Doing, text: Sentences, upto: int | None = None) -> None:
     """``brakes to a stop``, ``an emergency stop``."""
     if doing.kind is not ActKind.BRAKE:
         return
-    end = text.bounds(doing.i)[1]
+    end = text.bounds(doing.i)[1] if upto is None else upto
     later = [s.event.i for s in text.within(doing.i + 1, end) if s.event.name not in _RESTING]
     span = text.find(words()["standstill"], doing.i, min([end, *later]))
     if span is not None:
