@@ -46,9 +46,16 @@ def parties(functional: FunctionalScenario, hazard: Hazard, *, left_open: bool) 
     if not by:
         by = _first(functional, row.causes, to or (functional.ego.id,), to)
     if not to and by:
-        to = _first(functional, row.suffers, by, by)
+        to = _ends_with(functional, by) or _first(functional, row.suffers, by, by)
     named = {*hazard.by, *hazard.to}
     return Parties(by, to, tuple(name for name in (*by, *to) if name not in named))
+
+
+def _ends_with(functional: FunctionalScenario, by: tuple[str, ...]) -> tuple[str, ...]:
+    """Whom the one who causes it hits, or nearly, as the text says."""
+    between = functional.outcome.between if functional.outcome is not None else ()
+    others = tuple(name for name in between if name not in by)
+    return others if len(by) == len(others) == 1 and len(between) == 2 else ()
 
 
 def _first(
