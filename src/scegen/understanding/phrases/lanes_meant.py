@@ -99,8 +99,8 @@ def _to_another(k: int, chunks: list[Chunk]) -> bool:
         chunks[m] if 0 <= m < len(chunks) else None for m in (k - 1, k + 1, k + 2)
     )
     leads = isinstance(after, Word) and after.value in {"to", "into"}
-    sided = isinstance(lane, Place) and lane.kind == "lane" and _sided(lane)
-    return isinstance(before, Word) and before.value == "from" and leads and sided
+    named = isinstance(lane, Place) and lane.kind == "lane"
+    return isinstance(before, Word) and before.value == "from" and leads and named
 
 
 def _as_lane(first: NounPhrase, last: NounPhrase, mods: list[Term]) -> Place:

@@ -90,6 +90,9 @@ def _as_a_noun(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         return Term("place", "bus_stop", term.i, term.j, data={"stands_on": "bus_stop"})
     if (term.cat, term.value) == ("verb", "yield") and _a_noun(terms, tokens, term):
         return Term("place", "yield_sign", term.i, term.j, data={"control": "yield"})
+    own = bool(terms) and tokens[terms[-1].i].low in word_list("somebodys")
+    if (term.cat, term.value) == ("place", "shoulder") and own:
+        return Term("inert", "noun", term.i, term.j)  # "looks over his shoulder"
     let = bool(terms) and tokens[terms[-1].i].forms[-1][0] in {"let", "make"}
     her = (term.cat, tokens[term.i].low) == ("possessive", "her")
     if her and (_alone(tokens, term.j) or let):
