@@ -54,6 +54,16 @@ class Clock(Teller):
         named = [e for e in waits if e in who]
         return next(iter(named or ([] if who else waits)), None)
 
+    def _since_green(self, doing: Doing) -> None:
+        """``the light turns green. The car ahead sets off 3 s later``: since the green."""
+        light, when = doing.entity.light, doing.when
+        waits = light is not None and light[0] is AtLight.WAITS
+        if not waits or when is None or when.kind != "start" or doing.kind is not ActKind.SET_OFF:
+            return
+        if " green " in self._text.low(0, when.basis.i or 0):
+            doing.entity.green_delay = doing.entity.green_delay or when.amount
+            doing.when = None
+
     def _earlier(self, number: Measured) -> bool:
         """``the van enters 1.5 s before the ego gets there``: the other's act comes later."""
         start, end = self._text.bounds(number.i)
@@ -198,6 +208,8 @@ class Clock(Teller):
         """Acts without a number: "then", "as soon as", and what one does in turn."""
         acts = self._happenings.acts
         self._clauses()
+        for doing in acts:
+            self._since_green(doing)
         for doing in acts:  # "both brake when they are 80 m apart"
             alike = [a for a in acts if a.i == doing.i and a.kind is doing.kind and a.when]
             doing.when = doing.when or (alike[0].when if alike else None)
