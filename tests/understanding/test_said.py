@@ -21,7 +21,7 @@ BESIDE = [
 ]
 _UNIT = r"m/s²|m/s2|m/s\^2|ft/s2|km/h|kph|mph|m/s|percent|seconds?|metres?|feet|ft|g|m|s|%"
 _NUMBER = re.compile(rf"\d+(?:\.\d+)?\s?(?:{_UNIT})(?![\w/])")
-_NUMERIC = ("acts.", "spacings.", "outcome", "speed_limit", "_m", "kind", "lanes")
+_NUMERIC = ("acts.", "spacings.", "outcome", "speed_limit", "_m", "delay_s", "kind", "lanes")
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["id"])
