@@ -2,23 +2,59 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET  # builds, never parses
 from math import pi
 
 from scegen.export.library import xosc
+from scegen.export.openscenario_text import Lines
 from scegen.motion.model import Path
 from scegen.road.geometry import Pose
 
 
-def vertex_position(path: Path, index: int) -> xosc.WorldPosition:
-    """Where a path has a vertex."""
-    return world_position(
-        Pose(float(path.x_m[index]), float(path.y_m[index]), float(path.heading_rad[index]))
-    )
+def first_position(path: Path) -> xosc.WorldPosition:
+    """Where a path begins."""
+    return world_position(Pose(float(path.x_m[0]), float(path.y_m[0]), float(path.heading_rad[0])))
 
 
 def world_position(pose: Pose) -> xosc.WorldPosition:
-    """A pose on the ground, to 0.1 mm; adding zero turns -0.0 into 0.0."""
-    heading = (pose.heading_rad + pi) % (2 * pi) - pi
-    return xosc.WorldPosition(
-        round(pose.x_m, 4) + 0.0, round(pose.y_m, 4) + 0.0, 0.0, round(heading, 6) + 0.0
-    )
+    """A pose on the ground."""
+    x_m, y_m, heading_rad = _rounded(pose.x_m, pose.y_m, pose.heading_rad)
+    return xosc.WorldPosition(x_m, y_m, 0.0, heading_rad)
+
+
+class Polyline(xosc.Polyline):  # type: ignore[misc]  # the library has no types
+    """The library's polyline of a path; most of a file is its vertices, so they are text at once.
+
+    Its times are those of a constant speed: 1.0 demands some.
+    """
+
+    def __init__(self, path: Path, speed_mps: float) -> None:
+        self._path, self._speed_mps = path, speed_mps
+
+    def get_element(self) -> ET.Element:
+        """As the library makes it, but for how the vertices are kept."""
+        path, lines = self._path, list[str]()
+        for s_m, *pose in zip(
+            path.s_m.tolist(),
+            path.x_m.tolist(),
+            path.y_m.tolist(),
+            path.heading_rad.tolist(),
+            strict=True,
+        ):
+            x_m, y_m, heading_rad = _rounded(*pose)
+            lines += (
+                f'<Vertex time="{round(s_m / self._speed_mps, 4)}">',
+                "  <Position>",
+                f'    <WorldPosition x="{x_m}" y="{y_m}" z="0.0" h="{heading_rad}" />',
+                "  </Position>",
+                "</Vertex>",
+            )
+        shape = ET.Element("Shape")
+        shape.append(Lines("Polyline", lines))
+        return shape
+
+
+def _rounded(x_m: float, y_m: float, heading_rad: float) -> tuple[float, float, float]:
+    """To 0.1 mm and a millionth of a radian; adding zero turns -0.0 into 0.0."""
+    heading_rad = (heading_rad + pi) % (2 * pi) - pi
+    return round(x_m, 4) + 0.0, round(y_m, 4) + 0.0, round(heading_rad, 6) + 0.0

@@ -8,7 +8,7 @@ from scegen.export.expressions import written
 from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
 from scegen.export.openscenario_numbers import Numbers, Start
-from scegen.export.openscenario_position import vertex_position
+from scegen.export.openscenario_position import Polyline, first_position
 from scegen.export.openscenario_signals import first_lamps, lamp_act
 from scegen.export.openscenario_triggers import (
     at_end,
@@ -78,7 +78,7 @@ def _init(
     init.add_global_action(environment_action(concrete.environment, minor))
     for participant in concrete.participants:
         path = paths[participant.id]
-        place = vertex_position(path, 0)
+        place = first_position(path)
         if start := numbers.starts.get(participant.id):
             place = xosc.TrajectoryPosition(
                 _trajectory(participant, start.path),
@@ -90,7 +90,7 @@ def _init(
         speed = written(numbers.speeds_mps[participant.id]) if _moves(path) else 0.0
         init.add_init_action(participant.id, _step_to(speed))
     for name, path in object_paths(concrete).items():
-        init.add_init_action(name, xosc.TeleportAction(vertex_position(path, 0)))
+        init.add_init_action(name, xosc.TeleportAction(first_position(path)))
     return init
 
 
@@ -166,15 +166,8 @@ def _follow_event(
 
 
 def _trajectory(participant: ConcreteParticipant, path: Path) -> xosc.Trajectory:
-    """The path; its times are those of a constant speed: 1.0 demands some."""
     trajectory = xosc.Trajectory(f"{participant.id}_path", False)
-    nominal_mps = participant.speed_mps or 1.0
-    trajectory.add_shape(
-        xosc.Polyline(
-            [round(float(s) / nominal_mps, 4) for s in path.s_m],
-            [vertex_position(path, i) for i in range(len(path.s_m))],
-        )
-    )
+    trajectory.add_shape(Polyline(path, participant.speed_mps or 1.0))
     return trajectory
 
 

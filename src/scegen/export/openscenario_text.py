@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET  # builds, never parses
+from collections.abc import Sequence
 from xml.sax.saxutils import escape
 
 LONGEST_TEXT = 2000
@@ -36,6 +37,14 @@ def header_description(name: str) -> str:
     return f"Scenario {name}"
 
 
+class Lines(ET.Element):
+    """An element whose children are lines of text already."""
+
+    def __init__(self, tag: str, lines: Sequence[str]) -> None:
+        super().__init__(tag)
+        self.lines = lines
+
+
 def indented(root: ET.Element) -> str:
     """An element and all in it, a line each, as ``ET.indent`` and ``ET.tostring`` write them.
 
@@ -49,10 +58,12 @@ def indented(root: ET.Element) -> str:
             f' {name}="{escape(value, _ESCAPES) if _SPECIAL.search(value) else value}"'
             for name, value in element.items()
         )
-        if len(element) == 0:
+        inside = element.lines if isinstance(element, Lines) else ()
+        if len(element) == 0 and not inside:
             lines.append(f"{pad}<{element.tag}{told} />")
             return
         lines.append(f"{pad}<{element.tag}{told}>")
+        lines.extend([f"{pad}  {line}" for line in inside])
         for child in element:
             write(child, f"{pad}  ")
         lines.append(f"{pad}</{element.tag}>")

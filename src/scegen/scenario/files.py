@@ -6,7 +6,6 @@ import json
 from pathlib import Path
 from typing import Any, TypeVar
 
-import yaml
 from pydantic import ValidationError
 
 from scegen.errors import InputError, VocabularyError
@@ -18,6 +17,7 @@ from scegen.scenario.glossary import explain
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.model import FrozenModel
 from scegen.scenario.parsing import parse
+from scegen.scenario.yaml_text import yaml_text
 
 LEVELS: dict[str, type[FunctionalScenario | LogicalSet | ConcreteScenario]] = {
     "functional": FunctionalScenario,
@@ -32,14 +32,10 @@ _MADE_BY = {
 AnyLevel = FunctionalScenario | LogicalSet | ConcreteScenario
 M = TypeVar("M", bound=FrozenModel)
 
-_Dumper: type = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
-
 
 def to_yaml(model: FrozenModel) -> str:
     """The model as YAML, fields in the order of their definition."""
-    data = model.model_dump(mode="json")
-    text: str = yaml.dump(data, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)
-    return text
+    return yaml_text(model.model_dump(mode="json"))
 
 
 def to_json(model: FrozenModel) -> str:
