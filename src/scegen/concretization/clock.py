@@ -221,7 +221,7 @@ def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     begins_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
     for _ in range(_ROUNDS):
         offsets = arrange(scene, meetings, begins_s)
-        assumed_s, begins_s = begins_s, min(begins_s, *_latest_s(scene, offsets, first_s))
+        assumed_s, begins_s = begins_s, min([begins_s, *_latest_s(scene, offsets, first_s)])
         if begins_s >= assumed_s - _SAME_S:
             break
         waits.restore()

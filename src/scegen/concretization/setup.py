@@ -13,14 +13,11 @@ from scegen.concretization.tale import Tale
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.concrete import (
-    RoadParameters,
-)
+from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.signals import SignalPlan
-from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.things import Thing
 
 
@@ -72,11 +69,6 @@ class Setup(Tale):
         self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
 
     @property
-    def limit_mps(self) -> float:
-        """The speed limit of the junction."""
-        return implied_limit_mps(self.functional)
-
-    @property
     def ego(self) -> DriveDraft:
         """The ego's drive.
 
@@ -106,7 +98,3 @@ class Setup(Tale):
     def sets_off(self, name: str) -> bool:
         """Whether the first that one does is to set off: it stands until then."""
         return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])
-
-    def has_said_speed(self, name: str) -> bool:
-        """Whether the text says how fast somebody is."""
-        return self.functional.participant(name).speed_mps is not None

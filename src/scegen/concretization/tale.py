@@ -13,6 +13,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import Spacing
+from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import HazardKind
 
 _HAZARDS_OF = {
@@ -63,9 +64,18 @@ class Tale:
         """What the tyres hold on this road."""
         return friction_of(self.functional.environment) * GRAVITY_MPS2
 
+    @property
+    def limit_mps(self) -> float:
+        """The speed limit of the road."""
+        return implied_limit_mps(self.functional)
+
     def act(self, name: str) -> Act:
         """An act by its id."""
         return next(act for act in self.acts if act.id == name)
+
+    def has_said_speed(self, name: str) -> bool:
+        """Whether the text says how fast somebody is."""
+        return self.functional.participant(name).speed_mps is not None
 
     def kinds_by(self, name: str) -> set[HazardKind]:
         """The dangers that somebody causes."""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import spelled_out
 from scegen.scenario.acts import Act, ActKind, AfterAct
-from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
-from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
@@ -18,29 +18,27 @@ _OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
 """Who brakes late answers somebody: it is a reaction, no act of its own."""
 
 
-def all_acts(
-    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner]
-) -> list[Act]:
+def all_acts(story: Story) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
-    told = spelled_out(functional.acts, runners)
-    said = [a for a in told if a.participant in runners]
-    acts = [_on_a_plain_road(act) for act in said]
+    told = spelled_out(story.functional.acts, story.runners)
+    acts = [_on_a_plain_road(act) for act in told if act.participant in story.runners]
     acts = [act for act in acts if act.kind in _ALONG]
-    for hazard in functional.hazards:
+    for hazard in story.functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING:
-            acts = _passing_first(hazard, runners, acts)
-        for act in list(_implied(functional, hazard, runners, acts)):
+            acts = _passing_first(story, hazard, acts)
+        for act in list(_implied(story, hazard, acts)):
             acts.insert(_place_of(act, acts), act)
-    for drive in logical.drives:
-        acts += _manoeuvre(drive, runners, acts)
+    for drive in story.logical.drives:
+        acts += _manoeuvre(story, drive, acts)
     return acts
 
 
 _ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF, ActKind.OPEN_DOOR}
 
 
-def _passing_first(hazard: Hazard, runners: Mapping[str, Runner], acts: list[Act]) -> list[Act]:
+def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
     """Who comes in front of the one it overtakes, or brakes there, has passed it before."""
+    runners = story.runners
     passed = next((name for name in hazard.to if name in runners), None)
     for n, act in enumerate(acts):
         back = act.kind is ActKind.CHANGE_LANE and act.into in hazard.to and act.into in runners
@@ -78,10 +76,9 @@ def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:
     return any(act.participant == name and act.kind in kinds for act in acts)
 
 
-def _implied(
-    functional: FunctionalScenario, hazard: Hazard, runners: Mapping[str, Runner], acts: list[Act]
-) -> Iterator[Act]:
+def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
     """The acts that a danger consists of, where who causes it has none of the sort."""
+    runners = story.runners
     if hazard.kind in _OF_THE_DRIVER:
         return
     for by in (name for name in hazard.by if name in runners):
@@ -89,9 +86,7 @@ def _implied(
             alike = next((s for s in (_SLOWS, _ASIDE) if kind in s), frozenset({kind}))
             own = does(acts, by, alike)
             stands = runners[by].stands or runners[by].speed_mps == 0.0
-            answers = (
-                by == functional.ego.id and kind in _SLOWS and not _follows_nobody(runners, by)
-            )
+            answers = by == story.ego.id and kind in _SLOWS and len(runners) > 1
             if kind in _ALONG and not own and not stands and not answers:
                 into = next((to for to in hazard.to if to in runners and to != by), None)
                 into = into if kind in _ASIDE else None
@@ -107,14 +102,9 @@ def _acts_of(kind: HazardKind) -> tuple[ActKind, ...]:
     return tuple(ActKind.SWERVE if act is ActKind.TURN else act for act in acts)
 
 
-def _follows_nobody(runners: Mapping[str, Runner], name: str) -> bool:
-    """Whether nobody is there for whom one could brake."""
-    return len(runners) == 1 and name in runners
-
-
-def _manoeuvre(drive: Drive, runners: Mapping[str, Runner], acts: list[Act]) -> Iterator[Act]:
+def _manoeuvre(story: Story, drive: Drive, acts: list[Act]) -> Iterator[Act]:
     name = drive.participant
-    if name not in runners or does(acts, name, _ASIDE):
+    if name not in story.runners or does(acts, name, _ASIDE):
         return
     if drive.maneuver is Maneuver.LANE_CHANGE:
         yield Act(

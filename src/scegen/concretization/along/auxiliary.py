@@ -6,16 +6,13 @@ gains speed in the lane that ends, and leaves it well before; who takes the exit
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from math import ceil
 
-from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.story import Story
 from scegen.errors import MotionInfeasibleError
 from scegen.road.ramps import gore_m
 from scegen.scenario.concrete import RoadParameters
-from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.vocabulary import Maneuver
 
 RAMP_MPS = 90 / 3.6
 """A usual speed on ramps of motorways and at the beginning of an acceleration lane."""
@@ -30,38 +27,21 @@ _LONGEST_M = 600.0
 _ROUND_M = 10.0
 
 
-def merging(functional: FunctionalScenario) -> frozenset[str]:
-    """Those who are in the lane that ends."""
-    return frozenset(p.id for p in functional.participants if p.maneuvers == {Maneuver.MERGE})
-
-
-def exiting(functional: FunctionalScenario) -> frozenset[str]:
-    """Those who leave by the ramp."""
-    return frozenset(p.id for p in functional.participants if p.maneuvers == {Maneuver.EXIT})
-
-
-def joint_m(
-    functional: FunctionalScenario, runners: Mapping[str, Runner], otherwise_m: float
-) -> float:
+def joint_m(story: Story, otherwise_m: float) -> float:
     """Where the joint must be, by the first who merges or the last who leaves."""
-    moves = _moves_m(functional, runners)
+    moves = _moves_m(story)
     if not moves:
         return otherwise_m
     first, last = min(begins for begins, _ in moves), max(ends for _, ends in moves)
-    said = functional.junction.auxiliary_length_m
+    said = story.functional.junction.auxiliary_length_m
     settles = _SETTLES_M
     if said is not None:
         settles = min(settles, max(said - (last - first), _LEAST_SETTLES_M))
-    leaves = functional.junction.auxiliary is AuxiliaryLane.OFF_RAMP
+    leaves = story.functional.junction.auxiliary is AuxiliaryLane.OFF_RAMP
     return last + settles if leaves else first - settles
 
 
-def fitted(
-    road: RoadParameters,
-    functional: FunctionalScenario,
-    runners: Mapping[str, Runner],
-    joint: float,
-) -> RoadParameters:
+def fitted(road: RoadParameters, story: Story, joint: float) -> RoadParameters:
     """The road with its auxiliary lane long enough for all who use it.
 
     Raises:
@@ -70,11 +50,11 @@ def fitted(
     if road.auxiliary is None:
         return road
     farthest = 0.0
-    for begins, ends in _moves_m(functional, runners):
+    for begins, ends in _moves_m(story):
         off = road.auxiliary.kind is AuxiliaryLane.OFF_RAMP
         farthest = max(farthest, joint - begins if off else ends - joint)
     needed = ceil((farthest + _SPARE_M) / _ROUND_M) * _ROUND_M if farthest else 0.0
-    said = functional.junction.auxiliary_length_m
+    said = story.functional.junction.auxiliary_length_m
     most = said or _LONGEST_M
     if farthest > most - (_SPARE_M if said is None else 0.0):
         raise MotionInfeasibleError(
@@ -108,17 +88,13 @@ def gaps_m(road: RoadParameters) -> tuple[float, float]:
     return (0.0, gore) if auxiliary.kind is AuxiliaryLane.OFF_RAMP else (gore, 0.0)
 
 
-def _moves_m(
-    functional: FunctionalScenario, runners: Mapping[str, Runner]
-) -> list[tuple[float, float]]:
+def _moves_m(story: Story) -> list[tuple[float, float]]:
     """Where each who uses the auxiliary lane begins and ends its change of lane."""
     found = []
-    for name in merging(functional) | exiting(functional):
-        runner = runners.get(name)
-        moves = runner.moves if runner is not None else []
-        lanes = [runner.lane if runner else 0, *(move.lane for move in moves)]
-        outermost = max(lanes)
-        for move, before in zip(moves, lanes, strict=False):
-            if runner is not None and outermost in {move.lane, before} and move.lane != before:
+    for name in (story.merging | story.exiting) & story.runners.keys():
+        runner = story.runners[name]
+        lanes = [runner.lane, *(move.lane for move in runner.moves)]
+        for move, before in zip(runner.moves, lanes, strict=False):
+            if max(lanes) in {move.lane, before} and move.lane != before:
                 found.append((runner.x_m(move.begins_s), runner.x_m(move.ends_s)))
     return found

@@ -2,29 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from scegen.concretization.along.auxiliary import RAMP_MPS, merging
+from scegen.concretization.along.auxiliary import RAMP_MPS
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
+from scegen.concretization.along.story import Story
 from scegen.concretization.asked import pace_of
-from scegen.concretization.limits import (
-    REVERSING_MPS,
-    REVERSING_MPS2,
-)
+from scegen.concretization.limits import REVERSING_MPS, REVERSING_MPS2
 from scegen.concretization.speed_change import SpeedChange
 from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
-from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.logical import (
-    Assignment,
-    Crossing,
-    Drive,
-    Heading,
-    LogicalScenario,
-    Standing,
-    Walking,
-)
+from scegen.scenario.functional import Participant
+from scegen.scenario.logical import Assignment, Crossing, Drive, Heading, Standing, Walking
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
@@ -45,23 +33,18 @@ def is_along(assignment: Assignment, participant: Participant) -> bool:
     return True
 
 
-def cast(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, Runner]:
+def cast(story: Story) -> None:
     """Everybody along the road, at the speed that is said or usual; lanes and places come later."""
-    ego = logical.assignment(functional.ego.id)
-    arm = ego.entry if isinstance(ego, Drive) else 0
-    runners: dict[str, Runner] = {}
-    for assignment in logical.assignments:
-        participant = functional.participant(assignment.participant)
+    for assignment in story.logical.assignments:
+        participant = story.functional.participant(assignment.participant)
         if is_along(assignment, participant):
-            runners[participant.id] = _runner(functional, assignment, participant, arm)
-    _speeds(functional, logical, runners)
-    return runners
+            story.runners[participant.id] = _runner(story, assignment, participant)
+    _speeds(story)
 
 
-def _runner(
-    functional: FunctionalScenario, assignment: Assignment, participant: Participant, arm: int
-) -> Runner:
-    keeps = functional.junction.driving_side.value
+def _runner(story: Story, assignment: Assignment, participant: Participant) -> Runner:
+    junction, arm = story.functional.junction, story.ego_arm
+    keeps = junction.driving_side.value
     if isinstance(assignment, Drive):
         forward = assignment.entry == arm
     elif isinstance(assignment, Walking):
@@ -74,8 +57,8 @@ def _runner(
     lane = assignment_lane(assignment)
     runner = Runner(participant.id, participant.kind, participant.body, forward, lane, 0.0)
     runner.keeps_left = keeps == "left"
-    runner.inner_m = median_half_m(functional.junction.carriageway)
-    runner.lane_width_m = functional.junction.lanes_wide_m
+    runner.inner_m = median_half_m(junction.carriageway)
+    runner.lane_width_m = junction.lanes_wide_m
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         outward = -1.0 if keeps == "right" else 1.0
@@ -89,25 +72,21 @@ def assignment_lane(assignment: Assignment) -> int:
     return -1 if lane is None else lane
 
 
-def _speeds(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    runners: Mapping[str, Runner],
-) -> None:
+def _speeds(story: Story) -> None:
     """Said, else by the danger that it causes, else the one speed of cruising traffic."""
+    functional, logical = story.functional, story.logical
     said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
-    ego = runners[functional.ego.id]
-    cruising = pace_of(functional, logical, ego.id).default
+    cruising = pace_of(functional, logical, functional.ego.id).default
     ramps = functional.junction.auxiliary is AuxiliaryLane.ON_RAMP
-    on_ramp = merging(functional) if ramps else frozenset()
-    for runner in runners.values():
+    on_ramp = story.merging if ramps else frozenset()
+    for runner in story.runners.values():
         assignment = logical.assignment(runner.id)
         stays = isinstance(assignment, Standing) or (
             isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
         )
-        if (back := _begins_with(functional, runner.id, ActKind.REVERSE)) is not None:
+        if (back := _begins_with(story, runner.id, ActKind.REVERSE)) is not None:
             _reverse(runner, said.get(runner.id), back)
-        elif stays or _begins_with(functional, runner.id, ActKind.SET_OFF):
+        elif stays or _begins_with(story, runner.id, ActKind.SET_OFF):
             runner.speed_mps = 0.0
         else:
             pace = pace_of(functional, logical, runner.id)
@@ -117,15 +96,15 @@ def _speeds(
             runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
     for hazard in functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING:
-            _make_faster(runners, hazard.by, hazard.to, said)
+            _make_faster(story, hazard.by, hazard.to)
     for act in functional.acts:
         if act.kind is ActKind.OVERTAKE and act.into:
-            _make_faster(runners, (act.participant,), (act.into,), said)
+            _make_faster(story, (act.participant,), (act.into,))
 
 
-def _begins_with(functional: FunctionalScenario, name: str, kind: ActKind) -> Act | None:
+def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
     """The first thing that somebody does, if it is of a kind."""
-    first = next((act for act in functional.acts if act.participant == name), None)
+    first = next((act for act in story.functional.acts if act.participant == name), None)
     return first if first is not None and first.kind is kind else None
 
 
@@ -147,20 +126,15 @@ def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
     runner.steps.append(SpeedChange(0.0, REVERSING_MPS2, runner.profile.time_s(slows)))
 
 
-def _make_faster(
-    runners: Mapping[str, Runner],
-    by: tuple[str, ...],
-    to: tuple[str, ...],
-    said: Mapping[str, Interval],
-) -> None:
+def _make_faster(story: Story, by: tuple[str, ...], to: tuple[str, ...]) -> None:
     """Who overtakes is clearly faster; where its speed is said, the other is slower."""
-    for fast in (runners[name] for name in by if name in runners):
-        for slow in (runners[name] for name in to if name in runners):
-            enough = 2.0 if slow.id in said else _PASSES_BY_MPS
+    for fast in (story.runners[name] for name in by if name in story.runners):
+        for slow in (story.runners[name] for name in to if name in story.runners):
+            enough = 2.0 if story.has_said_speed(slow.id) else _PASSES_BY_MPS
             if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= enough:
                 continue
-            if slow.id not in said:
+            if not story.has_said_speed(slow.id):
                 slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)
-            elif fast.id not in said:
+            elif not story.has_said_speed(fast.id):
                 top = BODIES[fast.kind].top_speed_mps
                 fast.speed_mps = min(slow.speed_mps + _PASSES_BY_MPS, top)

@@ -23,10 +23,7 @@ from scegen.concretization.along.writing import (
     written_runner,
     written_walk,
 )
-from scegen.concretization.objects import (
-    made_of,
-    shape_of,
-)
+from scegen.concretization.objects import made_of, shape_of
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
 from scegen.concretization.written import written_scenario
@@ -97,7 +94,7 @@ def compose_along(
     lasts = min(closest + _AFTER_S, _LONGEST_S)
     planned = plan(story.functional, logical, _PLAIN_M, story.lane_count)
     frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
-    parameters = fitted(road_of(planned, frame), story.functional, story.runners, frame.joint_m)
+    parameters = fitted(road_of(planned, frame), story, frame.joint_m)
     network = build_network(parameters)
     standing = [written_parked(story, frame, p) for p in parked]
     made = _written(story, frame, parameters, network, walks, seed, lasts, standing)

@@ -12,11 +12,7 @@ from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
 from scegen.concretization.asked import pace_of
-from scegen.concretization.limits import (
-    HARD_BRAKING_MPS2,
-    REACTION_S,
-    starting_mps2,
-)
+from scegen.concretization.limits import HARD_BRAKING_MPS2, REACTION_S, starting_mps2
 from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.others import Walker, abreast_m, gained
 from scegen.concretization.profile import NEVER_S
@@ -24,7 +20,7 @@ from scegen.concretization.speed_change import SpeedChange
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import Body
-from scegen.scenario.logical import Crossing, Drive
+from scegen.scenario.logical import Crossing
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, Side
 
@@ -83,9 +79,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     if participant.speed_mps is None:
         speed = pace_across_mps(acts, participant.id, width) or speed
     meets = story.runners[_meets(story, participant.id)]
-    ego_arm = story.logical.assignment(story.ego.id)
-    same_arm = isinstance(ego_arm, Drive) and crossing.arm == ego_arm.entry
-    from_left = (crossing.start is Side.LEFT) == same_arm
+    from_left = (crossing.start is Side.LEFT) == (crossing.arm == story.ego_arm)
     act = story.first_act(participant.id, ActKind.CROSS)
     far = None if act is None or act.distance_m is None else act.distance_m.middle
     edge = edge_y_m(story, left=from_left)

@@ -6,18 +6,17 @@ on at which it opens.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from math import copysign
 
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.story import Story
 from scegen.concretization.along.strips import strip_middle_m
 from scegen.concretization.asked import outward
 from scegen.motion.doors import REACH_M, hinge_ahead_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind, Side
 
@@ -35,38 +34,32 @@ def opens(functional: FunctionalScenario) -> dict[str, Act]:
     return {act.participant: act for act in acts if act.kind is ActKind.OPEN_DOOR}
 
 
-def cast_doors(
-    functional: FunctionalScenario, logical: LogicalScenario, runners: dict[str, Runner]
-) -> None:
+def cast_doors(story: Story) -> None:
     """Add those who open a door to those along the road; lanes come later."""
-    ego = runners[functional.ego.id]
-    arm = logical.assignment(ego.id)
-    entry = getattr(arm, "entry", 0)
-    for standing in logical.standings:
+    ego = story.ego
+    for standing in story.logical.standings:
         name = standing.participant
-        if name not in opens(functional) or name in runners:
+        if name not in opens(story.functional) or name in story.runners:
             continue
-        keeps = functional.junction.driving_side.value
-        forward = (standing.arm == entry) == (standing.side.value == keeps)
+        keeps = story.functional.junction.driving_side.value
+        forward = (standing.arm == story.ego_arm) == (standing.side.value == keeps)
         box = replace(_DOOR, length_m=_DOOR.width_m, width_m=REACH_M)
-        runners[name] = Runner(
+        story.runners[name] = Runner(
             name, ParticipantKind.DOOR, box, forward, -1, 0.0,
             thing=True, keeps_left=ego.keeps_left, inner_m=ego.inner_m,
             lane_width_m=ego.lane_width_m,
         )  # fmt: skip
 
 
-def hang_doors(
-    functional: FunctionalScenario, logical: LogicalScenario, runners: Mapping[str, Runner],
-    lane_count: int,
-) -> None:  # fmt: skip
+def hang_doors(story: Story) -> None:
     """Put doors beside the outermost lane, and those whom they endanger within their reach."""
+    functional, runners = story.functional, story.runners
     inward = -outward(functional, Side.LEFT)
     for name in opens(functional).keys() & runners.keys():
         door, vehicle = runners[name], functional.participant(name).body
-        middle = strip_middle_m(functional, logical, name)
+        middle = strip_middle_m(story, name)
         tip = REACH_M - (middle - vehicle.width_m / 2) - door.lane_width_m / 2
-        door.lane, door.offset_m = lane_count, inward * (tip - REACH_M / 2)
+        door.lane, door.offset_m = story.lane_count, inward * (tip - REACH_M / 2)
         for other in (runners[n] for n in endangered(functional, name) if n in runners):
             said = any(
                 spacing.measure is Measure.LATERAL_GAP_M
@@ -74,7 +67,7 @@ def hang_doors(
                 for spacing in functional.spacings
             )
             most = tip - _IN_THE_WAY_M + other.body.width_m / 2
-            if other.lane == lane_count and other.forward == door.forward and not said:
+            if other.lane == story.lane_count and other.forward == door.forward and not said:
                 other.offset_m = inward * min(inward * other.offset_m, most)
 
 
@@ -86,12 +79,11 @@ def endangered(functional: FunctionalScenario, name: str) -> set[str]:
     return found or touching or {functional.ego.id}
 
 
-def door_before(
-    functional: FunctionalScenario, runners: Mapping[str, Runner], who: str
-) -> Runner | None:
+def door_before(story: Story, who: str) -> Runner | None:
     """The door that opens before somebody, None if none does."""
-    names = (n for n in opens(functional) if n in runners and who in endangered(functional, n))
-    return next((runners[name] for name in names), None)
+    names = opens(story.functional).keys() & story.runners.keys()
+    endangering = (n for n in sorted(names) if who in endangered(story.functional, n))
+    return next((story.runners[name] for name in endangering), None)
 
 
 def clear_of_m(door: Runner, who: Runner) -> float:

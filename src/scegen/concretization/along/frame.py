@@ -16,10 +16,7 @@ from scegen.motion.paths import END_MARGIN_M
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M
 from scegen.road.geometry import Pose, Segment
 from scegen.road.straight import Curve, curve_of
-from scegen.scenario.concrete import (
-    RoadParameters,
-)
-from scegen.scenario.logical import Drive
+from scegen.scenario.concrete import RoadParameters
 
 _ARM_MARGIN_M = 3.0
 _JOINT_CLEAR_M = 8.0
@@ -111,8 +108,7 @@ def frame_of(
 
     A bend lies about where the ego is when the others come closest.
     """
-    assignment = story.logical.assignment(story.ego.id)
-    arm = assignment.entry if isinstance(assignment, Drive) else 0
+    arm = story.ego_arm
     lows, highs = [], []
     for runner in story.runners.values():
         for time_s in (0.0, lasts_s):
@@ -141,8 +137,8 @@ def frame_of(
     curve = curve_of(road)
     if curve is None:
         if road.auxiliary is not None:
-            joint = joint_m(story.functional, story.runners, joint)
-            before, after = room_m(fitted(road, story.functional, story.runners, joint))
+            joint = joint_m(story, joint)
+            before, after = room_m(fitted(road, story, joint))
             begin, end = min(begin, joint - before), max(end, joint + after)
         joint = max(joint, begin + _LEAST_ARM_M)
         end = max(end, joint + _LEAST_ARM_M)

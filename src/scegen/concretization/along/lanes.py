@@ -10,15 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 
-from scegen.concretization.along.auxiliary import exiting, merging
-from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.story import Story
 from scegen.concretization.asked import outward, side_of, words_between
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.acts import ActKind
 from scegen.scenario.hazards import FROM_BESIDE
-from scegen.scenario.logical import Assignment, Drive, InLine, LogicalScenario
+from scegen.scenario.logical import Assignment, Drive, InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
@@ -43,52 +41,42 @@ _IN_LINE = frozenset(
 )
 
 
-def choose_lanes(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    runners: Mapping[str, Runner],
-    acts: Sequence[Act],
-) -> int:
-    """Give every runner its lane; returns how many lanes a direction has.
+def choose_lanes(story: Story) -> None:
+    """Give everybody a lane, and the road as many as that needs.
 
     Raises:
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
 
     def wishes_of(count: int) -> list[Wish[int]]:
-        return [
-            *_from_words(functional, logical, runners, acts),
-            *_from_acts(functional, runners, acts, count),
-            *_from_hazards(functional, runners),
-            *_usual(functional, logical, runners, count),
-        ]
+        told = [*_from_words(story), *_from_acts(story, count)]
+        return [*told, *_from_hazards(story), *_usual(story, count)]
 
-    said = max(functional.junction.lanes, default=0)
+    junction, people = story.functional.junction, story.people
+    said = max(junction.lanes, default=0)
     # Nobody passes another on the other side of a median: there must be a lane for that.
-    undivided = functional.junction.carriageway is Carriageway.UNDIVIDED
+    undivided = junction.carriageway is Carriageway.UNDIVIDED
     counts = [said] if said else range(1 if undivided else 2, MOST_LANES + 1)
     best: tuple[float, int, dict[str, int]] | None = None
-    on_strips = {name for name in runners if functional.participant(name).strip is not None}
-    beyond = merging(functional) | on_strips
+    on_strips = {n for n in people if story.functional.participant(n).strip is not None}
     for count in counts:
-        cost, lanes = cheapest(list(runners), wishes_of(count), count, beyond)
+        cost, lanes = cheapest(list(people), wishes_of(count), count, story.merging | on_strips)
         cost += _LANE * (count - 1)
         if best is None or cost < best[0] - 1e-9:
             best = cost, count, lanes
     if best is None:
         raise MotionInfeasibleError("there is no lane to drive in")
-    cost, count, lanes = best
+    cost, story.lane_count, lanes = best
     if cost >= SAID:
-        broken = [w for w in wishes_of(count) if w.weight >= SAID and not w.met(lanes)]
+        broken = [w for w in wishes_of(story.lane_count) if w.weight >= SAID and not w.met(lanes)]
         raise MotionInfeasibleError(
-            f"on a road with {count} lane(s) a direction not all can be had: "
+            f"on a road with {story.lane_count} lane(s) a direction not all can be had: "
             + "; ".join(w.words for w in broken[:3]),
             where=broken[0].who[0],
             hint="Say how many lanes the road has, or leave one of these out.",
         )
     for name, lane in lanes.items():
-        runners[name].lane = lane
-    return count
+        people[name].lane = lane
 
 
 def cheapest(
@@ -127,16 +115,12 @@ def _among(name: str, allowed: frozenset[int]) -> Met:
     return lambda lanes: lanes[name] in allowed
 
 
-def _from_words(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    runners: Mapping[str, Runner],
-    acts: Sequence[Act],
-) -> list[Wish[int]]:
+def _from_words(story: Story) -> list[Wish[int]]:
     """Lanes, sides, lines and lateral distances that are said."""
+    functional, runners = story.functional, story.people
     wishes: list[Wish[int]] = []
-    aside = _lanes_aside(functional, runners)
-    passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
+    aside = _lanes_aside(story)
+    passing = {act.participant for act in story.acts if act.kind is ActKind.OVERTAKE}
     for (a, b), step in aside.items():
         wishes.append(Wish((a, b), SAID, _beside(a, b, step), f"{a} is {step} lanes from {b}"))
     for name, runner in runners.items():
@@ -147,7 +131,7 @@ def _from_words(
             wishes.append(
                 Wish((name,), SAID, _among(name, allowed), f"{name} is in lane {numbers}")
             )
-        assignment = logical.assignment(name)
+        assignment = story.logical.assignment(name)
         seen = {r: words_between(functional, name, r) for r in runners if r != name}
         beside = assignment.beside if isinstance(assignment, InLine) else None
         if beside is not None and beside in runners and name not in passing:
@@ -156,7 +140,7 @@ def _from_words(
             if (name, reference) in aside or (reference, name) in aside:
                 continue
             if Approach.ADJACENT in words_of:
-                step_out = _step_out(functional, assignment, reference)
+                step_out = _step_out(story, assignment, reference)
                 met = _beside(name, reference, step_out)
                 words = f"{name} is in the lane beside {reference}"
                 wishes.append(Wish((name, reference), SAID, met, words))
@@ -169,19 +153,17 @@ def _from_words(
     return wishes
 
 
-def _step_out(functional: FunctionalScenario, assignment: Assignment, reference: str) -> int | None:
+def _step_out(story: Story, assignment: Assignment, reference: str) -> int | None:
     """On which side somebody is beside another, as lanes farther out; None if either will do."""
     said = getattr(assignment, "beside_on", None)
     if said is None or getattr(assignment, "beside", None) != reference:
-        said = side_of(functional, assignment.participant, reference)
-    return None if said is None else outward(functional, said)
+        said = side_of(story.functional, assignment.participant, reference)
+    return None if said is None else outward(story.functional, said)
 
 
-def _lanes_aside(
-    functional: FunctionalScenario, runners: Mapping[str, Runner]
-) -> dict[tuple[str, str], int]:
+def _lanes_aside(story: Story) -> dict[tuple[str, str], int]:
     """How many lanes farther out one is than another, by a lateral offset that is said."""
-    found = {}
+    functional, runners, found = story.functional, story.people, {}
     for spacing in functional.spacings:
         a, b = spacing.participant, spacing.reference
         level = {a, b} <= runners.keys() and runners[a].forward == runners[b].forward
@@ -191,10 +173,9 @@ def _lanes_aside(
     return found
 
 
-def _from_acts(
-    functional: FunctionalScenario, runners: Mapping[str, Runner], acts: Sequence[Act], count: int
-) -> list[Wish[int]]:
+def _from_acts(story: Story, count: int) -> list[Wish[int]]:
     """Who changes lanes needs one there: the one of the person into whose lane it comes."""
+    functional, runners, acts = story.functional, story.people, story.acts
     wishes: list[Wish[int]] = []
     passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
     for act in acts:
@@ -226,10 +207,11 @@ def _from_acts(
     return wishes
 
 
-def _from_hazards(functional: FunctionalScenario, runners: Mapping[str, Runner]) -> list[Wish[int]]:
+def _from_hazards(story: Story) -> list[Wish[int]]:
     """Who endangers another from beside is beside it, who does it in line is in its lane."""
     wishes: list[Wish[int]] = []
-    for hazard in functional.hazards:
+    runners = story.people
+    for hazard in story.functional.hazards:
         for by, to in product(hazard.by, hazard.to):
             if not {by, to} <= runners.keys() or by == to:
                 continue
@@ -245,33 +227,23 @@ def _from_hazards(functional: FunctionalScenario, runners: Mapping[str, Runner])
     return wishes
 
 
-def _usual(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    runners: Mapping[str, Runner],
-    count: int,
-) -> list[Wish[int]]:
+def _usual(story: Story, count: int) -> list[Wish[int]]:
     """Drive in line with the ego; change lanes where there is one to change into."""
     wishes: list[Wish[int]] = []
-    ego = functional.ego.id
-    leaving = exiting(functional)
-    for name in leaving & runners.keys():
+    ego, people = story.ego.id, story.people
+    for name in story.exiting & people.keys():
         words = f"{name} is in the outermost lane, beside which the exit begins"
         wishes.append(Wish((name,), SAID, _among(name, frozenset({count})), words))
-    for name, runner in runners.items():
-        assignment = logical.assignment(name)
+    for name, runner in people.items():
+        assignment = story.logical.assignment(name)
         beside = isinstance(assignment, InLine) and assignment.beside is not None
-        beside = beside or functional.participant(name).strip is not None
+        beside = beside or story.functional.participant(name).strip is not None
         if name != ego and runner.forward and not beside:
             wishes.append(Wish((ego, name), USUAL, _beside(name, ego, 0), f"{name} is in line"))
         changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE
-        if (
-            name not in leaving
-            and changes
-            and isinstance(assignment, Drive)
-            and assignment.changes_to is not None
-        ):
-            step = outward(functional, assignment.changes_to)
+        side = assignment.changes_to if isinstance(assignment, Drive) and changes else None
+        if name not in story.exiting and side is not None:
+            step = outward(story.functional, side)
             words = f"{name} has a lane to change into"
             wishes.append(Wish((name,), LIKELY, _room(name, step, count), words))
     return wishes

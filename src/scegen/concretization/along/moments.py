@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scegen.concretization.along.auxiliary import ON_RAMP_S, merging
+from scegen.concretization.along.auxiliary import ON_RAMP_S
 from scegen.concretization.along.doors import door_before
 from scegen.concretization.along.performing import perform
 from scegen.concretization.along.story import FIRST_ACT_S, Story
@@ -88,10 +88,10 @@ def _moment_s(story: Story, act: Act) -> float:
            and a.id in story.ends_s]  # fmt: skip
     if own:
         return max(own) + _HOLDS_S
-    door = door_before(story.functional, story.runners, act.participant)
+    door = door_before(story, act.participant)
     if act.kind is ActKind.SWERVE and door is not None:
         return door.appears_s + _SHIES_S
-    if act.participant in merging(story.functional):
+    if act.participant in story.merging:
         return FIRST_ACT_S + ON_RAMP_S
     return FIRST_ACT_S
 

@@ -13,7 +13,7 @@ from scegen.concretization.along.passing import JUST_M, just_missed_s, keep_apar
 from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import level
-from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
+from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.asked import outward
 from scegen.concretization.braking import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
@@ -158,7 +158,7 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     named = [alike[name] for name in meant if name in alike]
     if named:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
-    order = by_rank(story.logical, story.runners)
+    order = story.ranks()
     line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
     return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
 

@@ -13,7 +13,7 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.along.strips import strip_middle_m, strips_along
 from scegen.road.cross_section import CARRIAGEWAY
 from scegen.scenario.bodies import Body
-from scegen.scenario.logical import Drive, Standing
+from scegen.scenario.logical import Standing
 from scegen.scenario.roadway import Strip
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -41,14 +41,12 @@ def standings_beside(story: Story) -> list[Standing]:
 
 def on_left(story: Story, standing: Standing) -> bool:
     """Whether somebody stands on the ego's left."""
-    ego = story.logical.assignment(story.ego.id)
-    own = isinstance(ego, Drive) and standing.arm == ego.entry
-    return (standing.side is Side.LEFT) == own
+    return (standing.side is Side.LEFT) == (standing.arm == story.ego_arm)
 
 
 def strips_m(story: Story) -> dict[str, float]:
     """How wide the strips for vehicles beside the lanes are, by the ego's side."""
-    strips = strips_along(story.functional, story.logical)
+    strips = strips_along(story)
     width = sum(width for kind, width in strips if kind in CARRIAGEWAY)
     sides = {"left" if on_left(story, s) else "right" for s in standings_beside(story)}
     if story.functional.junction.strips - {Strip.PAVEMENT}:
@@ -74,7 +72,7 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) ->
     left = on_left(story, standing)
     body = story.functional.participant(standing.participant).body
     sign = 1 if left else -1
-    middle = strip_middle_m(story.functional, story.logical, standing.participant)
+    middle = strip_middle_m(story, standing.participant)
     inner = edge_y_m(story, left=left) + sign * (middle - body.width_m / 2)
     wanted = inner - sign * (gap_m + runner.body.width_m / 2)
     runner.offset_m += runner.sign * (wanted - runner.y_m(0.0))

@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.along.auxiliary import (
-    GAINS_MPS2,
-    LOSES_MPS2,
-    RAMP_MPS,
-    exiting,
-    merging,
-)
+from scegen.concretization.along.auxiliary import GAINS_MPS2, LOSES_MPS2, RAMP_MPS
 from scegen.concretization.along.doors import clear_of_m, door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
@@ -78,7 +72,7 @@ def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedC
     functional = story.functional
     if runner.steps or any(a.participant == runner.id and a.kind in _PACES for a in story.acts):
         return []
-    if runner.id in merging(functional):
+    if runner.id in story.merging:
         others = (r for r in story.runners.values() if r.forward and r is not runner)
         traffic = max((r.speed_mps for r in others), default=story.limit_mps)
         target = min(traffic, pace_of(functional, story.logical, runner.id).high)
@@ -88,7 +82,7 @@ def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedC
         lasts = (target - runner.speed_mps) / GAINS_MPS2
         begins = max(moves[0].begins_s - lasts / 2, 0.5)
         return [SpeedChange(target, GAINS_MPS2, begins)]
-    if runner.id in exiting(functional) and runner.speed_mps > RAMP_MPS + _SAME_MPS:
+    if runner.id in story.exiting and runner.speed_mps > RAMP_MPS + _SAME_MPS:
         return [SpeedChange(RAMP_MPS, LOSES_MPS2, moves[-1].ends_s)]
     return []
 
@@ -117,7 +111,7 @@ def _swerve(
 ) -> list[Move]:
     lane = runner.lane_at(begins_s)
     side = act.side or _free_side(story, runner, lane)
-    door = door_before(story.functional, story.runners, runner.id)
+    door = door_before(story, runner.id)
     if act.lateral_m is None and door is not None:
         aside = runner.sign * clear_of_m(door, runner)
         lasts = lasting_s(act, abs(aside), _SHIES_FOR_S)
@@ -167,7 +161,7 @@ def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
             return into.lane
     side = act.side or _free_side(story, runner, now)
     lane = now + outward(story.functional, side)
-    leaves = runner.id in exiting(story.functional)
+    leaves = runner.id in story.exiting
     return max(story.innermost, min(lane, story.lane_count + leaves))
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from scegen.concretization.along.passing import JUST_M, just_missed_s, place_just_missed
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import GapAt, level, place
-from scegen.concretization.along.story import FIRST_ACT_S, Story, by_rank
+from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M, SLOWING
 from scegen.concretization.asked import words_between
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
@@ -45,7 +45,7 @@ def place_all(story: Story, *, wider: float = 1.0) -> None:
         runner.at_m = None
     story.ego.at_m = 0.0
     said = list(_said(story))
-    order = by_rank(story.logical, story.runners)
+    order = story.ranks()
     open_ = [n for n in story.runners if n != story.ego.id]
     while open_:
         tied = next((t for t in said if _one_known(story, t)), None)
@@ -123,7 +123,7 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
             return sign
     if first.stands != second.stands:
         return first.stands
-    order = by_rank(story.logical, story.runners)
+    order = story.ranks()
     if order[who] != order[other]:
         return order[who] < order[other]
     if story.ego.id in {who, other}:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from scegen.claims.boxes import Boxes
@@ -12,11 +11,11 @@ from scegen.concretization.tale import Tale
 from scegen.motion.following import Driver, driver_of
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.logical import Drive
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
@@ -26,13 +25,36 @@ FIRST_ACT_S = 4.0
 class Story(Tale):
     """Who does what when; ``begins_s`` and ``ends_s`` by act, ``things`` lie in somebody's way."""
 
-    runners: dict[str, Runner]
-    lane_count: int
-    limit_mps: float
+    runners: dict[str, Runner] = field(default_factory=dict)
+    lane_count: int = 1
     things: tuple[Thing, ...] = ()
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
     seed: int = 0
+
+    @property
+    def ego_arm(self) -> int:
+        """The arm by which the ego comes."""
+        ego = self.logical.assignment(self.functional.ego.id)
+        return ego.entry if isinstance(ego, Drive) else 0
+
+    @property
+    def people(self) -> dict[str, Runner]:
+        """Those along the road who are no things."""
+        return {name: runner for name, runner in self.runners.items() if not runner.thing}
+
+    @property
+    def merging(self) -> frozenset[str]:
+        """Those who are in the lane that ends."""
+        return self._who_only(Maneuver.MERGE)
+
+    @property
+    def exiting(self) -> frozenset[str]:
+        """Those who leave by the ramp."""
+        return self._who_only(Maneuver.EXIT)
+
+    def _who_only(self, maneuver: Maneuver) -> frozenset[str]:
+        return frozenset(p.id for p in self.functional.participants if p.maneuvers == {maneuver})
 
     @property
     def innermost(self) -> int:
@@ -48,6 +70,11 @@ class Story(Tale):
     def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
         """The boxes of somebody over time, and its speeds."""
         return self.runners[name].track(times_s)
+
+    def ranks(self) -> dict[str, int]:
+        """The order of those along the road in their direction, 0 = foremost; things before all."""
+        known = {a.participant: a for a in self.logical.assignments}
+        return {name: getattr(known.get(name), "rank", -1) for name in self.runners}
 
     def driver(self, name: str) -> Driver:
         """Who drives somebody."""
@@ -96,12 +123,3 @@ class Story(Tale):
         said = (act.side, act.into, act.lateral_m)
         alone = self.lane_count == 1 and self.hazard_of(act) is None
         return act.kind is ActKind.CHANGE_LANE and alone and not any(said)
-
-
-def by_rank(logical: LogicalScenario, runners: Mapping[str, Runner]) -> dict[str, int]:
-    """The order of those along the road in their direction, 0 = foremost; things before all."""
-    ranks = {}
-    known = {a.participant: a for a in logical.assignments}
-    for name in runners:
-        ranks[name] = getattr(known.get(name), "rank", -1)
-    return ranks

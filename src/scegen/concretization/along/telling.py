@@ -14,7 +14,6 @@ from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -25,33 +24,24 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     Raises:
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
-    functional = as_meant(functional, logical)
-    limit = implied_limit_mps(functional)
-    runners = cast(functional, logical)
-    cast_doors(functional, logical, runners)
-    things = _things(functional, logical, runners)
-    for thing in things:
-        blocked = runners[thing.in_way_of or ""]
-        runners[thing.id] = Runner(
-            thing.id,
-            ParticipantKind.CAR,
-            shape_of(thing).body,
-            blocked.forward,
-            -1,
-            0.0,
-            thing=True,
-            keeps_left=blocked.keeps_left,
-            inner_m=blocked.inner_m,
+    story = Story(as_meant(functional, logical), logical, ())
+    cast(story)
+    cast_doors(story)
+    story.things = tuple(_things(story))
+    for thing in story.things:
+        blocked = story.runners[thing.in_way_of or ""]
+        body = shape_of(thing).body
+        story.runners[thing.id] = Runner(
+            thing.id, ParticipantKind.CAR, body, blocked.forward, -1, 0.0,
+            thing=True, keeps_left=blocked.keeps_left, inner_m=blocked.inner_m,
             lane_width_m=blocked.lane_width_m,
-        )
-    acts = all_acts(functional, logical, runners)
-    people = {name: runner for name, runner in runners.items() if not runner.thing}
-    count = choose_lanes(functional, logical, people, acts)
-    put_on_strips(functional, logical, people, count)
-    hang_doors(functional, logical, runners, count)
-    for thing in things:
-        runners[thing.id].lane = runners[thing.in_way_of or ""].lane
-    story = Story(functional, logical, acts, runners, count, limit, tuple(things))
+        )  # fmt: skip
+    story.acts = all_acts(story)
+    choose_lanes(story)
+    put_on_strips(story)
+    hang_doors(story)
+    for thing in story.things:
+        story.runners[thing.id].lane = story.runners[thing.in_way_of or ""].lane
     _keep_on_the_road(story)
     return story
 
@@ -77,11 +67,10 @@ def _keep_on_the_road(story: Story) -> None:
             )
 
 
-def _things(
-    functional: FunctionalScenario, logical: LogicalScenario, runners: dict[str, Runner]
-) -> list[Thing]:
+def _things(story: Story) -> list[Thing]:
     """What lies in somebody's lane: what is said, and what a danger needs that nobody causes."""
-    needed = [thing for _, thing in lying_in_the_way(functional, logical, runners)]
+    functional, runners = story.functional, story.runners
+    needed = [thing for _, thing in lying_in_the_way(functional, story.logical, runners)]
     known = {thing.id for thing in needed}
     said = [t for t in functional.objects if t.in_way_of in runners and t.id not in known]
     return [*said, *needed]
