@@ -136,10 +136,10 @@ def compared(campaign: Campaign) -> dict[str, object]:
         made(one_only, Path(place, "0"), 1, Memory())
         one, two = (made(campaign, Path(place, str(n)), n, Memory()) for n in (1, 2))
     return {
-        "rows": one.rows,
+        "rows": one.counted.rows,
         "same": one.digest == two.digest,
-        "one_per_s": one.rows / one.seconds,
-        "two_per_s": two.rows / two.seconds,
+        "one_per_s": one.counted.rows / one.seconds,
+        "two_per_s": two.counted.rows / two.seconds,
         "times": one.seconds / two.seconds,
         "goal_times": GOAL_TIMES,
         "load": os.getloadavg()[0],

@@ -19,9 +19,9 @@ from scegen.pipeline.export import LAMPS_FILE, SCENARIO_FILE
 EMPLOYER = """
 import os, time
 from scegen.campaign.engines import Engine, Workforce
-from scegen.campaign.making import enlist
+from scegen.campaign.making import enlist, warm
 
-for worker in Workforce(Engine.JOBLIB, 2).each(lambda _: os.getpid(), range(4), enlist, enlist):
+for worker in Workforce(Engine.JOBLIB, 2).each(lambda _: os.getpid(), range(4), warm, enlist):
     print(worker, flush=True)
 print("idle", flush=True)
 time.sleep(600)
@@ -55,6 +55,20 @@ def test_workers_that_wait_for_work_end_with_their_employer(tmp_path):
             os.killpg(employer.pid, signal.SIGKILL)
             employer.wait()
         employer.stdout.close()
+
+
+def test_a_worker_whose_employer_was_gone_before_it_began_ends_too(tmp_path):
+    gone = subprocess.Popen([sys.executable, "-c", ""])
+    gone.wait()
+    late = f"import time; from scegen.campaign.making import enlist; enlist({gone.pid})"
+    done = subprocess.run(
+        [sys.executable, "-c", f"{late}; time.sleep({PATIENCE_S})"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": SOURCE},
+        timeout=PATIENCE_S,
+        check=False,
+    )
+    assert done.returncode == 1
 
 
 def lives(pid):

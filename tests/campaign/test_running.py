@@ -40,8 +40,8 @@ def whole(folder):
 def test_one_row_for_each_scenario_and_each_failure(first):
     folder, finished = first
     rows = rows_of(folder).to_pylist()
-    assert len(rows) == finished.rows
-    assert Counter(row["status"] for row in rows)["failed"] == finished.failed == 1
+    assert len(rows) == finished.counted.rows
+    assert Counter(row["status"] for row in rows)["failed"] == finished.counted.failed == 1
     (failed,) = (row for row in rows if row["status"] == "failed")
     assert failed["description"] == "weather"
     assert failed["stage"] == "understand"
@@ -82,7 +82,7 @@ def test_the_same_description_is_made_once(tmp_path):
     finished = make(
         campaign({"a": TEXTS["lead"], "b": TEXTS["lead"]}, count=1), tmp_path / "c", notes=notes
     )
-    assert finished.rows == 1
+    assert finished.counted.rows == 1
     assert "b says the same as a" in notes.told[0]
 
 
@@ -95,7 +95,7 @@ def test_sweeps_and_concretizations_multiply(tmp_path):
         sweep={"ego.speed_kph": speeds, "brake.nothing_s": unknown},
     )
     finished = make(order, tmp_path / "c")
-    assert (finished.rows, finished.failed) == (2, 2)
+    assert (finished.counted.rows, finished.counted.failed) == (2, 2)
     order = order.model_copy(update={"sweep": {"ego.speed_kph": order.sweep["ego.speed_kph"]}})
     make(order, tmp_path / "d")
     rows = rows_of(tmp_path / "d").to_pylist()
@@ -196,7 +196,7 @@ def test_a_disk_that_fills_loses_only_what_is_under_way(first, tmp_path, monkeyp
     monkeypatch.setattr(Store, "write_batch", write)
     kept = pq.read_table(written[0]).num_rows
     finished = make(order, tmp_path / "c")
-    assert finished.fresh == finished.rows - kept
+    assert finished.fresh == finished.counted.rows - kept
     assert finished.digest == first[1].digest
 
 
@@ -246,7 +246,7 @@ def die(_):
     os.kill(os.getpid(), signal.SIGKILL)
 
 
-def nothing():
+def nothing(*_):
     pass
 
 

@@ -93,7 +93,9 @@ def test_somebody_who_stands_does_not_drive_slowly():
     assert not happens("slow_driving", following(steady(0), steady(0))).happened
 
 
-@pytest.mark.parametrize(("rate", "expected"), [(7.0, True), (3.0, False)])
+@pytest.mark.parametrize(
+    ("rate", "expected"), [(7.0, True), (5.0 - 1e-12, True), (4.99, False), (3.0, False)]
+)
 def test_hard_braking(rate, expected):
     proof = happens("hard_braking", following(steady(5), ramp(14, 0, rate)))
     assert proof.happened is expected

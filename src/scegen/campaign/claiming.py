@@ -7,7 +7,7 @@ import json
 import platform
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,7 @@ from typing import Any
 from scegen import __version__
 from scegen.campaign.order import Campaign
 from scegen.campaign.store import Store
+from scegen.campaign.table import Counted
 from scegen.errors import InputError
 
 FORMAT = 1
@@ -23,10 +24,9 @@ _LIBRARIES = ("clingo", "cmaes", "numba", "numpy", "pyarrow", "scenariogeneratio
 
 @dataclass(frozen=True, slots=True)
 class Finished:
-    """What a run has come to: rows in all, those that failed, those made now, and in what time."""
+    """What a run has come to: rows counted, those made now, and in what time."""
 
-    rows: int
-    failed: int
+    counted: Counted
     fresh: int
     seconds: float
     digest: str
@@ -81,11 +81,7 @@ def keep_manifest(
         "plans": keys,
     }
     if finished is not None:
-        manifest["finished"] = {
-            "rows": finished.rows,
-            "failed": finished.failed,
-            "digest": finished.digest,
-        }
+        manifest["finished"] = {**asdict(finished.counted), "digest": finished.digest}
     store.write_manifest(manifest)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -38,12 +39,12 @@ class Workforce:
         work: Callable[[T], R],
         tasks: Sequence[T],
         prepare: Callable[[], None],
-        enlist: Callable[[], None],
+        enlist: Callable[[int], None],
     ) -> Iterator[R]:
         """What ``work`` gives for every task, as it comes.
 
-        ``prepare`` runs first where the work is done; ``enlist`` instead of it in processes that
-        are ours alone.
+        ``prepare`` runs first where the work is done; ``enlist`` instead of it, with the id of this
+        process, in those that are ours alone.
 
         Raises:
             WorkerLostError: a worker died, by whatever cause.
@@ -61,7 +62,7 @@ class Workforce:
 
 
 def _by_joblib(
-    workers: int, work: Callable[[T], R], tasks: Sequence[T], enlist: Callable[[], None]
+    workers: int, work: Callable[[T], R], tasks: Sequence[T], enlist: Callable[[int], None]
 ) -> Iterator[R]:
     from joblib import Parallel, delayed  # noqa: PLC0415 - of the extra
     from joblib.externals.loky.process_executor import (  # noqa: PLC0415
@@ -75,6 +76,7 @@ def _by_joblib(
         batch_size=1,
         pre_dispatch="2 * n_jobs",
         initializer=enlist,
+        initargs=(os.getpid(),),
     )
     results = pool(delayed(work)(task) for task in tasks)
     try:

@@ -98,10 +98,10 @@ def warm() -> None:
     import_module("cmaes")  # the search waits with it until it is needed
 
 
-def enlist() -> None:
-    """Once in a worker process: leave Ctrl-C to who started it, remember who that is, get warm."""
+def enlist(employer: int) -> None:
+    """Once in a worker process of ``employer``: leave Ctrl-C to it, remember it, get warm."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    os.environ[_EMPLOYER] = str(os.getppid())
+    os.environ[_EMPLOYER] = str(employer)
     Thread(target=_watch_employer, daemon=True).start()
     warm()
 
@@ -162,6 +162,10 @@ def make_item(store: Store, campaign: Campaign, item: Item) -> Row:
     row |= planned(functional, logical)
     stage = ["concretize"]
     try:
+        functional, logical = spread(
+            functional, logical, item.concretization, campaign.concretizations, item.seed
+        )
+        row["ranges"] = {p.name: [p.low, p.high] for p in logical.parameters}
         row |= _made(store, campaign, item, functional, logical, clock, stage)
         row["status"] = MADE
     except StoreError:
@@ -190,9 +194,6 @@ def _made(
     stage: list[str],
 ) -> Row:
     """One concrete scenario: numbers, danger, judgement, files, checks; ``stage`` is kept told."""
-    functional, logical = spread(
-        functional, logical, item.concretization, campaign.concretizations, item.seed
-    )
     target = chosen_target(Options(target=campaign.target), functional, numbers_given=False)
     with clock.step("search"):
         raised = make_one(functional, logical, target, item.seed)

@@ -86,6 +86,7 @@ SCHEMA = pa.schema(
         ("meetings", _TEXTS),
         ("hazards", _TEXTS),
         ("hazards_missing", _TEXTS),
+        ("ranges", pa.map_(_TEXT, pa.list_(_NUMBER))),
         ("parameters", _NUMBERS),
         ("ego_speed_mps", _NUMBER),
         ("other_speed_mps", _NUMBER),
@@ -162,17 +163,28 @@ def planned(functional: FunctionalScenario, logical: LogicalScenario) -> Row:
 
 def cells(functional: FunctionalScenario, logical: LogicalScenario) -> list[str]:
     """What a logical scenario can show: how movements meet under which rule, and which dangers."""
-    where = str(functional.junction.kind).replace("_", " ")
-    found = {
-        f"{where}: {meeting_of(functional, logical, conflict).in_words()} ({_rule(conflict)})"
-        for conflict in logical.conflicts
-    }
-    hazards = logical.hazards or functional.hazards
-    return sorted(found | {_danger(functional, hazard.kind) for hazard in hazards})
+    found = {_meeting(functional, logical, conflict) for conflict in logical.conflicts}
+    for hazard in logical.hazards or functional.hazards:
+        found |= _dangers(functional, logical, hazard)
+    return sorted(found)
 
 
-def _danger(functional: FunctionalScenario, kind: object) -> str:
-    return f"{functional.junction.kind}: {kind}".replace("_", " ")
+def _meeting(functional: FunctionalScenario, logical: LogicalScenario, conflict: Conflict) -> str:
+    met = meeting_of(functional, logical, conflict).in_words()
+    return f"{_where(functional)}: {met} ({_rule(conflict)})"
+
+
+def _dangers(functional: FunctionalScenario, logical: LogicalScenario, hazard: Hazard) -> set[str]:
+    """A danger between two whose ways meet, with how they meet; any other on such a road."""
+    both = {*hazard.by, *hazard.to}
+    met = [c for c in logical.conflicts if {c.first, c.second} <= both]
+    places = {_meeting(functional, logical, c) for c in met} or {_where(functional)}
+    told = str(hazard.kind).replace("_", " ")
+    return {f"{place}: {told}" for place in places}
+
+
+def _where(functional: FunctionalScenario) -> str:
+    return str(functional.junction.kind).replace("_", " ")
 
 
 def _rule(conflict: Conflict) -> str:
@@ -242,13 +254,20 @@ def _pair(functional: FunctionalScenario, concrete: ConcreteScenario, pair: tupl
 
 def _proved(functional: FunctionalScenario, concrete: ConcreteScenario, proof: Proof) -> Row:
     measured = {column: proof.of(name) for name, column in MEASURES.items()}
-    missing = [hazard for hazard in proof.hazards if not hazard.happened]
-    absent = {_danger(functional, hazard.kind) for hazard in missing}
-    absent -= {_danger(functional, h.kind) for h in proof.hazards if h.happened}
+    hazards = concrete.logical.hazards or functional.hazards
+    happened = [told.happened for told in proof.hazards]
+    missing = [h for h, there in zip(hazards, happened, strict=True) if not there]
+    present, absent = (
+        {
+            cell
+            for hazard, there in zip(hazards, happened, strict=True)
+            if there is wanted
+            for cell in _dangers(functional, concrete.logical, hazard)
+        }
+        for wanted in (True, False)
+    )
     return {
-        "hazards_missing": [
-            _hazard(Hazard(kind=hazard.kind, by=hazard.by, to=hazard.to)) for hazard in missing
-        ],
+        "hazards_missing": [_hazard(hazard) for hazard in missing],
         "target": proof.target,
         "measure": proof.measure,
         "reached": proof.reached,
@@ -259,7 +278,7 @@ def _proved(functional: FunctionalScenario, concrete: ConcreteScenario, proof: P
         "claims": len(proof.claims),
         "claims_held": len(proof.claims) - len(proof.missed),
         "claims_missed": [f"{claim.statement}: {claim.found}" for claim in proof.missed],
-        "covered": [c for c in cells(functional, concrete.logical) if c not in absent],
+        "covered": sorted({*cells(functional, concrete.logical)} - (absent - present)),
     }
 
 
@@ -269,7 +288,8 @@ def speed_cells(row: Mapping[str, Any]) -> list[str]:
     for who in ("ego", "other"):
         speed = row.get(f"{who}_speed_mps")
         if speed is not None:
-            band = int(speed * 3.6 // _BAND_KPH) * _BAND_KPH
+            # Numbers of files are rounded: who is to drive 60 km/h may drive 59.9999.
+            band = int(round(speed * 3.6, 1) // _BAND_KPH) * _BAND_KPH
             where = str(row["junction"]).replace("_", " ")
             found.append(f"{where}: {who} at {band} to {band + _BAND_KPH} km/h")
     return found

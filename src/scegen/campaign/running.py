@@ -64,9 +64,8 @@ def run_campaign(campaign: Campaign, folder: Path, workforce: Workforce, watch: 
                 where=str(folder),
                 hint="the same command goes on",
             )
-        rows, failed = write_table(store)
-        told = digest_of(found)
-        finished = Finished(rows, failed, fresh, perf_counter() - begin, told)
+        counted = write_table(store)
+        finished = Finished(counted, fresh, perf_counter() - begin, digest_of(found))
         keep_manifest(store, campaign, keys, finished)
     return finished
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from pathlib import Path
 
 import duckdb
@@ -43,14 +44,24 @@ def query(store: Store, sql: str) -> pa.Table:
             raise InputError(f"the query fails: {error}") from error
 
 
-def write_table(store: Store) -> tuple[int, int]:
-    """Put all batches together in one file; how many rows there are, and how many failed.
+@dataclass(frozen=True, slots=True)
+class Counted:
+    """Rows in all; of these, that could not be made, do not hold all that is said, fail a check."""
+
+    rows: int
+    failed: int
+    unheld: int
+    unsound: int
+
+
+def write_table(store: Store) -> Counted:
+    """Put all batches together in one file, and count what came of them.
 
     Raises:
         StoreError: it cannot be written.
     """
     if not store.batches():
-        return 0, 0
+        return Counted(0, 0, 0, 0)
     part = store.folder / f"{store.table.name}.{os.getpid()}.part"
     with duckdb.connect() as connection:
         connection.execute("SET enable_progress_bar = false")
@@ -67,10 +78,12 @@ def write_table(store: Store) -> tuple[int, int]:
         except (duckdb.Error, OSError) as error:
             part.unlink(missing_ok=True)
             raise StoreError(f"cannot be written: {error}", where=str(store.table)) from error
-        counted = connection.execute(
-            f"SELECT count(*), count(*) FILTER (status = 'failed') FROM {ROWS}"  # noqa: S608
-        ).fetchone()
-    return (0, 0) if counted is None else (int(counted[0]), int(counted[1]))
+        (counted,) = connection.execute(
+            "SELECT count(*), count(*) FILTER (status = 'failed'), "  # noqa: S608
+            "count(*) FILTER (claims_held < claims), "
+            f"count(*) FILTER (list_contains(map_values(checks), 'failed')) FROM {ROWS}"
+        ).fetchall()
+    return Counted(*map(int, counted))
 
 
 def _quoted(path: Path) -> str:

@@ -120,9 +120,8 @@ def _hazard(after: HazardProof, before: HazardProof) -> Row:
         " and ".join(after.by),
         " and ".join(after.to),
         "happened" if before.happened else "did not happen",
-        "happens"
-        if after.happened
-        else f"does NOT happen{': ' + after.note if after.note else ''}",
+        ("happens" if after.happened else "does NOT happen")
+        + (f": {after.note}" if after.note else ""),
         _value(after.margin, after.unit),
         _value(after.time_s, "s"),
         "; ".join(

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from scegen.campaign.analysis.coverage import Coverage, coverage
+from scegen.campaign.analysis.coverage import Coverage, Ranged, coverage
 from scegen.campaign.analysis.features import NEEDED
 from scegen.campaign.analysis.suite import FOR_COVERAGE, FOR_DANGER, smallest, suite_of
-from scegen.campaign.rows import SCHEMA, table_of
+from scegen.campaign.rows import SCHEMA, speed_cells, table_of
 from scegen.campaign.store import Store
 from scegen.errors import InputError
 
@@ -40,7 +40,8 @@ def suite(held, size, danger=()):
     listed = [{"contact_s": 1.0 if n in danger else None} for n in range(len(held))]
     table = pa.Table.from_pylist(listed, pa.schema([SCHEMA.field(name) for name in NEEDED]))
     held = tuple(map(frozenset, held))
-    return suite_of(table, Coverage(held, Counter(c for cs in held for c in cs), {}, {}), size)
+    counts = Counter(cell for cells in held for cell in cells)
+    return suite_of(table, Coverage(held, counts, {}, {}, ()), size)
 
 
 def test_a_suite_covers_first_and_then_takes_the_most_critical():
@@ -86,3 +87,25 @@ def test_what_cannot_be_covered_is_told_with_its_reason(tmp_path):
         "w": "not as it is said: s: no (in 1 of 1)",
         "v": "a check fails: schema: bad (in 1 of 1)",
     }
+
+
+def test_parts_of_ranges_are_covered_by_good_scenarios_alone(tmp_path):
+    good = {"description": "d", "junction": "t", "status": "made", "claims": 2, "claims_held": 2}
+    rows = [
+        good | {"ranges": {"ego.speed_mps": [5.0, 10.0], "brake.rate_mps2": [6.0, 6.0]}},
+        good | {"ranges": {"ego.speed_mps": [5.0, 10.0], "brake.rate_mps2": [6.0, 6.0]}},
+        good | {"ranges": {"ego.speed_mps": [10.0, 15.0]}, "claims_held": 1},
+        good | {"ranges": {"ego.speed_mps": [0.0, 5.0]}, "checks": {"schema": "failed"}},
+        {"description": "e", "status": "failed"},
+    ]
+    (found,) = coverage(Store(tmp_path), table_of(rows)).ranges
+    assert found == Ranged("d", "ego.speed_mps", 0.0, 15.0, parts=3, covered=1)
+
+
+@pytest.mark.parametrize(
+    ("kph", "band"),
+    [(59.9999, "60 to 80"), (60.00012, "60 to 80"), (59.9, "40 to 60"), (0, "0 to 20")],
+)
+def test_what_rounding_leaves_of_a_speed_lies_in_its_band(kph, band):
+    row = {"junction": "four_way", "ego_speed_mps": kph / 3.6, "other_speed_mps": None}
+    assert speed_cells(row) == [f"four way: ego at {band} km/h"]

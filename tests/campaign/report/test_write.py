@@ -34,12 +34,12 @@ def rows_in(page):
 
 def test_every_scenario_is_in_the_page_and_in_the_tables(first, report):
     page = (report / "index.html").read_text("utf-8")
-    made = first[1].rows - first[1].failed
+    made = first[1].counted.rows - first[1].counted.failed
     assert len(rows_in(page)) == made
     assert pq.read_table(report / "table.parquet").schema.names == SCHEMA.names
     listed = list(csv.reader(io.StringIO((report / "table.csv").read_text("utf-8"))))
     assert listed[0] == SCHEMA.names
-    assert len(listed) == first[1].rows + 1
+    assert len(listed) == first[1].counted.rows + 1
     assert "does not describe a traffic situation" in page
 
 
@@ -62,6 +62,22 @@ def test_thousands_of_rows_stay_data(first):
     assert len(rows_in(page)) == 5000
     assert page.count("<tr>") < 500
     assert len(page) < 3_000_000
+
+
+def test_only_good_ones_stand_out_and_every_logical_scenario_first(first):
+    rows = query(Store(first[0]), "SELECT * FROM rows WHERE status = 'made'").to_pylist()
+    logical = len({(row["description"], row["logical_name"]) for row in rows})
+    twice = [*rows, *rows]  # as two concretizations
+    found = outlook(pa.Table.from_pylist(twice, SCHEMA), len(twice))
+    assert {*found.critical} == {*range(len(twice))}
+    shown = [twice[n] for n in found.critical]
+    assert len({(r["description"], r["logical_name"]) for r in shown[:logical]}) == logical
+    worst = found.critical[0]
+    twice[worst] = twice[worst] | {"claims_held": 0}
+    fewer = outlook(pa.Table.from_pylist(twice, SCHEMA), len(twice))
+    assert worst not in {*fewer.critical, *fewer.different}
+    bad = [row | {"checks": {"schema": "failed"}} for row in rows]
+    assert not outlook(pa.Table.from_pylist(bad, SCHEMA), 3).critical
 
 
 def test_what_is_no_campaign_is_told(tmp_path):

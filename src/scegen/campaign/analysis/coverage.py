@@ -2,7 +2,8 @@
 
 A cell is something that a scenario can show: how two movements meet on a kind of junction, in
 which conflict and under which rule; a danger there; a band of speed of the ego or of who meets it.
-It is covered by a scenario that shows it, in which all that is said holds and no check fails.
+It is covered by a scenario that shows it, in which all that is said holds and no check fails. So
+is a part of a parameter's range: that of one concretization, or a point of a sweep.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from scegen.campaign.rows import FAILED, MADE, speed_cells
 from scegen.campaign.store import Store
 
 NEEDED = (
+    "description",
     "status",
     "stage",
     "reason",
@@ -36,7 +38,20 @@ NEEDED = (
     "hazards_missing",
     "cells",
     "covered",
+    "ranges",
 )
+
+
+@dataclass(frozen=True, slots=True)
+class Ranged:
+    """One parameter of a description's scenarios: where it lies, and in how many parts of that."""
+
+    description: str
+    parameter: str
+    low: float
+    high: float
+    parts: int
+    covered: int
 
 
 @dataclass(frozen=True)
@@ -44,13 +59,15 @@ class Coverage:
     """Cells with the rows that show them (by number), and why others are not covered.
 
     ``held`` has the cells of every row; none for one that is not good enough. ``left_out`` are
-    cells of logical scenarios that were not picked, with how many scenarios show them.
+    cells of logical scenarios that were not picked, with how many scenarios show them. ``ranges``
+    are parameters that take more than one value, those first of which most is left.
     """
 
     held: tuple[frozenset[str], ...]
     counts: Counter[str]
     why_not: dict[str, str]
     left_out: dict[str, int]
+    ranges: tuple[Ranged, ...]
 
 
 def coverage(store: Store, table: pa.Table) -> Coverage:
@@ -72,7 +89,25 @@ def coverage(store: Store, table: pa.Table) -> Coverage:
         metadata = pq.read_schema(path).metadata or {}
         left_out.update(json.loads(metadata.get(LEFT_OUT, b"{}")))
     beyond = {c: n for c, n in sorted(left_out.items()) if c not in counts and c not in why_not}
-    return Coverage(held, counts, why_not, beyond)
+    return Coverage(held, counts, why_not, beyond, _ranges(rows))
+
+
+def _ranges(rows: list[dict[str, Any]]) -> tuple[Ranged, ...]:
+    """What there is of every parameter in any row, and what in a good one."""
+    every: dict[tuple[str, str], dict[tuple[float, float], bool]] = {}
+    for row in rows:
+        shown = good(row)
+        for name, (low, high) in row["ranges"] or ():
+            parts = every.setdefault((row["description"], name), {})
+            parts[low, high] = parts.get((low, high), False) or shown
+    found = [
+        Ranged(
+            *named, min(parts)[0], max(high for _, high in parts), len(parts), sum(parts.values())
+        )
+        for named, parts in every.items()
+    ]
+    varied = (ranged for ranged in found if ranged.high > ranged.low)
+    return tuple(sorted(varied, key=lambda r: (r.covered / r.parts, r.description, r.parameter)))
 
 
 def good(row: dict[str, Any]) -> bool:

@@ -27,11 +27,12 @@ from scegen.campaign.analysis.features import (
     numbers_of,
 )
 from scegen.campaign.report.charts import bars, histogram
-from scegen.campaign.rows import FAILED, MADE, MEASURES, SECONDS
+from scegen.campaign.report.unmet import unmet
+from scegen.campaign.rows import MADE, MEASURES, SECONDS
 from scegen.report.theme import css
 
 MOST_GROUPS = 10
-MOST_REASONS = 20
+_OF_GOOD = ("description", "logical_name", "status", "claims", "claims_held", "checks", "confirmed")
 _LISTED = (
     "description",
     "logical_name",
@@ -61,7 +62,7 @@ _DISTRIBUTIONS = (
 
 @dataclass(frozen=True)
 class Outlook:
-    """What stands out: rows by number."""
+    """What stands out among good scenarios: rows by number."""
 
     critical: tuple[int, ...]
     different: tuple[int, ...]
@@ -69,18 +70,26 @@ class Outlook:
 
 
 def outlook(table: pa.Table, count: int) -> Outlook:
-    """The most critical, the most different ones, and groups that are nearly the same."""
-    made = [n for n, s in enumerate(table.column("status").to_pylist()) if s == MADE]
-    if not made:
+    """The most critical, the most different ones, and groups that are nearly the same.
+
+    Of a logical scenario only the most critical one stands out, as long as there are others.
+    """
+    rows: list[dict[str, Any]] = table.select(list(_OF_GOOD)).to_pylist()
+    sound = [number for number, row in enumerate(rows) if good(row)]
+    if not sound:
         return Outlook((), (), ())
-    part = table.take(made)
+    part = table.take(sound)
     danger, features = criticality(part), Features.of(part)
-    order = np.lexsort((np.arange(len(made)), -danger))
-    different = features.most_different(count, int(order[0]))
+    impact = np.nan_to_num(numbers_of(part, "impact_mps"))
+    order = [sound[int(n)] for n in np.lexsort((np.arange(len(sound)), -impact, -danger))]
+    worst: dict[tuple[str, str], int] = {}
+    for number in order:
+        worst.setdefault((rows[number]["description"], rows[number]["logical_name"]), number)
+    different = features.most_different(count, sound.index(order[0]))
     return Outlook(
-        tuple(made[int(n)] for n in order[:count]),
-        tuple(made[n] for n in different),
-        tuple(tuple(made[n] for n in group) for group in features.alike()),
+        tuple(dict.fromkeys([*worst.values(), *order]))[:count],
+        tuple(sound[n] for n in different),
+        tuple(tuple(sound[n] for n in group) for group in features.alike()),
     )
 
 
@@ -122,9 +131,7 @@ def campaign_page(
             if (plot := histogram(title, unit, numbers_of(table, name), critical))
         ],
         charts=[Markup(chart) for chart in _charts(rows) if chart],  # noqa: S704
-        cells=sorted(
-            covered.counts.items(), key=lambda item: (item[0].partition(":")[0], -item[1])
-        ),
+        cells=sorted(covered.counts.items()),
         why_not=covered.why_not,
         left_out=covered.left_out,
         critical=[_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.critical],
@@ -133,8 +140,11 @@ def campaign_page(
             (len(group), _name(rows[group[0]]), _measured(rows[group[0]]))
             for group in found.alike[:MOST_GROUPS]
         ],
-        missed=_missed(rows),
-        failures=_failures(rows),
+        ranges=covered.ranges,
+        unmet=[
+            (heading, [(one, _name(rows[one.example]), links.get(one.example)) for one in listed])
+            for heading, listed in unmet(rows).items()
+        ],
         manifest=manifest,
         data=_data(rows, links),
         style=Markup(css() + sheet + _asset("campaign.css")),  # noqa: S704
@@ -162,6 +172,13 @@ def _facts(rows: list[dict[str, Any]], covered: Coverage, found: Outlook) -> lis
         ("danger reached", _share(reached, len(made))),
         ("good (said, and no check fails)", _share(sum(map(good, made)), len(made))),
         ("covered", f"{len(covered.counts):,} of {cells:,} cells"),
+        (
+            "parts of parameters' ranges",
+            _share(
+                sum(ranged.covered for ranged in covered.ranges),
+                sum(ranged.parts for ranged in covered.ranges),
+            ),
+        ),
         ("nearly the same as another", _share(doubled, len(made))),
         ("computing time", f"{sum(row[SECONDS] or 0.0 for row in rows):,.0f} s"),
     ]
@@ -213,8 +230,10 @@ def _highlight(
 
 def _name(row: Mapping[str, Any]) -> str:
     point = ", ".join(f"{name}={value:g}" for name, value in row["sweep"] or ())
-    told = f"{row['description']} {row['logical_name']}"
-    return f"{told} #{row['concretization']}" + (f" ({point})" if point else "")
+    told = str(row["description"])
+    if row["logical_name"] is not None:
+        told += f" {row['logical_name']} #{row['concretization']}"
+    return told + (f" ({point})" if point else "")
 
 
 def _measured(row: Mapping[str, Any]) -> str:
@@ -226,25 +245,6 @@ def _measured(row: Mapping[str, Any]) -> str:
         for name, column in MEASURES.items()
         if row[column] is not None
     )
-
-
-def _missed(rows: list[dict[str, Any]]) -> list[tuple[str, int, int]]:
-    """Statements that do not hold, without their figures: how often, in how many descriptions."""
-    where: dict[str, list[str]] = {}
-    for row in rows:
-        for told in row["claims_missed"] or ():
-            where.setdefault(told.partition(": ")[0], []).append(row["description"])
-    listed = [(told, len(found), len(set(found))) for told, found in where.items()]
-    return sorted(listed, key=lambda item: (-item[1], item[0]))[:MOST_REASONS]
-
-
-def _failures(rows: list[dict[str, Any]]) -> list[tuple[str, str, int]]:
-    failed = (row for row in rows if row["status"] == FAILED)
-    counts = Counter((row["description"], row["stage"], row["reason"]) for row in failed)
-    return [
-        (f"{description}, {stage}", reason, count)
-        for (description, stage, reason), count in counts.most_common(MOST_REASONS)
-    ]
 
 
 def _data(rows: list[dict[str, Any]], links: Mapping[int, str]) -> Markup:

@@ -13,6 +13,8 @@ import pyarrow as pa
 from scegen.campaign.analysis.coverage import coverage
 from scegen.campaign.report.page import campaign_page, outlook
 from scegen.campaign.report.scenario import page, write_folder
+from scegen.campaign.report.unmet import unmet
+from scegen.campaign.rows import MADE
 from scegen.campaign.store import Store, parquet, write_whole
 from scegen.campaign.table import query
 from scegen.errors import InputError
@@ -27,7 +29,8 @@ def write_report(store: Store, folder: Path, pages: int, progress: Callable[[str
     Args:
         store: the campaign.
         folder: where the report goes.
-        pages: how many of the most critical and of the most different ones get the player.
+        pages: how many of the most critical, of the most different ones, and of examples of what
+            is not met get the player.
         progress: told what is under way.
 
     Raises:
@@ -42,7 +45,9 @@ def write_report(store: Store, folder: Path, pages: int, progress: Callable[[str
     covered = coverage(store, table)
     found = outlook(table, max(pages, 10))
     links: dict[int, str] = {}
-    for number in dict.fromkeys((*found.critical[:pages], *found.different[:pages])):
+    examples = (one.example for listed in unmet(rows).values() for one in listed[:pages])
+    made = (number for number in examples if rows[number]["status"] == MADE)
+    for number in dict.fromkeys((*found.critical[:pages], *found.different[:pages], *made)):
         row = rows[number]
         name = str(row["key"])[:16]
         progress(f"drawing {name}")

@@ -13,6 +13,8 @@ from scegen.motion.batch.arrays import Floats
 
 NEVER = -3.0
 """The relative margin of what is undefined."""
+_EXACTLY = 1e-6
+"""Who is said to do as much as the threshold does it, whatever rounding leaves of that."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ def at_least(
 ) -> Part:
     """The value must reach the threshold."""
     bound = limit.value if threshold is None else threshold
-    return _part(name, value, bound, limit, value - bound, time_s)
+    return _part(name, value, bound, limit, value - bound + _EXACTLY, time_s)
 
 
 def at_most(
@@ -61,7 +63,7 @@ def at_most(
 ) -> Part:
     """The value must not exceed the threshold."""
     bound = limit.value if threshold is None else threshold
-    return _part(name, value, bound, limit, bound - value, time_s)
+    return _part(name, value, bound, limit, bound - value + _EXACTLY, time_s)
 
 
 def _part(

@@ -36,13 +36,18 @@ def claims(told: Told) -> Iterator[Claim]:
         by = f" by {' and '.join(hazard.by)}" if hazard.by else ""
         to = f" to {' and '.join(hazard.to)}" if hazard.to else ""
         yield Claim(
-            id=f"hazard.{number}.{hazard.kind}",
+            id=claim_id(number, hazard.kind),
             kind=ClaimKind.HAZARD,
             statement=f"{plain(hazard.kind)}{by}{to} happens",
             field=f"hazards.{hazard.kind}",
             unit="1",
             test=partial(_test_of(told, hazard), told, hazard),
         )
+
+
+def claim_id(number: int, kind: HazardKind) -> str:
+    """What the statement of a danger is called, by its place among all dangers."""
+    return f"hazard.{number}.{kind}"
 
 
 def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judged]:

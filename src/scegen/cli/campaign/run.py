@@ -92,13 +92,18 @@ def run(
     changes = {name: value for name, value in given.items() if value is not None}
     with of_extra():
         finished = _run(source, output, changes, engine, workers, address)
-    result(f"{finished.rows} scenarios, {finished.failed} of them failed")
+    counted = finished.counted
+    result(f"{counted.rows} scenarios, {counted.failed} of them failed")
     say(
         f"{finished.fresh} made now in {finished.seconds:.1f} s; all rows together: "
         f"{finished.digest[:16]}"
     )
-    if finished.failed:
-        say(f"why they failed: scegen campaign report {output}")
+    if counted.unheld:
+        say(f"a statement does not hold in {counted.unheld}")
+    if counted.unsound:
+        say(f"a check fails in {counted.unsound}")
+    if counted.failed or counted.unheld or counted.unsound:
+        say(f"why: scegen campaign report {output}")
         raise typer.Exit(1)
 
 

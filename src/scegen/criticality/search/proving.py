@@ -13,6 +13,7 @@ from scegen.claims.hazards.judging import judge, number
 from scegen.claims.hazards.scenes import Pair, scene_of
 from scegen.claims.near_miss import Band
 from scegen.claims.proving import prove
+from scegen.claims.statements.dangers import claim_id
 from scegen.claims.view import View, view_of
 from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.search.problem import (
@@ -30,6 +31,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.proof import ClaimProof, HazardProof, MeasureProof, Proof
 
 PROOF_DT_S = 0.01
+_AS_SAID = "what the text says of it decides, not the threshold"
 
 
 @dataclass(frozen=True)
@@ -47,6 +49,17 @@ class Evidence:
         """How every claim holds: in the one and in the other."""
         views = [self.view] if self.coarse is None else [self.view, self.coarse]
         return prove(self.claimed, *views)
+
+    @cached_property
+    def dangers(self) -> tuple[HazardProof, ...]:
+        """Whether every danger happens: its statement decides, where there is one."""
+        held = {claim.id: claim.holds for claim in self.claims}
+        found = []
+        for place, hazard in enumerate(self.hazards):
+            happens = held.get(claim_id(place, hazard.kind), hazard.happened)
+            note = hazard.note if happens == hazard.happened else _AS_SAID
+            found.append(hazard.model_copy(update={"happened": happens, "note": note}))
+        return tuple(found)
 
     def holds(self, but: Collection[str] = ()) -> bool:
         """Whether every statement holds, but for those with these ids."""
@@ -127,8 +140,8 @@ def proof_of(
             )
             for proved in PROVED
         ),
-        hazards=after.hazards,
-        hazards_before=before.hazards,
+        hazards=after.dangers,
+        hazards_before=before.dangers,
         claims=after.claims,
         unwanted_contacts=after.unwanted(target, pair),
         evaluations=evaluations,
