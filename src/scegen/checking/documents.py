@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 
@@ -21,7 +21,7 @@ class Document:
 
     name: str
     content: bytes
-    root: etree._Element
+    root: etree._Element = field(compare=False)
 
 
 class BrokenXmlError(Exception):

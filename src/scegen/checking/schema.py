@@ -29,6 +29,8 @@ SCHEMAS: dict[tuple[str, str, str], str] = {
 }
 """Schema file by root element, revMajor and revMinor; that of OpenDRIVE 1.8 is no valid XSD 1.0."""
 HEADERS = {"OpenDRIVE": "header", "OpenSCENARIO": "FileHeader"}
+_KEPT = 4
+"""Documents of which it is kept: many scenarios of a campaign share their road."""
 SHOWN = 10
 """How many schema errors of one file are listed."""
 
@@ -57,7 +59,7 @@ def check_schema(contents: dict[str, bytes]) -> CheckResult:
         if not path.is_file():
             return not_run(CHECKER, f"{path.name} is missing; {ASAM_HINT}", findings)
         used.append(" ".join((version[0], ".".join(version[1:]))))
-        findings += _validate(document, _schema(path))
+        findings += _validate(document, path)
     return verdict(CHECKER, findings, ", ".join(used))
 
 
@@ -72,12 +74,14 @@ def _schema(path: Path) -> etree.XMLSchema:
     return etree.XMLSchema(etree.parse(str(path)))
 
 
-def _validate(document: Document, schema: etree.XMLSchema) -> list[Finding]:
+@lru_cache(maxsize=_KEPT)
+def _validate(document: Document, path: Path) -> tuple[Finding, ...]:
+    schema = _schema(path)
     if schema.validate(document.root):
-        return []
+        return ()
     log = list(cast("Iterable[Any]", schema.error_log))  # the stubs do not know that it is one
     found = [error("xsd.valid", f"{document.name}:{e.line}", e.message) for e in log[:SHOWN]]
     if len(log) > SHOWN:
         more = f"and {len(log) - SHOWN} more schema errors"
         found.append(error("xsd.valid", document.name, more))
-    return found
+    return tuple(found)

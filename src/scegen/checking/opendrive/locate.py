@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil, pi
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +18,13 @@ TOLERANCE_M = 0.05
 """How far outside a lane a point may lie and still count as on it."""
 CHORD_M = 0.5
 _ROUNDING = 1e-9
+_KEPT = 8
+"""Networks of which it is kept how far their roads reach."""
 Points = NDArray[np.complex128]
 Numbers = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
-class OnLane:
+class OnLane(NamedTuple):
     """A point lies on this lane; ``t_m`` is its offset from the lane's centre (left > 0)."""
 
     road: str
@@ -29,27 +32,66 @@ class OnLane:
     type: str
     s_m: float
     t_m: float
-    heading_rad: float
-    """Heading of traffic on the lane."""
+    geometry: Geometry
+    along_s: bool
+    """Whether traffic on the lane runs in the direction of s."""
+
+    @property
+    def heading_rad(self) -> float:
+        """Heading of traffic on the lane."""
+        heading = self.geometry.heading_at(self.s_m - self.geometry.s)
+        return heading + (0.0 if self.along_s else pi)
 
 
 def lanes_at(network: Network, points: Points) -> list[list[OnLane]]:
     """For each point (x + iy), every lane of any type that it lies on."""
     found: list[list[OnLane]] = [[] for _ in points]
-    for road in network.roads.values():
-        if not road.measurable:
+    known: set[tuple[int, str, int]] = set()
+    strips = _strips(network)
+    middles = np.array([strip.middle for strip in strips], dtype=np.complex128)
+    radii = np.array([strip.radius_m for strip in strips])
+    close = np.abs(points - middles[:, None]) <= radii[:, None]
+    for strip, mine in zip(strips, close, strict=True):
+        road, geometry = strip.road, strip.geometry
+        near = np.flatnonzero(mine)
+        if not near.size:
             continue
-        reach = _reach(road)
-        for geometry in road.geometries:
-            ds, t = _along(geometry, points)
-            inside = (ds >= -TOLERANCE_M) & (ds <= geometry.length + TOLERANCE_M)
-            here = np.flatnonzero(inside & (np.abs(t) <= reach))
-            if here.size:
-                s = np.clip(geometry.s + ds[here], 0.0, road.length)
-                for n, lane in _on_lanes(road, geometry, s, t[here]):
-                    mine = found[here[n]]
-                    if all((o.road, o.lane) != (lane.road, lane.lane) for o in mine):
-                        mine.append(lane)
+        ds, t = _along(geometry, points[near])
+        inside = (ds >= -TOLERANCE_M) & (ds <= geometry.length + TOLERANCE_M)
+        here = np.flatnonzero(inside & (np.abs(t) <= strip.reach_m))
+        if here.size:
+            s = np.clip(geometry.s + ds[here], 0.0, road.length)
+            numbers = near[here].tolist()
+            for n, lane in _on_lanes(road, geometry, s, t[here]):
+                number = numbers[n]
+                if (number, road.id, lane.lane) not in known:
+                    known.add((number, road.id, lane.lane))
+                    found[number].append(lane)
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Strip:
+    """A geometry of a road with a circle outside which no point can lie on one of its lanes."""
+
+    road: Road
+    geometry: Geometry
+    reach_m: float
+    middle: complex
+    radius_m: float
+
+
+@lru_cache(maxsize=_KEPT)
+def _strips(network: Network) -> list[_Strip]:
+    found = []
+    for road in network.roads.values():
+        reach = _reach(road) if road.measurable else 0.0
+        for geometry in road.geometries if road.measurable else ():
+            half = geometry.length / 2
+            # The length of other curves may not be that of their points.
+            exact = isinstance(geometry.curve, Arc)
+            radius = half + reach + 2 * TOLERANCE_M if exact else np.inf
+            found.append(_Strip(road, geometry, reach, geometry.point(half), radius))
     return found
 
 
@@ -118,12 +160,11 @@ def _on_lanes(
             inner, outer = borders[lane.id - (1 if lane.id > 0 else -1)], borders[lane.id]
             low, high = np.minimum(inner, outer), np.maximum(inner, outer)
             on = (low - TOLERANCE_M <= t) & (t <= high + TOLERANCE_M) & (last == number)
-            turned = 0.0 if road.runs_along_s(lane.id) else pi
-            for n in np.flatnonzero(on):
-                at = float(s[n])
-                heading = geometry.heading_at(at - geometry.s) + turned
-                aside = float(t[n] - (inner[n] + outer[n]) / 2)
-                yield int(n), OnLane(road.id, lane.id, lane.type, at, aside, heading)
+            here = np.flatnonzero(on)
+            aside = t[here] - (inner[here] + outer[here]) / 2
+            along_s = road.runs_along_s(lane.id)
+            for n, at, off in zip(here.tolist(), s[here].tolist(), aside.tolist(), strict=True):
+                yield n, OnLane(road.id, lane.id, lane.type, at, off, geometry, along_s)
 
 
 def _borders(section: LaneSection, s: Numbers, offset: Numbers) -> dict[int, Numbers]:

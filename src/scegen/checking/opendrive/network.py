@@ -183,9 +183,9 @@ class Junction:
     connections: tuple[Connection, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Network:
-    """Everything that the rules look at."""
+    """Everything that the rules look at; each is itself only."""
 
     name: str
     version: tuple[str, str]

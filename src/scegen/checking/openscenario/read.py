@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from math import nan
+from typing import Any, NamedTuple
 
+import numpy as np
 from lxml import etree
+from numpy.typing import NDArray
 
 from scegen.checking.documents import Document
 from scegen.checking.openscenario.storyboard import (
@@ -25,6 +28,15 @@ READABLE = "xosc.readable"
 LARGEST = 1e9
 """Larger numbers are no metres, radians or seconds; computing with them could overflow."""
 BODIES = ("Vehicle", "Pedestrian", "MiscObject", "CatalogReference")
+
+_REFERRING: Any = etree.XPath("descendant-or-self::*[@entityRef]")
+_VERTICES = "Shape/Polyline/Vertex"
+_STATED: tuple[Any, ...] = tuple(
+    etree.XPath(f"{_VERTICES}/{stated}", smart_strings=False)
+    for stated in ("@time", *(f"Position/WorldPosition/@{name}" for name in "xyh"))
+)
+_COUNT: Any = etree.XPath(f"count({_VERTICES})")
+_ODD: Any = etree.XPath(f"{_VERTICES}[count(Position/WorldPosition) != 1]")
 
 
 class ReadStoryboard(NamedTuple):
@@ -49,6 +61,18 @@ def read_storyboard(document: Document) -> ReadStoryboard:
     """Read a scenario; parameters (``$name``) are replaced by their declared values."""
     reader = _Reader(document)
     return ReadStoryboard(reader.storyboard(), tuple(reader.findings))
+
+
+def _plain(trajectory: etree._Element) -> NDArray[np.float64] | None:
+    """Time, place and heading of vertices that all state them by usable numbers, as most do."""
+    told: list[list[str]] = [column(trajectory) for column in _STATED]
+    if len({_COUNT(trajectory), *map(len, told)}) != 1 or _ODD(trajectory):
+        return None
+    try:
+        columns = np.array([list(map(float, column)) for column in told])
+    except ValueError:
+        return None
+    return columns if (np.abs(columns) <= LARGEST).all() else None
 
 
 class _Reader:
@@ -192,22 +216,25 @@ class _Reader:
     ) -> Trajectory:
         if element.find("Shape/Polyline") is None:
             raise _UnreadableError(element, "the trajectory is no polyline", unchecked)
-        times: list[float | None] = []
-        points: list[WorldPoint] = []
-        for vertex in element.iterfind("Shape/Polyline/Vertex"):
-            world = vertex.find("Position/WorldPosition")
-            if world is None:
-                raise _UnreadableError(vertex, "a vertex has no world position", unchecked)
-            points.append(self.world_point(world))
-            times.append(self.number(vertex, "time") if vertex.get("time") else None)
-        name = element.get("name", "?")
-        return Trajectory(name, actors, tuple(times), tuple(points), begins_m)
+        columns = _plain(element)
+        if columns is None:
+            rows = [self.vertex(each) for each in element.iterfind(_VERTICES)]
+            columns = np.array(rows).reshape(-1, 4).T
+        time, x, y, headings = columns
+        return Trajectory(element.get("name", "?"), actors, time, x + 1j * y, headings, begins_m)
+
+    def vertex(self, element: etree._Element) -> tuple[float, float, float, float]:
+        world = element.find("Position/WorldPosition")
+        if world is None:
+            raise _UnreadableError(element, "a vertex has no world position", unchecked)
+        place = self.world_point(world)
+        time = self.number(element, "time") if element.get("time") else nan
+        return time, place.x, place.y, place.heading
 
     def references(self, root: etree._Element) -> Iterator[Reference]:
-        for element in root.iter():
-            if isinstance(element.tag, str) and element.get("entityRef") is not None:
-                place = f"{self.document.name}:{element.sourceline} <{element.tag}>"
-                yield Reference(self.text(element, "entityRef"), place)
+        for element in _REFERRING(root):
+            place = f"{self.document.name}:{element.sourceline} <{element.tag}>"
+            yield Reference(self.text(element, "entityRef"), place)
 
     def lane_points(self, root: etree._Element) -> Iterator[tuple[str, LanePoint]]:
         for element in root.iter("LanePosition"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from cmath import exp
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,7 +36,7 @@ class Situation:
         """The outer end of a ramp, where the road has one."""
         return ramp_of(self.network, self.arms) if self.network and self.arms else None
 
-    def lanes_at(self, points: list[complex]) -> list[list[OnLane]]:
+    def lanes_at(self, points: Sequence[complex]) -> list[list[OnLane]]:
         """The lanes under each point; nothing without a road."""
         if self.network is None:
             return [[] for _ in points]

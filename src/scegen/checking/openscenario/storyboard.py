@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
 
 EGO_PROPERTY = ("type", "ego_vehicle")
 """The property by which CARLA's scenario_runner, and so we, know the ego."""
@@ -58,28 +60,34 @@ class Start:
     position: WorldPoint | LanePoint | None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Trajectory:
-    """A polyline that the entities of its maneuver group follow, from ``begins_m`` along it on."""
+    """A polyline that the entities of its maneuver group follow, from ``begins_m`` along it on.
+
+    A row for every vertex; the time is NaN where none is stated, ``points`` are x + iy.
+    """
 
     name: str
     actors: tuple[str, ...]
-    times: tuple[float | None, ...]
-    points: tuple[WorldPoint, ...]
+    times: NDArray[np.float64]
+    points: NDArray[np.complex128]
+    headings: NDArray[np.float64]
     begins_m: float = 0.0
 
     def at(self, along_m: float) -> WorldPoint | None:
         """The place so far along it, None if it ends before that."""
-        if not self.points or along_m < 0.0:
+        if not len(self.points) or along_m < 0.0:
             return None
         left = along_m
-        for a, b in pairwise(self.points):
-            chord = b.point - a.point
+        chords = np.diff(self.points)
+        for begins, chord, heading in zip(self.points, chords, self.headings, strict=False):
             if left < abs(chord):
-                place = a.point + chord * (left / abs(chord))
-                return WorldPoint(place.real, place.imag, a.heading)
+                place = begins + chord * (left / abs(chord))
+                return WorldPoint(float(place.real), float(place.imag), float(heading))
             left -= abs(chord)
-        return self.points[-1] if left == 0.0 else None
+        last = self.points[-1]
+        heading = float(self.headings[-1])
+        return WorldPoint(float(last.real), float(last.imag), heading) if left == 0.0 else None
 
 
 @dataclass(frozen=True, slots=True)

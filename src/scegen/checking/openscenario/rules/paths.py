@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import accumulate, islice, pairwise
+from itertools import islice
+
+import numpy as np
 
 from scegen.checking.opendrive.arms import STRIPS, Arm
 from scegen.checking.opendrive.locate import OnLane
@@ -35,7 +37,7 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
                 yield error("xosc.external", participant.id, message)
         elif not isinstance(motion, StandingMotion) and trajectory is None:
             yield error("xosc.missing_trajectory", participant.id, "moves but has no trajectory")
-        elif trajectory is None or not situation.arms or not trajectory.points:
+        elif trajectory is None or not situation.arms or not len(trajectory.points):
             continue
         elif isinstance(motion, DriveMotion):
             on_foot = participant.kind in ON_FOOT
@@ -48,9 +50,7 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
 def _under(situation: Situation, names: Sequence[str]) -> dict[str, list[list[OnLane]]]:
     """The lanes under every vertex of trajectories, looked for at once: that is quicker."""
     ways = [(name, situation.storyboard.trajectory(name)) for name in names]
-    points = {
-        name: [vertex.point for vertex in way.points] for name, way in ways if way is not None
-    }
+    points = {name: way.points for name, way in ways if way is not None}
     lanes = iter(situation.lanes_at([point for way in points.values() for point in way]))
     return {name: list(islice(lanes, len(way))) for name, way in points.items()}
 
@@ -71,7 +71,8 @@ def _drive(
     beside = _comes_from_beside(motion, trajectory)
     for number, (vertex, lanes) in enumerate(zip(trajectory.points, under, strict=True)):
         if number >= beside and all(lane.type not in usable for lane in lanes):
-            message = f"vertex {number} ({vertex.x:.2f}, {vertex.y:.2f}) lies on no driving lane"
+            at = f"({vertex.real:.2f}, {vertex.imag:.2f})"
+            message = f"vertex {number} {at} lies on no driving lane"
             yield error("xosc.off_road", name, message)
             break
     if situation.network is not None and not situation.network.junctions and _is_aside(motion):
@@ -105,15 +106,15 @@ def _comes_from_beside(motion: DriveMotion, trajectory: Trajectory) -> int:
     if not isinstance(reversal, BacksOut) or reversal.side is None:
         return 0
     last = max((ends for _, ends in backwards_m(trajectory)), default=0.0)
-    passed = accumulate(abs(b.point - a.point) for a, b in pairwise(trajectory.points))
-    return sum(way < last - 0.01 for way in passed) + 1
+    passed = np.abs(np.diff(trajectory.points)).cumsum()
+    return int((passed < last - 0.01).sum()) + 1
 
 
 def _crossing(
     situation: Situation, name: str, motion: CrossingMotion, trajectory: Trajectory
 ) -> Iterator[Finding]:
     arm = situation.arms[motion.arm]
-    first, last = trajectory.points[0].point, trajectory.points[-1].point
+    first, last = trajectory.points[0], trajectory.points[-1]
     # Sampled finely: the vertices of a walk straight across may all lie beside the lanes.
     count = max(2, int(abs(last - first) / 0.5))
     line = [first + (last - first) * i / count for i in range(count + 1)]

@@ -6,14 +6,14 @@ round without turning. How far is for the concrete scenario to say.
 
 from __future__ import annotations
 
-from cmath import phase
 from collections.abc import Iterator
-from itertools import pairwise
-from math import degrees
+from math import pi
 
-from scegen.checking.opendrive.tolerances import heading_step
+import numpy as np
+from numpy.typing import NDArray
+
 from scegen.checking.openscenario.situation import Situation
-from scegen.checking.openscenario.storyboard import Trajectory, WorldPoint
+from scegen.checking.openscenario.storyboard import Trajectory
 from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import DriveMotion
 from scegen.scenario.reversing import BacksOut, BacksUp
@@ -51,7 +51,7 @@ def check_trajectory_starts(situation: Situation) -> Iterator[Finding]:
     for entity in situation.storyboard.entities:
         trajectory = situation.storyboard.trajectory(entity.name)
         start = situation.in_world(situation.storyboard.start(entity.name))
-        if trajectory and trajectory.points and start is not None:
+        if trajectory and len(trajectory.points) and start is not None:
             begins = trajectory.at(trajectory.begins_m)
             if begins is None:
                 message = f"its trajectory ends before {trajectory.begins_m:.2f} m"
@@ -66,8 +66,8 @@ def _place(trajectory: Trajectory) -> str:
 
 
 def _times(trajectory: Trajectory, place: str) -> Iterator[Finding]:
-    stated = [time for time in trajectory.times if time is not None]
-    if any(later < earlier for earlier, later in pairwise(stated)):
+    stated = trajectory.times[~np.isnan(trajectory.times)]
+    if (np.diff(stated) < 0.0).any():
         yield error("xosc.trajectory", place, "the times of its vertices do not rise")
 
 
@@ -76,42 +76,45 @@ def _shape(trajectory: Trajectory, place: str) -> Iterator[Finding]:
     if len(points) < 2:
         yield error("xosc.trajectory", place, "its trajectory has fewer than two vertices")
         return
-    chords = [b.point - a.point for a, b in pairwise(points)]
-    ways = [chord * _sense(chord, point) for chord, point in zip(chords, points, strict=False)]
-    for number, (chord, way) in enumerate(zip(chords, ways, strict=True)):
-        ahead = points[number : number + 2]
-        offs = [degrees(heading_step(phase(way), vertex.heading)) for vertex in ahead]
-        straight = max(abs(off) for off in offs) <= STRAIGHT_DEG
-        if abs(chord) < 1e-6 or (abs(chord) > LONGEST_STEP_M and not straight):
-            message = f"vertices {number} and {number + 1} are {abs(chord):.3f} m apart"
-            yield error("xosc.trajectory", place, message)
-            return
-        if number and abs(turn := degrees(phase(way / ways[number - 1]))) > SHARPEST_DEG:
-            message = f"turns by {turn:.1f}° at vertex {number}"
-            yield error("xosc.trajectory", place, message)
-            return
-        if abs(offs[0]) > SHARPEST_DEG:
-            message = f"the heading of vertex {number} is {offs[0]:.1f}° off its way"
-            yield error("xosc.trajectory", place, message)
-            return
+    chords = np.diff(points)
+    ways = np.where(_backwards_at(trajectory), -chords, chords)
+    offs = _turn_deg(np.angle(ways), trajectory.headings[:-1])
+    onward = _turn_deg(np.angle(ways), trajectory.headings[1:])
+    straight = np.maximum(np.abs(offs), np.abs(onward)) <= STRAIGHT_DEG
+    length = np.abs(chords)
+    apart = (length < 1e-6) | ((length > LONGEST_STEP_M) & ~straight)
+    turns = np.degrees(np.angle(ways * np.roll(ways, 1).conj()))
+    turns[0] = 0.0
+    wrong = apart | (np.abs(turns) > SHARPEST_DEG) | (np.abs(offs) > SHARPEST_DEG)
+    if not wrong.any():
+        return
+    number = int(wrong.argmax())
+    if apart[number]:
+        message = f"vertices {number} and {number + 1} are {length[number]:.3f} m apart"
+    elif abs(turns[number]) > SHARPEST_DEG:
+        message = f"turns by {turns[number]:.1f}° at vertex {number}"
+    else:
+        message = f"the heading of vertex {number} is {offs[number]:.1f}° off its way"
+    yield error("xosc.trajectory", place, message)
 
 
-def _sense(chord: complex, start: WorldPoint) -> int:
-    """1 where a body goes the way it heads, -1 where it goes backwards."""
-    return -1 if abs(degrees(heading_step(phase(chord), start.heading))) > BACKWARDS_DEG else 1
+def _turn_deg(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The changes of heading."""
+    return np.degrees((after - before + pi) % (2 * pi) - pi)
+
+
+def _backwards_at(trajectory: Trajectory) -> NDArray[np.bool_]:
+    """On which chords a body goes backwards, against its heading."""
+    chords = np.angle(np.diff(trajectory.points))
+    return np.abs(_turn_deg(chords, trajectory.headings[:-1])) > BACKWARDS_DEG
 
 
 def backwards_m(trajectory: Trajectory) -> list[tuple[float, float]]:
     """The parts of a trajectory on which its body goes backwards: from and to, along it (m)."""
-    parts: list[tuple[float, float]] = []
-    at = 0.0
-    for a, b in pairwise(trajectory.points):
-        chord = b.point - a.point
-        if _sense(chord, a) < 0:
-            begins = parts.pop()[0] if parts and parts[-1][1] == at else at
-            parts.append((begins, at + abs(chord)))
-        at += abs(chord)
-    return parts
+    passed = np.abs(np.diff(trajectory.points)).cumsum()
+    along = [0.0, *passed.tolist()]
+    edges = np.flatnonzero(np.diff(_backwards_at(trajectory), prepend=False, append=False))
+    return [(along[begins], along[ends]) for begins, ends in edges.reshape(-1, 2)]
 
 
 def _backwards(situation: Situation, trajectory: Trajectory, place: str) -> Iterator[Finding]:
