@@ -260,8 +260,8 @@ def _hazards_hold(functional, made: Assignment) -> bool:
             return False
         if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN:
             opposite = _faces(angles, made[by][0], made[to][0])
-            left = turn_name(angles, *made[by][:2]) is Maneuver.LEFT
-            if not ((opposite or beside) and left and met in {"merging", "crossing"}):
+            turns = turn_name(angles, *made[by][:2]) is _across(functional)
+            if not ((opposite or beside) and turns and met in {"merging", "crossing"}):
                 return False
     return True
 
@@ -273,13 +273,17 @@ def _beside(functional, hazard) -> bool:
     return len(others) == 1 and others[0].approaches == frozenset({Approach.ADJACENT})
 
 
+def _across(functional) -> Maneuver:
+    """The turn over the oncoming lane."""
+    left_hand = functional.junction.driving_side is DrivingSide.LEFT
+    return Maneuver.RIGHT if left_hand else Maneuver.LEFT
+
+
 def _turn_behind_each_other(functional, hazard, angles, by, to) -> bool:
     """Both are said to turn across the oncoming lane, from opposite arms."""
-    across = Maneuver.LEFT
-    if functional.junction.driving_side is DrivingSide.LEFT:
-        across = Maneuver.RIGHT
+    across = _across(functional)
     said = [across in functional.participant(n).maneuvers for n in (hazard.by[0], hazard.to[0])]
-    if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN and across is Maneuver.LEFT:
+    if hazard.kind is HazardKind.UNPROTECTED_LEFT_TURN:
         said[0] = True
     turns = [turn_name(angles, *made[:2]) is across for made in (by, to)]
     return (

@@ -49,6 +49,15 @@ def test_ahead_is_in_the_same_lane(describe):
     assert {(c.lane, c.rank) for c in assignments(functional, "car")} == {(1, 0)}
 
 
+@pytest.mark.parametrize("first", ["fast", "slow"])
+def test_who_overtakes_has_somebody_ahead(describe, first):
+    oncoming = {"approaches": ["opposite"]}
+    fast = {"id": "fast", "maneuvers": ["overtake"]} | oncoming
+    people = sorted([fast, {"id": "slow"} | oncoming], key=lambda p: p["id"] != first)
+    (scenario,) = enumerate_scenarios(describe("straight", 2, [EGO, *people])).scenarios
+    assert scenario.assignment("slow").rank < scenario.assignment("fast").rank
+
+
 def test_from_the_left_on_an_open_road_is_from_the_lane_there(describe):
     car = {"id": "car", "approaches": ["left"]}
     found = assignments(describe("straight", 2, [EGO, car]), "car")

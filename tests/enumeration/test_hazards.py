@@ -378,3 +378,23 @@ def test_who_fails_to_yield_at_a_roundabout_comes_in_before_one_that_is_on_it(de
     yields = {c.yields for s in found.scenarios for c in s.conflicts}
     assert "car" in yields
     assert "ego" not in yields
+
+
+@pytest.mark.parametrize(("side", "turn"), [("right", "left"), ("left", "right")])
+def test_a_turn_across_the_oncoming_goes_where_the_traffic_does_not_keep(describe, side, turn):
+    people = [{"id": "ego", "role": "ego", "maneuvers": [turn]}, {"id": "car"}]
+    danger = {"kind": "unprotected_left_turn", "by": ["ego"], "to": ["car"]}
+    found = enumerate_scenarios(describe("four_way", 4, people, [danger], driving_side=side))
+    assert {(s.assignment("ego").turn, s.assignment("car").entry) for s in found.scenarios} == {
+        (turn, 2)
+    }
+
+
+@pytest.mark.parametrize("kind", ["collision", "avoided"])
+def test_one_beside_the_lanes_and_a_thing_may_be_who_it_ends_with(describe, kind):
+    parked = {"id": "van", "parked": True, "maneuvers": ["stay"]}
+    thing = {"id": "crate", "kind": "box", "in_way_of": "ego"}
+    for other in ("van", "crate"):
+        more = {"outcome": {"kind": kind, "between": ["ego", other]}, "objects": [thing]}
+        ego = {"id": "ego", "role": "ego"}
+        assert enumerate_scenarios(describe("straight", 2, [ego, parked], more=more)).scenarios

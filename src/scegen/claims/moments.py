@@ -62,13 +62,16 @@ def sideways_begin(
     view: View, functional: FunctionalScenario, drive: Drive | None, act: Act
 ) -> Ints:
     """When a move to the side begins; one after another of the same, as it turns to its side."""
+    beside = _starts_beside(functional, drive)
     earlier = [
         a
         for a in functional.acts[: functional.acts.index(act)]
-        if a.participant == act.participant and a.kind in SIDEWAYS
+        if a.participant == act.participant
+        and a.kind in SIDEWAYS
+        and not (beside and a.kind is ActKind.OVERTAKE)
     ]
     before = leaves_lane(view, act.participant, drive)
-    if not earlier and not _comes_back_by(functional, drive, act):
+    if not earlier and (beside or not _comes_back_by(functional, act)):
         return before
     if earlier:
         before = sideways_begin(view, functional, drive, earlier[-1])
@@ -88,13 +91,15 @@ def sideways_begin(
     return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS) & under_way)
 
 
-def _comes_back_by(functional: FunctionalScenario, drive: Drive | None, act: Act) -> bool:
-    """Whether one who overtakes comes back by it, before the one it has passed.
+def _starts_beside(functional: FunctionalScenario, drive: Drive | None) -> bool:
+    """Whether it drives in the lane beside at first, so that it leaves no lane to pass."""
+    if drive is None:
+        return True
+    return Approach.ADJACENT in functional.participant(drive.participant).approaches
 
-    Who drives beside that one at first has not left its lane before.
-    """
-    if drive is None or Approach.ADJACENT in functional.participant(drive.participant).approaches:
-        return False
+
+def _comes_back_by(functional: FunctionalScenario, act: Act) -> bool:
+    """Whether one who overtakes comes back by it, before the one it has passed."""
     return any(
         hazard.kind is HazardKind.OVERTAKING
         and act.participant in hazard.by
@@ -256,15 +261,21 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
 def _passing_begins(
     view: View, functional: FunctionalScenario, drive: Drive | None, act: Act
 ) -> Ints:
-    """When it leaves its lane; who never does begins as it comes beside whom it passes."""
+    """When it leaves its lane, or is beside whom it passes, if that is sooner."""
     begins = sideways_begin(view, functional, drive, act)
     named = (act.into,) if act.into else functional.overtaken(act.participant)
     passed = named or tuple(p.id for p in functional.participants if p.id != act.participant)
     for other in (n for n in passed if n in view.index):
-        clear = free(boxes(view, other), boxes(view, act.participant))
-        level = first(np.maximum(clear.front, clear.rear) < 0.0)
-        begins = np.where(begins < view.steps, begins, level)
+        begins = np.minimum(begins, first(is_level(view, act.participant, other)))
     return begins
+
+
+def is_level(view: View, name: str, other: str) -> Bools:
+    """Whether one is beside another that faces as it does (c, t)."""
+    own, frame = boxes(view, name), boxes(view, other)
+    clear = free(frame, own)
+    alike = own.cos * frame.cos + own.sin * frame.sin > 0.0
+    return alike & (np.maximum(clear.front, clear.rear) < 0.0)
 
 
 def _comes_in(view: View, name: str, drive: Drive | None) -> Ints:

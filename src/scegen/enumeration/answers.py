@@ -67,7 +67,7 @@ class Needs(Predicate):
     what: ConstantStr
 
 
-class TurnsLeft(Predicate, name="turns_left"):
+class TurnsAcross(Predicate, name="turns_across"):
     """A hazard by which a vehicle turns left."""
 
     statement: int

@@ -13,7 +13,7 @@ from scegen.enumeration.reading import Solution
 from scegen.enumeration.statements import ALONG_WORDS
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.spacings import START, Measure
-from scegen.scenario.vocabulary import Approach, DrivingSide, Side
+from scegen.scenario.vocabulary import Approach, DrivingSide, Maneuver, Side
 
 _IN_LINE = frozenset({"ahead", "behind"})
 
@@ -57,6 +57,13 @@ class Queue:
             if self.ranks() is None:
                 waiting.remove(first)
 
+    def come_from_behind(self, name: str) -> None:
+        """Let one who is to pass somebody have somebody ahead or beside, if the words allow it."""
+        ranks = self.ranks() or {}
+        foremost = [other for other, rank in ranks.items() if rank == 0]
+        if foremost == [name] and len(ranks) > 1:
+            self.put_before(next(other for other in ranks if other != name), name)
+
     def _in_line(self, row: list[str], other: list[str]) -> bool:
         """Whether one of a row is said to follow one of the other."""
         follows = self.after.get
@@ -91,6 +98,9 @@ def queues(problem: Problem, solution: Solution) -> list[Queue]:
     for queue in found.values():
         for farther, nearer in _by_distance(problem.functional, queue.names):
             queue.put_before(farther, nearer)
+        for name in queue.names:
+            if problem.functional.participant(name).maneuvers == {Maneuver.OVERTAKE}:
+                queue.come_from_behind(name)
     return list(found.values())
 
 

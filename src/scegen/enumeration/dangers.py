@@ -117,10 +117,10 @@ def _say_outcome(out: Stated, functional: FunctionalScenario, sides: Sequence[Pa
     if outcome is None:
         return
     pairs = outcome_pairs(functional, outcome, sides)
-    opening = {a.participant for a in functional.acts if a.kind is ActKind.OPEN_DOOR}
-    if not pairs or any(opening & {*pair} for pair in pairs):
-        return  # whose door opens beside the lane is met by whoever comes along
     drivers = {v.id for v in functional.vehicles}
+    listed = drivers | {c.id for c in functional.crossers}
+    if not pairs or any(not listed.issuperset(pair) for pair in pairs):
+        return  # what stands beside the lanes or lies in them is met by whoever comes along
     number = out.number(f"outcome {outcome.kind} (between {_either(pairs)})")
     out.facts.append(p.Outcome(number))
     out.facts += [

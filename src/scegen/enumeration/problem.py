@@ -133,7 +133,7 @@ def build_problem(
     if not wordless:
         presumed = say_dangers(said, functional, sides, left_open, ranked=ranked)
         derived = consequences(
-            said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsLeft, a.Dependent)
+            said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsAcross, a.Dependent)
         )
     demands = _demands(derived)
     said.facts += _besides(said.facts, demands)

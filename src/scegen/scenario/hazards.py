@@ -304,8 +304,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.UNPROTECTED_LEFT_TURN: HazardRow(
         Definition(
-            "turns left through oncoming traffic without a light of its own; caused by who turns, "
-            "whoever is the ego",
+            "turns left (where traffic keeps left, right) through oncoming traffic without a light "
+            "of its own; caused by who turns, whoever is the ego",
             "a left turn that meets nobody who comes towards it; `failure_to_yield`, which is not "
             "said beside it for the same turn",
             "the ego turns left across an oncoming truck",

@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import box_at, boxes, contact, offset, seen
+from scegen.claims.boxes import box_at, boxes, contact, free, offset, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always, within
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
@@ -305,8 +305,10 @@ def _sideways(told: Told, act: Act) -> Iterator[Claim]:
         tolerance = 2 * tolerances.TIME_S
         yield _claim(told, act, "duration_s", statement, "s", _lasts_aside, tolerance=tolerance)
     if act.into is not None:
-        statement = f"{name} comes into the lane of {act.into}"
-        yield _claim(told, act, "into", statement, "m", _into)
+        where, test = "into the lane of", _into
+        if act.kind is ActKind.OVERTAKE:
+            where, test = "up beside", _beside
+        yield _claim(told, act, "into", f"{name} comes {where} {act.into}", "m", test)
 
 
 def _lateral(told: Told, act: Act, view: View) -> Floats:
@@ -383,6 +385,16 @@ def _into(told: Told, act: Act, view: View) -> Judged:
     margin = tolerances.SAME_LANE_M - nearest
     margin = np.where(_hits(told, act, view), np.maximum(margin, 0.0), margin)
     return Judged(margin, nearest, away.argmin(axis=1) * view.dt_s)
+
+
+def _beside(told: Told, act: Act, view: View) -> Judged:
+    """How far it is from being level, along the road, at the least; a contact may come before."""
+    clear = free(boxes(view, act.into or told.ego), boxes(view, act.participant))
+    away = np.maximum(clear.front, clear.rear)
+    step = away.argmin(axis=1)
+    nearest = at(away, step)
+    margin = np.where(_hits(told, act, view), np.maximum(-nearest, 0.0), -nearest)
+    return Judged(margin, nearest, view.time_of(step))
 
 
 def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:

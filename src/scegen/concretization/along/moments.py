@@ -50,7 +50,7 @@ def _is_timed_last(story: Story, when: AfterAct, following: Sequence[Act]) -> bo
     if before is None:
         return False
     round_it = story.goes_round(before) or story.comes_back(before)
-    return before in following or (round_it and when.since == "end")
+    return before in following or round_it
 
 
 def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:

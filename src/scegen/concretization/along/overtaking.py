@@ -181,6 +181,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     back = _return_of(story, act, fast, slow)
     if all(each.lane != fast.lane or _makes_room(story, act, each) for each in line):
         past_m = 0.0 if back is None else _gap_at(story, back)
+        story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins)
         story.ends_s[act.id] = past_s = _when(partial(_is_past, fast, foremost, past_m), begins)
         if back is not None:
             fast.moves.append(Move(past_s, lasts, slow.lane, 0.0, back.id, hazard))
@@ -192,6 +193,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     clear_m = _CLEAR_M if back is None else _gap_at(story, back)
     clear = _when(partial(_is_past, fast, foremost, clear_m), begins + lasts)
     home = back.id if back is not None else act.id
+    story.begins_s[act.id] = begins
     fast.moves = [
         Move(begins, lasts, out_lane, offset, act.id, hazard),
         Move(clear, lasts, fast.lane, 0.0, home, hazard),

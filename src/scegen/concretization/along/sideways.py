@@ -50,10 +50,11 @@ def offset_all(story: Story) -> None:
 
 
 def _in_passing(story: Story, spacing: Spacing) -> bool:
-    """Whether a lateral gap is the one with which somebody passes the other."""
+    """Whether a lateral gap is the one with which somebody passes the other in its lane."""
     passing = {act.participant for act in story.acts if story.goes_round(act)}
     pair = {spacing.participant, spacing.reference}
-    return spacing.measure is Measure.LATERAL_GAP_M and bool(passing & pair)
+    in_line = len({story.runners[name].lane for name in pair}) == 1
+    return spacing.measure is Measure.LATERAL_GAP_M and in_line and bool(passing & pair)
 
 
 def _left_m(story: Story, spacing: Spacing, who: Runner, other: Runner) -> float | None:

@@ -117,7 +117,9 @@ class Story(Tale):
             return True
         if self.comes_back(act):
             return False
-        passing = HazardKind.OVERTAKING in self.kinds_by(act.participant)
+        drives = (d for d in self.logical.drives if d.participant == act.participant)
+        passing = any(d.maneuver is Maneuver.OVERTAKE for d in drives)
+        passing |= HazardKind.OVERTAKING in self.kinds_by(act.participant)
         if act.kind is ActKind.CHANGE_LANE and passing:
             return True
         said = (act.side, act.into, act.lateral_m)
