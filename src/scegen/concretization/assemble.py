@@ -103,12 +103,7 @@ def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None
     people = concrete.participants
     for i, first in enumerate(people):
         for second in people[i + 1 :]:
-            if overlap(
-                paths[first.id].start,
-                first.body,
-                paths[second.id].start,
-                second.body,
-            ):
+            if overlap(paths[first.id].start, first.body, paths[second.id].start, second.body):
                 raise MotionInfeasibleError(
                     f"{first.id} and {second.id} overlap at the start",
                     hint="Fewer dangers at once, or another logical scenario.",

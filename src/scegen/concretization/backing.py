@@ -103,8 +103,7 @@ def _up_and_back(
     laid = draft.laid
     station = laid.station_m(stops_s)
     draft.reversal = BacksUp(
-        from_m=round(station, 3),
-        length_m=round(station - laid.station_m(stops_s - back_m), 3),
+        from_m=round(station, 3), length_m=round(station - laid.station_m(stops_s - back_m), 3)
     )
     draft.lay(scene.network)
     scene.note(f"{draft.id}.reversal.from_m", station, "reversing: stops here and goes back")
@@ -130,9 +129,7 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
         aside = radius - abs(road.edge_t_m(sign) - lane)
         draft.joins_m = round(entry_end_m - _BEFORE_END_M, 3)
         draft.reversal = BacksOut(
-            side=side,
-            setback_m=round(max(aside, body.rear_m) + _ROOM_M, 3),
-            radius_m=radius,
+            side=side, setback_m=round(max(aside, body.rear_m) + _ROOM_M, 3), radius_m=radius
         )
     if draft.joins_m < _LEAST_RUN_UP_M:
         raise NeedsLongerArms(_LEAST_RUN_UP_M - draft.joins_m + 1.0, draft.id)

@@ -16,12 +16,7 @@ from scegen.concretization.clearance import LONGEST_S, clear_offset
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import lights_of, stands_at_red
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
-from scegen.concretization.meetings import (
-    BYSTANDER,
-    ORDINARY,
-    Meeting,
-    shared_length_m,
-)
+from scegen.concretization.meetings import BYSTANDER, ORDINARY, Meeting, shared_length_m
 from scegen.concretization.priorities import Manners, Waits, patient_ones
 from scegen.concretization.setup import Setup
 from scegen.motion.rules.giving_way import must_give_way
@@ -54,12 +49,7 @@ def arrange(scene: Setup, meetings: Sequence[Meeting], begins_s: float) -> dict[
         draft = scene.drives[name]
         offset = _like_the_ego(scene, draft)
         offsets[name] = clear_offset(
-            draft,
-            offset,
-            _placed(scene, offsets),
-            offsets,
-            begins_s,
-            manners=manners,
+            draft, offset, _placed(scene, offsets), offsets, begins_s, manners=manners
         )
     scene.signals = manners.lights.plan if manners.lights is not None else None
     return offsets
@@ -144,13 +134,7 @@ def _queue_one(
             direction = -1
         others = _placed(scene, offsets)
         offsets[name] = clear_offset(
-            draft,
-            offset,
-            others,
-            offsets,
-            begins_s,
-            direction=direction,
-            manners=manners,
+            draft, offset, others, offsets, begins_s, direction=direction, manners=manners
         )
         return True
     return False

@@ -29,11 +29,7 @@ from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments
-from scegen.concretization.obstacles import (
-    expect_obstacles,
-    needs_obstacle,
-    place_obstacles,
-)
+from scegen.concretization.obstacles import place_obstacles
 from scegen.concretization.occluders import hide
 from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import pull_out
@@ -42,11 +38,7 @@ from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup, acts_of
 from scegen.concretization.speeds import cruise_speed_mps
 from scegen.concretization.stationary import go_round_stationary, place_stationary
-from scegen.concretization.walkers import (
-    place_walkers,
-    program_walkers,
-    stop_in_the_way,
-)
+from scegen.concretization.walkers import place_walkers, program_walkers, stop_in_the_way
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
@@ -65,10 +57,7 @@ _FAST = frozenset({HazardKind.SPEEDING, HazardKind.SUDDEN_TURN})
 
 
 def concretize(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    *,
-    seed: int = 0,
+    functional: FunctionalScenario, logical: LogicalScenario, *, seed: int = 0
 ) -> ConcreteScenario:
     """The first concrete scenario: those in conflict arrive together, dangers get numbers.
 
@@ -90,21 +79,11 @@ def concretize(
             where=name,
             hint="Leave the junction out, or let somebody pull out or stand in the way.",
         )
-    try:
-        return _on_long_enough_arms(functional, logical, seed, obstacles=True)
-    except MotionInfeasibleError:
-        if not any(needs_obstacle(functional, hazard) for hazard in functional.hazards):
-            raise
-    # Without the thing in the way, the rest can perhaps be driven; the proof says what is missing.
-    return _on_long_enough_arms(functional, logical, seed, obstacles=False)
+    return _on_long_enough_arms(functional, logical, seed)
 
 
 def _on_long_enough_arms(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    seed: int,
-    *,
-    obstacles: bool,
+    functional: FunctionalScenario, logical: LogicalScenario, seed: int
 ) -> ConcreteScenario:
     arm_m = first_m = first_arm_m(logical)
     acts = acts_of(functional, logical)
@@ -113,7 +92,7 @@ def _on_long_enough_arms(
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
         rng = np.random.Generator(np.random.PCG64(seed))
-        scene = Setup(functional, logical, acts, parameters, network, rng, obstacles=obstacles)
+        scene = Setup(functional, logical, acts, parameters, network, rng)
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
@@ -139,7 +118,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     rules = ordered_rules(scene.functional.hazards)
     _place(scene)
     choose_junction_lanes(scene, rules)
-    expect_obstacles(scene)
     for rule, hazard in rules:
         if rule.prepare is not None:
             rule.prepare(scene, hazard)

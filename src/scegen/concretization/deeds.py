@@ -8,11 +8,7 @@ from dataclasses import replace
 from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import happens_s_m, in_line_before
-from scegen.concretization.limits import (
-    COMFORTABLE_BRAKING_MPS2,
-    FAST_LATERAL_MPS2,
-    LEAD_IN_S,
-)
+from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile
 from scegen.concretization.room import NeedsLongerArms

@@ -21,12 +21,7 @@ from scegen.motion.reversing import lay_way
 from scegen.motion.routing import walk_route
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import (
-    AtTime,
-    DriveMotion,
-    LaneChange,
-    Travelled,
-)
+from scegen.scenario.concrete import AtTime, DriveMotion, LaneChange, Travelled
 from scegen.scenario.logical import Drive
 from scegen.scenario.reversing import BacksOut, Reversal
 from scegen.scenario.vocabulary import Maneuver, ParticipantKind
@@ -43,7 +38,7 @@ class DriveDraft:
     ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
     the outer end of the entry arm; ``start_m`` where on that path it starts at time 0.
     ``resume_mps`` is its speed after turns if not ``cruise_mps``, ``grip_mps2`` what the tyres hold
-    on this road. ``rests_at_m`` is where it is to come to rest before a thing in its way,
+    on this road. ``halts_s_m`` is where a thing in its way ends it,
     ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
@@ -70,7 +65,7 @@ class DriveDraft:
     start_m: float = 0.0
     offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
-    rests_at_m: float | None = None
+    halts_s_m: float | None = None
     parked_s_m: float | None = None
     reversal: Reversal | None = None
     joins_m: float = 0.0
@@ -122,7 +117,7 @@ class DriveDraft:
     @property
     def arrives_s_m(self) -> float:
         """Where its approach ends: at the junction, or before a thing in its way."""
-        return self.junction_s_m if self.rests_at_m is None else self.rests_at_m
+        return self.junction_s_m if self.halts_s_m is None else self.halts_s_m
 
     @property
     def changes_before(self) -> bool:

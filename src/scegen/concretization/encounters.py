@@ -3,12 +3,7 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import (
-    Rule,
-    event_s_m,
-    pairs,
-    same_arm,
-)
+from scegen.concretization.hazards.rule import Rule, event_s_m, pairs, same_arm
 from scegen.concretization.limits import (
     APPROACH_S,
     CLOSE_FOLLOWING_S,
@@ -137,12 +132,4 @@ def _close(
         begins = lead.junction_s_m - lead.cruise_mps * (APPROACH_S + _EARLIER_S)
         place, priority = max(_LEAST_PLACE_M, begins), STRUCTURAL
     bodies = lead.body.rear_m + follow.body.front_m
-    return Meeting(
-        priority,
-        lead.id,
-        follow.id,
-        place,
-        place - bodies,
-        headway_s,
-        reason,
-    )
+    return Meeting(priority, lead.id, follow.id, place, place - bodies, headway_s, reason)

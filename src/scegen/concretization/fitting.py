@@ -7,13 +7,12 @@ outweighs staying as it was.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from scegen.concretization.deeds import is_open
-from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.moments import Moments
 from scegen.concretization.setup import Setup
@@ -26,7 +25,7 @@ from scegen.scenario.acts import (
     AfterStart,
     BeforeJunction,
     WhenMeasure,
-)
+)  # fmt: skip
 from scegen.scenario.spacings import CONTACT, START
 
 _AS_IT_WAS = 1e-6
@@ -37,148 +36,107 @@ _ROUNDS, _ENOUGH = 25, 1e-4
 _THEN_S = 0.3
 """Who answers another at once does so after this."""
 
-Residual = Callable[[Moments], float]
-
-
-@dataclass(frozen=True, slots=True)
-class Unknown:
-    """A number to be found: how it is read and set, and the step to try it with."""
-
-    step: float
-    read: Callable[[Moments], float]
-    give: Callable[[Moments, float], None]
-
 
 def fit(scene: Setup, moments: Moments) -> None:
     """Change what is open in ``moments`` until what is said holds, as little as that needs."""
-    said = list(_said(scene))
+    said = len(list(_missed(scene, moments)))
     if not said:
         return
     unknowns = list(_unknowns(scene, moments))
-    first = np.array([unknown.read(moments) for unknown in unknowns])
+    first = np.array([_read(scene, moments, *unknown) for unknown in unknowns])
+    steps = np.array([_STEP_S if place is None else _STEP_M for _, place in unknowns])
 
     def missed(x: Array) -> Array:
         for unknown, value in zip(unknowns, x, strict=True):
-            unknown.give(moments, float(value))
-        own = [residual(moments) for residual in said]
-        scale = np.array([_AS_IT_WAS * _STEP_S / unknown.step for unknown in unknowns])
-        return np.concatenate([own, scale * (x - first)])
+            _give(scene, moments, *unknown, float(value))
+        kept = _AS_IT_WAS * _STEP_S / steps * (x - first)
+        return np.concatenate([list(_missed(scene, moments)), kept])
 
     x, now = first, missed(first)
     for _ in range(_ROUNDS):
         slope = np.empty((len(now), len(x)))
-        for n, unknown in enumerate(unknowns):
+        for n, step in enumerate(steps):
             tried = x.copy()
-            tried[n] += unknown.step
-            slope[:, n] = (missed(tried) - now) / unknown.step
+            tried[n] += step
+            slope[:, n] = (missed(tried) - now) / step
         way = -np.linalg.lstsq(slope, now, rcond=1e-12)[0]
         share = 1.0
         while share > 1e-3 and np.linalg.norm(missed(x + share * way)) > np.linalg.norm(now):
             share /= 2
         x = x + share * way
         now = missed(x)
-        if np.linalg.norm(now[: len(said)]) < _ENOUGH and np.abs(share * way).max() < _STEP_S:
+        if np.linalg.norm(now[:said]) < _ENOUGH and np.abs(share * way).max() < _STEP_S:
             break
     missed(x)
 
 
-def _unknowns(scene: Setup, moments: Moments) -> Iterator[Unknown]:
+def _unknowns(scene: Setup, moments: Moments) -> Iterator[tuple[str, int | None]]:
+    """Whose lateness (or setting off) is to be found; with a number, where that act of it is."""
     for name, draft in scene.drives.items():
-        yield Unknown(
-            _STEP_S,
-            lambda m, name=name: m.offsets_s[name],  # type: ignore[misc]
-            lambda m, value, name=name: m.offsets_s.__setitem__(name, value),  # type: ignore[misc]
-        )
+        yield name, None
         for n, mark in enumerate(draft.deeds):
             stood = n == 0 and mark.act is None and draft.parked_s_m is None
             if is_open(scene, mark) or stood:
-                yield Unknown(
-                    _STEP_M,
-                    lambda _, draft=draft, n=n: draft.deeds[n].s_m,  # type: ignore[misc]
-                    lambda _, value, draft=draft, n=n: _move(draft, n, value),  # type: ignore[misc]
-                )
-    for name in moments.sets_off_s:
-        yield Unknown(
-            _STEP_S,
-            lambda m, name=name: m.sets_off_s[name],  # type: ignore[misc]
-            lambda m, value, name=name: m.sets_off_s.__setitem__(name, value),  # type: ignore[misc]
-        )
+                yield name, n
+    yield from ((name, None) for name in moments.sets_off_s)
 
 
-def _move(draft: DriveDraft, n: int, place_m: float) -> None:
-    if draft.deeds[n].s_m != place_m:
-        draft.deeds[n] = replace(draft.deeds[n], s_m=place_m)
+def _read(scene: Setup, moments: Moments, name: str, place: int | None) -> float:
+    if place is not None:
+        return scene.drives[name].deeds[place].s_m
+    return (moments.offsets_s if name in scene.drives else moments.sets_off_s)[name]
+
+
+def _give(scene: Setup, moments: Moments, name: str, place: int | None, value: float) -> None:
+    if place is None:
+        (moments.offsets_s if name in scene.drives else moments.sets_off_s)[name] = value
+        return
+    draft = scene.drives[name]
+    if draft.deeds[place].s_m != value:
+        draft.deeds[place] = replace(draft.deeds[place], s_m=value)
         draft.course_ = None
 
 
-def _said(scene: Setup) -> Iterator[Residual]:
-    """What the text says of distances and moments."""
+def _missed(scene: Setup, moments: Moments) -> Iterator[float]:
+    """By how much distances and moments are not as the text says."""
     known = {*scene.drives, *scene.walks, *scene.stands}
     for spacing in scene.functional.spacings:
-        pair = spacing.participant, spacing.reference
-        if spacing.measure in LENGTHWISE and spacing.at != CONTACT and known >= {*pair}:
+        pair = {spacing.participant, spacing.reference}
+        if spacing.measure in LENGTHWISE and spacing.at != CONTACT and known >= pair:
             at = None if spacing.at == START else scene.act(spacing.at)
+            moment = moments.ends_s if spacing.since == "end" else moments.begins_s
             if at is None or at.participant in known:
-                said = WhenMeasure(
-                    measure=spacing.measure,
-                    participant=pair[0],
-                    reference=pair[1],
-                    value=spacing.value,
-                )
-                yield _measured(said, at, spacing.since)
+                yield _PER_M * moments.missing_m(spacing, 0.0 if at is None else moment(at))
     for act in scene.acts:
-        when = act.when
-        if act.participant not in known:
-            continue
-        if isinstance(when, WhenMeasure) and when.measure in LENGTHWISE:
-            if known >= {when.participant, when.reference}:
-                yield _measured(when, act)
-        elif isinstance(when, AfterStart):
-            yield lambda m, act=act, when=when: m.begins_s(act) - when.delay_s.middle  # type: ignore[misc]
-        elif isinstance(when, AfterDistance | BeforeJunction):
-            yield from _on_its_way(when, act, scene)
-        elif isinstance(when, AfterAct):
-            other = scene.act(when.act)
-            if other.participant in known and not _is_chained(scene, act):
-                yield _after(act, other, when)
+        if act.when is not None and act.participant in known:
+            yield from _mistimed(scene, moments, act, known)
+
+
+def _mistimed(scene: Setup, moments: Moments, act: Act, known: set[str]) -> Iterator[float]:
+    when, begins_s = act.when, moments.begins_s(act)
+    if isinstance(when, WhenMeasure) and when.measure in LENGTHWISE:
+        if known >= {when.participant, when.reference}:
+            yield _PER_M * moments.missing_m(when, begins_s)
+    elif isinstance(when, AfterStart):
+        yield begins_s - when.delay_s.middle
+    elif isinstance(when, AfterDistance | BeforeJunction):
+        # How far one has come, or has still to go to the junction; one's own place is fixed.
+        name, way_m = when.participant or act.participant, when.distance_m.middle
+        if name in scene.drives and isinstance(when, AfterDistance):
+            yield _PER_M * (moments.gone_m(name, act) - way_m)
+        elif name in scene.drives and when.participant is not None:
+            yield begins_s - moments.before_junction_s(name, way_m)
+    elif isinstance(when, AfterAct):
+        other = scene.act(when.act)
+        if other.participant in known and not _is_chained(scene, act):
+            since = moments.ends_s(other) if when.since == "end" else moments.begins_s(other)
+            yield begins_s - since - (when.delay_s.middle or _THEN_S)
 
 
 def _is_chained(scene: Setup, act: Act) -> bool:
     draft = scene.drives.get(act.participant)
     marks = draft.deeds if draft is not None else ()
     return any(mark.act == act.id and mark.then_s is not None for mark in marks)
-
-
-def _measured(when: WhenMeasure, act: Act | None, since: str = "begin") -> Residual:
-    def residual(moments: Moments) -> float:
-        moment = moments.ends_s if since == "end" else moments.begins_s
-        time_s = 0.0 if act is None else moment(act)
-        return _PER_M * moments.missing_m(
-            when.measure, when.participant, when.reference, when.value.middle, time_s
-        )
-
-    return residual
-
-
-def _on_its_way(when: AfterDistance | BeforeJunction, act: Act, scene: Setup) -> Iterator[Residual]:
-    """How far one has come, or has still to go to the junction; one's own place is fixed."""
-    name, way_m = when.participant or act.participant, when.distance_m.middle
-    if name not in scene.drives:
-        return
-    if isinstance(when, AfterDistance):
-        yield lambda moments: _PER_M * (moments.gone_m(name, act) - way_m)
-    elif when.participant is not None:
-        yield lambda moments: moments.begins_s(act) - moments.before_junction_s(name, way_m)
-
-
-def _after(act: Act, other: Act, when: AfterAct) -> Residual:
-    delay = when.delay_s.middle or _THEN_S
-
-    def residual(moments: Moments) -> float:
-        since = moments.ends_s(other) if when.since == "end" else moments.begins_s(other)
-        return moments.begins_s(act) - since - delay
-
-    return residual
 
 
 def conditioned(scene: Setup, name: str) -> bool:

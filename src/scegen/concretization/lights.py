@@ -314,6 +314,6 @@ def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
         again = next((phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON), None)
         if again is None:
             continue  # it stays
-        draft.goes_at = AtTime(time_s=round(draft.offset_s + again.begins_s, 3))
+        draft.goes_at = AtTime(time_s=round(max(draft.offset_s + again.begins_s, 0.0), 3))
         draft.course_ = None
         scene.note(f"{draft.id}.goes_at_s", draft.goes_at.time_s, "its light is green")

@@ -32,10 +32,7 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
             continue
         if passed is not None:
             meetings += pass_drive(
-                scene,
-                draft,
-                passed,
-                comes_back=_goes(scene, draft) is Maneuver.OVERTAKE,
+                scene, draft, passed, comes_back=_goes(scene, draft) is Maneuver.OVERTAKE
             )
         elif not (
             _stands_on_its_way(scene, draft, in_lane=True)

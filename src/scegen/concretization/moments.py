@@ -15,8 +15,8 @@ from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous
 from scegen.motion.model import Array
 from scegen.motion.standing import object_path
-from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.spacings import Measure
+from scegen.scenario.acts import Act, ActKind, WhenMeasure
+from scegen.scenario.spacings import Spacing
 
 _TWICE = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
 _ASIDE = _TWICE | {ActKind.CHANGE_LANE}
@@ -137,11 +137,12 @@ class Moments:
         place = draft.junction_s_m - draft.body.front_m - far_m
         return self.offsets_s[name] + draft.course.time_at(place)
 
-    def missing_m(
-        self, measure: Measure, who: str, reference: str, value: float, time_s: float
-    ) -> float:
-        """How much longer the free length between two is than a measure says (m)."""
+    def missing_m(self, said: Spacing | WhenMeasure, time_s: float) -> float:
+        """How much longer the free length between two is than is said (m)."""
         ego = self.scene.functional.ego.id
-        own, other = (who, reference) if who == ego else (reference, who)
+        own, other = said.participant, said.reference
+        if own != ego:
+            own, other = other, own
         at = np.array([time_s])
-        return float(missing_m(measure, value, self.track(own, at), self.track(other, at))[0])
+        tracks = self.track(own, at), self.track(other, at)
+        return float(missing_m(said.measure, said.value.middle, *tracks)[0])

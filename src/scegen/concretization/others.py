@@ -9,13 +9,7 @@ import numpy as np
 from scegen.concretization.limits import starting_mps2
 from scegen.motion.model import Array, Path
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import (
-    CrossingMotion,
-    SpeedPhase,
-    StandingMotion,
-    Travelled,
-    Trigger,
-)
+from scegen.scenario.concrete import CrossingMotion, SpeedPhase, StandingMotion, Travelled, Trigger
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 

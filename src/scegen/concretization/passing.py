@@ -5,17 +5,8 @@ from __future__ import annotations
 from math import pi, sqrt
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lane_choice import (
-    change_lanes,
-    entry_lanes,
-    lanes_in,
-    neighbour_lane,
-)
-from scegen.concretization.limits import (
-    FAST_LATERAL_MPS2,
-    LANE_CHANGE_S,
-    LATERAL_MPS2,
-)
+from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
+from scegen.concretization.limits import FAST_LATERAL_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.room import NeedsLongerArms
 from scegen.concretization.setup import Setup
@@ -70,11 +61,7 @@ def be_faster(scene: Setup, passer: DriveDraft, passed: DriveDraft) -> None:
 
 
 def pass_drive(
-    scene: Setup,
-    passer: DriveDraft,
-    passed: DriveDraft,
-    *,
-    comes_back: bool,
+    scene: Setup, passer: DriveDraft, passed: DriveDraft, *, comes_back: bool
 ) -> list[Meeting]:
     """``passer`` overtakes ``passed`` on their common entry arm.
 
@@ -119,28 +106,22 @@ def _is_to_stray(scene: Setup, passer: DriveDraft) -> bool:
 
 
 def pass_standing(
-    scene: Setup,
-    passer: DriveDraft,
-    middle_m: float,
-    body: Body,
-    *,
-    over_m: tuple[float, float] | None = None,
+    scene: Setup, passer: DriveDraft, middle_m: float, body: Body, *, over_m: float | None = None
 ) -> None:
     """``passer`` goes round what stands in its lane, its centre at ``middle_m`` of the way.
 
-    It changes lanes out and back over ``over_m``, or as its speed in towns asks for.
+    It changes lanes out and back over ``over_m`` each, or as its speed in towns asks for.
 
     Raises:
         NeedsLongerArms: there is no room before or behind it.
     """
     lane = passer.entry_lane
     aside = neighbour_lane(scene, passer, oncoming=True)
-    usual = change_length_m(min(passer.cruise_mps, 10.0))
-    change, again = over_m or (usual, usual)
+    change = over_m or change_length_m(min(passer.cruise_mps, 10.0))
     half = (passer.body.length_m + body.length_m) / 2
     centre = middle_m - passer.body.centre_ahead_m
     out = centre - half - _BEHIND_M - change
     if out < passer.body.rear_m + 2.0:
         raise NeedsLongerArms(15.0 - out, passer.id)
-    back = (centre + half + _BEHIND_M, again, lane)
+    back = (centre + half + _BEHIND_M, change, lane)
     change_lanes(scene, passer, [(out, change, aside), back])

@@ -18,7 +18,6 @@ from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.signals import SignalPlan
-from scegen.scenario.things import Thing
 
 
 def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Act, ...]:
@@ -38,20 +37,16 @@ def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[A
 class Setup(Tale):
     """Everything about one scenario in the making.
 
-    ``obstacles`` says whether things may be laid in the way, ``expected`` are the dangers with the
-    things that are to cause them, ``objects`` the things that have a place, ``signals`` what its
-    lights show: on the clock of the ego's course until everybody has a start, then on the
-    scenario's.
+    ``objects`` are the things that have a place, ``signals`` what its lights show: on the clock of
+    the ego's course until everybody has a start, then on the scenario's.
     """
 
     road: RoadParameters
     network: RoadNetwork
     rng: np.random.Generator
-    obstacles: bool = True
     drives: dict[str, DriveDraft] = field(default_factory=dict)
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
-    expected: list[tuple[Hazard, Thing]] = field(default_factory=list)
     objects: list[StaticObject] = field(default_factory=list)
     caused: dict[Hazard, Hazard] = field(default_factory=dict)
     signals: SignalPlan | None = None

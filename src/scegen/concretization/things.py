@@ -47,10 +47,7 @@ class Shape:
         if length_m is None and width_m is None:
             return self
         if width_m is None and self.width_m >= self.length_m:
-            length_m, width_m = (
-                length_m if self.width_m == self.length_m else None,
-                length_m,
-            )
+            length_m, width_m = (length_m if self.width_m == self.length_m else None, length_m)
         elif length_m is None and self.width_m == self.length_m:
             length_m = width_m
         along, across = length_m or self.length_m, width_m or self.width_m

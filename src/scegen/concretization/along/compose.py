@@ -34,12 +34,7 @@ from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
-from scegen.scenario.concrete import (
-    ConcreteParticipant,
-    ConcreteScenario,
-    RoadParameters,
-    door_of,
-)
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario, RoadParameters, door_of
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario, Reverses
 from scegen.scenario.objects import StaticObject
@@ -75,10 +70,7 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
 
 
 def compose_along(
-    functional: FunctionalScenario,
-    logical: LogicalScenario,
-    *,
-    seed: int,
+    functional: FunctionalScenario, logical: LogicalScenario, *, seed: int
 ) -> ConcreteScenario:
     """The first concrete scenario of one along a road.
 

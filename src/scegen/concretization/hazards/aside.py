@@ -11,12 +11,7 @@ from scegen.concretization.abreast import is_outward
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
-from scegen.concretization.lane_choice import (
-    change_lanes,
-    entry_lanes,
-    lanes_in,
-    neighbour_lane,
-)
+from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,

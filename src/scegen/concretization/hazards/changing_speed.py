@@ -8,12 +8,7 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import (
-    Rule,
-    culprits,
-    happens_s_m,
-    stops_for_walkers,
-)
+from scegen.concretization.hazards.rule import Rule, culprits, happens_s_m, stops_for_walkers
 from scegen.concretization.setup import Setup
 from scegen.concretization.speed_change import SpeedChange
 from scegen.scenario.acts import Act
@@ -60,16 +55,15 @@ def _change_speed(scene: Setup, hazard: Hazard) -> None:
             begins = max(_FIRST_M, event)
             draft.add_speed_change(SpeedChange(target, rate, s_m=begins, hazard=hazard.kind))
             continue
-        late = hazard.kind is HazardKind.DELAYED_BRAKING and draft.rests_at_m is None
+        late = hazard.kind is HazardKind.DELAYED_BRAKING
         way = before**2 / (2 * rate) * (_LATE if late else 1.0)
-        stays = draft.rests_at_m is not None and not draft.lane_changes
         hold = _HOLDS_S.get(hazard.kind, _HOLD_S)
         walkers = stops_for_walkers(scene, draft)
         if walkers is not None:
             hold = max(hold, walkers[1] - before / rate + _AFTER_WALKER_S)
         begins = max(3.0, event - way - 0.1)
         stop = SpeedChange(0.0, rate, s_m=begins, hazard=hazard.kind)
-        draft.add_speed_change(stop, holds_s=None if stays else hold)
+        draft.add_speed_change(stop, holds_s=hold)
 
 
 CHANGES_SPEED = Rule(act=_change_speed)

@@ -74,11 +74,8 @@ def in_line_before(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
 def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
     """Where on its way a driver's danger happens.
 
-    Short of a thing in its way; where it meets a sufferer; else two thirds along its entry arm,
-    before it slows to turn.
+    Where it meets a sufferer; else two thirds along its entry arm, before it slows to turn.
     """
-    if draft.rests_at_m is not None:
-        return draft.rests_at_m
     for victim in victims(scene, hazard, draft):
         point = drives_meet(draft, victim)
         if point is not None:
@@ -116,7 +113,7 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     walkers = stops_for_walkers(scene, draft)
     if walkers is not None:
         return walkers[0]
-    if draft is scene.ego and draft.rests_at_m is None:
+    if draft is scene.ego:
         # The ego brakes to avoid, the others brake in its way.
         place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
     return place

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.hazards.aside import (
-    LOSES_CONTROL,
-    STRAYS,
-    TURNS_SUDDENLY,
-)
+from scegen.concretization.hazards.aside import LOSES_CONTROL, STRAYS, TURNS_SUDDENLY
 from scegen.concretization.hazards.changing_speed import CHANGES_SPEED
 from scegen.concretization.hazards.cut_in import CUT_IN
 from scegen.concretization.hazards.reversing import REVERSING
