@@ -32,6 +32,7 @@ from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.everybody import deny_of_everybody
 from scegen.understanding.reference.resolving import resolve_mentions
+from scegen.understanding.road.bends import whole_bends
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
 from scegen.understanding.road.lengthwise import read_lengthwise
@@ -39,7 +40,6 @@ from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.words.angles import read_angles, set_apart
-from scegen.understanding.words.bends import whole_bends
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag

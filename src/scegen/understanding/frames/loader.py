@@ -17,6 +17,7 @@ class AmountFrame:
 
     dimension: str
     role: str
+    named: tuple[str, ...] = ()
     before: tuple[str, ...] = ()
     next: tuple[str, ...] = ()
     near: tuple[str, ...] = ()
@@ -46,6 +47,7 @@ def amounts() -> tuple[AmountFrame, ...]:
         AmountFrame(
             dimension=row["dimension"],
             role=row["role"],
+            named=tuple(row.get("named", ())),
             before=tuple(row.get("before", ())),
             next=tuple(row.get("next", ())),
             near=tuple(row.get("near", ())),

@@ -21,6 +21,11 @@ _FILLERS = frozenset({"a", "an", "the", "about", "around", "only", "just", "some
                       "up", "further", "another", "clear", "well", "almost", "nearly", "than",
                       "less", "more", "under", "over", "below", "above", "least", "most",
                       })  # fmt: skip
+_LINKS = _FILLERS | {"is", "are", "was", "were", "be", "being", "to", "amounts", "amount", "equals",
+                     "value", "this", "here", "in", "road", "street", "bend", "curve", "turn",
+                     "on", "there", "set", "down", "limited", "reduced", "restricted", "drops",
+                     "falls"}  # fmt: skip
+"""Words between the name of a measure and its number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,12 +48,19 @@ class Window:
             return False
         if any(self.after.startswith(f" {p} ") or self.preceded(p) for p in frame.unless):
             return False
-        if not (frame.before or frame.next):
+        if not (frame.before or frame.next or frame.named):
             return True
         after = self.after.replace(" of ", " ", 1) if self.after.startswith(" of ") else self.after
-        return any(self.preceded(p) for p in frame.before) or any(
-            after.startswith(f" {p} ") for p in frame.next
+        return (
+            any(self.preceded(p) for p in frame.before)
+            or any(after.startswith(f" {p} ") for p in (*frame.next, *frame.named))
+            or any(self._linked(p) for p in frame.named)
         )
+
+    def _linked(self, name: str) -> bool:
+        """Whether the name of a measure stands before, with nothing but small words between."""
+        at = self.before.rfind(f" {name} ")
+        return at >= 0 and _LINKS.issuperset(self.before[at + len(name) + 2 :].split())
 
     def _near(self, phrase: str) -> bool:
         return f" {phrase} " in self.before or f" {phrase} " in self.after
@@ -93,8 +105,6 @@ def _opens_aside(tokens: list[Token], i: int) -> bool:
 
 def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
     k = i - 1
-    while k >= 0 and tokens[k].low in {"(", ":"}:
-        k -= 1
     words: list[str] = []
     while k >= 0 and len(words) < _REACH:
         token = tokens[k]
@@ -106,6 +116,9 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
         opened = _bracketed(tokens, k)
         if opened is not None:  # "behind a van (70 km/h) at 1.8 s"
             k = opened - 1
+            continue
+        if token.low in {"(", ":"} and _FILLERS.issuperset(words):
+            k -= 1
             continue
         measured = k > 0 and token.low == "when" and tokens[k - 1].low in _HEADS
         if token.kind in {"punct", "number"} or k + 1 in ends:

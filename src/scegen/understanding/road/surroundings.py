@@ -8,16 +8,17 @@ from scegen.errors import InfeasibleError
 from scegen.scenario.functional import MAX_LANES, Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
+from scegen.understanding.frames import last_of, role_of, value_of
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.lane_widths import auxiliary_length_m, lane_width_m
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 from scegen.units import speed_mps
 
-_LIMIT_REACH = 6
-_SIGHT_REACH = 5
-_FRICTION_REACH = 3
-_LIMIT_BEFORE = 3
+_LIMIT_REACH = 4
+_FASTEST_MPS = 70
+_CONDITIONS = {"sight": ("visual_range_m", 100_000.0), "friction": ("friction", 1.2)}
+"""Role of a number -> field of the environment, and the most that it holds."""
 _LOWEST_LIMIT, _HIGHEST_LIMIT = 5, 140
 
 
@@ -98,15 +99,10 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.bases.setdefault(term.data["field"], basis)
         elif term.cat == "side" and found.side is None:
             found.side, found.side_basis = DrivingSide(term.value), basis
-        elif term.cat == "limit" or ("pace" in term.data and tokens[term.j - 1].low == "limit"):
-            _limit(found, terms, k)
         elif _measured(found, terms, k, tokens):
             pass
-        elif term.cat == "quantity" and _zone(tokens, term):
-            _limit(found, [*terms[: k + 1], term], k)
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)
-            _bare_limit(found, terms, k, tokens)
         elif term.value == "lane" and "count" in term.data:
             found.lanes, found.lanes_basis = found.lanes or term.data["count"], basis
         elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":
@@ -117,85 +113,57 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
 
 
 def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> bool:
-    """How far one sees, how large lanes are, how the tyres hold; whether a term says that."""
+    """Limits, sight, friction, how large lanes are; whether a term says one."""
     term, basis = terms[k], Basis(terms[k].i, terms[k].j)
-    if (sight := _sight_m(tokens, term)) is not None:
-        found.amounts["visual_range_m"], found.bases["visual_range_m"] = sight, basis
-        found.sight_term = term
+    role = role_of(terms, k, tokens)
+    if role == "limit":
+        _limit(found, terms, k, tokens)
+    elif role in _CONDITIONS:
+        _conditions(found, terms, k, role)
     elif (width := lane_width_m(terms, k, tokens)) is not None:
         found.lane_width_m, found.lane_width_basis = width, basis
         found.width_terms.append(term)
     elif (length := auxiliary_length_m(terms, k, tokens)) is not None:
         found.auxiliary_length_m, found.auxiliary_length_basis = length, basis
         found.width_terms.append(term)
-    elif term.cat == "num" and (held := _friction(tokens, term)) is not None:
-        found.amounts["friction"], found.bases["friction"] = held, basis
     else:
         return False
     return True
 
 
-def _sight_m(tokens: list[Token], term: Term) -> float | None:
-    """``visibility of 150 m``, ``one sees 80 m far``."""
-    if (term.cat, term.value) != ("quantity", "length"):
-        return None
-    near = {t.low for t in tokens[max(0, term.i - _SIGHT_REACH) : term.j + 2]}
-    sees = {"can", "one", "you", "anybody"} & near and {"see", "sees"} & near
-    sight = bool(sees) or (
-        bool(near & {"visibility", "visual", "sight"}) and "distance" not in near
-    )
-    value = term.data["quantity"].exact
-    return float(value.low) if sight and value.low == value.high else None
-
-
-def _friction(tokens: list[Token], term: Term) -> float | None:
-    """``friction 0.4``, ``a surface with μ = 0.6``."""
-    before = {t.low for t in tokens[max(0, term.i - _FRICTION_REACH) : term.i]}
-    value = float(term.data["number"])
-    return value if before & {"friction", "μ", "mu", "µ"} and 0 < value <= 1 else None
-
-
-def _zone(tokens: list[Token], term: Term) -> bool:
-    """``a 30 km/h zone``, ``zone 30``."""
-    before = tokens[term.i - 1].low if term.i else ""
-    after = tokens[term.j].low if term.j < len(tokens) else ""
-    return "zone" in {before, after}
-
-
-def _limit(found: Surroundings, terms: list[Term], k: int) -> None:
-    """The speed that goes with "limit": right before it, or after it before anybody is named."""
-    after = []
-    for term in terms[k + 1 : k + 1 + _LIMIT_REACH]:
-        if term.cat in {"actor", "pronoun", "verb"} or term.value in {".", ";", ","}:
-            break
-        after.append(term)
-    for term in (*terms[max(0, k - 1) : k], *after, *terms[max(0, k - 2) : k]):
-        if term.cat == "quantity" and term.value == "speed" and found.limit_term is None:
-            limit = term.data["quantity"].value.high
-            if not 0 < limit <= 70:
-                return
-            found.speed_limit_mps = limit
-            span = sorted((terms[k], term), key=lambda t: t.i)
-            found.limit_basis = Basis(span[0].i, span[1].j)
-            found.limit_term = term
+def _limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:
+    """``a limit of 70 km/h``; ``a 30 zone`` in the unit of the other speeds, else km/h."""
+    number, value = terms[k], value_of(terms, k).high
+    if found.speed_limit_mps is not None:
+        return
+    around = terms[max(0, k - _LIMIT_REACH) : k + _LIMIT_REACH]
+    near = [t for t in around if t.cat == "limit" or "pace" in t.data]
+    span = sorted([number, *near[-1:]], key=lambda t: t.i)
+    reason = None
+    if number.cat == "num":
+        if not _LOWEST_LIMIT <= value <= _HIGHEST_LIMIT:
             return
+        words = [t.low for t in tokens]
+        unit = "mph" if "mph" in words or "miles" in words else "km/h"
+        value, reason = speed_mps(value, unit), f"no unit is given; {unit} is taken"
+    elif not 0 < value <= _FASTEST_MPS:
+        return
+    found.speed_limit_mps = value
+    found.limit_basis = Basis(span[0].i, span[-1].j, reason)
+    found.limit_term = number if number.cat == "quantity" else None
 
 
-def _bare_limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:
-    """``a 30 zone``, ``limit 50``: in the unit of the other speeds, else km/h."""
-    number = terms[k]
-    value = float(number.data["number"])
-    zone = _zone(tokens, number)
-    named = any(t.cat == "limit" for t in terms[max(0, k - _LIMIT_BEFORE) : k])
-    if not (zone or named) or found.limit_term is not None or found.speed_limit_mps is not None:
+def _conditions(found: Surroundings, terms: list[Term], k: int, role: str) -> None:
+    """How far one sees, how the tyres hold: of a range the middle."""
+    value = value_of(terms, k)
+    name, most = _CONDITIONS[role]
+    if not 0 < value.high <= most:
         return
-    if not _LOWEST_LIMIT <= value <= _HIGHEST_LIMIT:
-        return
-    words = [t.low for t in tokens]
-    unit = "mph" if "mph" in words or "miles" in words else "km/h"
-    found.speed_limit_mps = speed_mps(value, unit)
-    reason = f"no unit is given; {unit} is taken"
-    found.limit_basis = Basis(number.i, number.j, reason)
+    reason = "the middle of the range" if value.low < value.high else None
+    found.amounts[name] = value.middle
+    found.bases[name] = Basis(terms[k].i, last_of(terms, k).j, reason)
+    if role == "sight":
+        found.sight_term = terms[k]
 
 
 def _two_lanes(found: Surroundings, term: Term, tokens: list[Token]) -> None:

@@ -26,7 +26,7 @@ _TOKEN = re.compile(
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
              "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
 _POINT = re.compile(
-    r"\b(?i:approx|mr|mrs|ms|hwy|rte|rt|veh|vs|ped|st|ave|av|rd|blvd|dr|ln|ft|hrs?|mins?|secs?|no"
+    r"\b(?i:approx|mr|mrs|ms|hwy|rte|rt|veh|vs|ped|st|ave|av|rd|blvd|dr|ln|ft|hrs?|mins?|secs?|no|max"
     r"|a\.m|p\.m|i\.e|e\.g|u\.s)(?P<point>\.)(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d)"
     r"|\b[apieuAPIEU](?P<inner>\.)(?=[megsMEGS]\b)"
 )

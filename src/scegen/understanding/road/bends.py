@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from scegen.understanding.frames import role_of, value_of
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -31,7 +32,7 @@ def whole_bends(terms: Sequence[Term], tokens: list[Token]) -> list[Term]:
             side = found[i - 2].value  # "a right-hand motorway bend"
             found[i - 2 : i] = [replace(found[i - 1], i=found[i - 2].i)]
             i, j = i - 1, j - 1
-        data = {"side": side, "radius_m": radius}
+        data = {"side": side, "radius_m": radius and radius.data["quantity"].exact.middle}
         first, last = found[i].i, found[j].j
         whole = replace(bend, i=first, j=last, data={**bend.data, **data})
         if _elsewhere(tokens, first):
@@ -53,41 +54,38 @@ def _with_side(terms: list[Term], k: int, tokens: list[Token]) -> tuple[int, int
 
 def _with_radius(
     terms: list[Term], i: int, j: int, tokens: list[Token]
-) -> tuple[int, int, float | None]:
-    """From or to a length that is called a radius, with nothing but small words between."""
+) -> tuple[int, int, Term | None]:
+    """From or to a length that is called its radius, with nothing but small words between."""
     for m, term in enumerate(terms):
-        if term.cat != "quantity" or term.value != "length" or not i - _REACH <= m <= j + _REACH:
+        if term.cat != "quantity" or not i - _REACH <= m <= j + _REACH:
             continue
-        named_after = tokens[term.j].low in _RADIUS if term.j < len(tokens) else False
-        before = [t.low for t in tokens[max(0, term.i - 2) : term.i]]
-        if not (named_after or _RADIUS & {*before}):
+        if role_of(terms, m, tokens) != "radius":
             continue
         first, last = min(i, m), max(j, m)
         between = {t.low for t in tokens[terms[first].i : terms[last].j]}
         own = {t.low for n in (*range(i, j + 1), m) for t in tokens[terms[n].i : terms[n].j]}
         if between - own - word_list("within_bends") - _RADIUS:
-            continue
-        last += named_after and last == m
-        return first, min(last, len(terms) - 1), term.data["quantity"].value.middle
+            return i, j, term
+        last += last == m and tokens[term.j : term.j + 1] != [] and tokens[term.j].low in _RADIUS
+        return first, min(last, len(terms) - 1), term
     return i, j, None
 
 
 def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
-    """``at R = 750 m``: a bend that only its radius tells of."""
-    if any(t.value == "bend" and t.data.get("radius_m") for t in terms):
+    """``at R = 750 m``: a bend that only its radius tells of, or one that is told of elsewhere."""
+    bends = [k for k, t in enumerate(terms) if t.cat == "place" and t.value == "bend"]
+    if any(terms[k].data.get("radius_m") for k in bends):
         return terms
     for m, term in enumerate(terms):
-        if (term.cat, term.value) != ("quantity", "length"):
+        if role_of(terms, m, tokens) != "radius":
             continue
-        before = [
-            t.low
-            for t in tokens[max(0, term.i - 4) : term.i]
-            if t.low not in word_list("within_bends")
-        ]
-        if before[-1:] and before[-1] in _RADIUS:
-            data = {"side": None, "radius_m": term.data["quantity"].value.middle}
-            terms[m] = Term("place", "bend", term.i, term.j, data=data)
-            break
+        radius = value_of(terms, m).middle
+        if bends:
+            whole = terms[bends[0]]
+            terms[bends[0]] = replace(whole, data={**whole.data, "radius_m": radius})
+        data = {"side": None, "radius_m": radius}
+        terms[m] = Term("place", "bend", term.i, term.j, data=data)
+        break
     return terms
 
 
