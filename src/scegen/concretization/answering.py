@@ -27,8 +27,8 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
 from scegen.concretization.moments import Moments
+from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.motion.model import Array
 from scegen.motion.trigger_steps import STEP_S, just_before_step_s
 from scegen.scenario.vocabulary import HazardKind

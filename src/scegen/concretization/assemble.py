@@ -9,9 +9,8 @@ import numpy as np
 from scegen.concretization.boxes import overlap
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import SpeedChange
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.written import written, written_phase, written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play

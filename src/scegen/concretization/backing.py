@@ -20,9 +20,8 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.meetings import meeting_point, sampled
 from scegen.concretization.others import WalkDraft
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import Sort, SpeedChange
+from scegen.concretization.profile import Sort, SpeedChange
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id

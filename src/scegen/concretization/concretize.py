@@ -34,8 +34,7 @@ from scegen.concretization.occluders import hide
 from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup, acts_of
+from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.speeds import cruise_speed_mps
 from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import place_walkers, program_walkers, stop_in_the_way

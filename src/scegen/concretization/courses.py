@@ -12,8 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from scegen.concretization.profile import NEVER_S, Profile
-from scegen.concretization.speed_change import Sort, SpeedChange
+from scegen.concretization.profile import NEVER_S, Profile, Sort, SpeedChange
 from scegen.motion.model import Array
 
 STEP_S = 0.05

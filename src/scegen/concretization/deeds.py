@@ -10,10 +10,8 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import happens_s_m, in_line_before
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.moments import Moments
-from scegen.concretization.profile import Profile
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import Sort, SpeedChange
+from scegen.concretization.profile import Profile, Sort, SpeedChange
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.measures.grounds import grounds
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger

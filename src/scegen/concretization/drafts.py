@@ -12,7 +12,7 @@ from scegen.concretization.limits import (
     LATERAL_MPS2,
     STOPS_FOR_S,
 )
-from scegen.concretization.speed_change import Sort, SpeedChange
+from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.turning import Stop, turning_changes
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import END_MARGIN_M

@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from scegen.concretization.boxes import LENGTHWISE
 from scegen.concretization.deeds import is_open
-from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.moments import Moments
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array

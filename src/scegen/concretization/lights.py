@@ -15,8 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.profile import Sort
 from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import Sort
 from scegen.motion.rules.intergreen import (
     LEAST_GREEN_AFOOT_S,
     LEAST_GREEN_S,

@@ -16,8 +16,7 @@ from scegen.concretization.hazards.rule import Rule, pairs
 from scegen.concretization.lane_choice import choose_lanes, routes_of
 from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.motion.paths import END_MARGIN_M
 from scegen.motion.routing import walk_route

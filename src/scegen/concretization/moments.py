@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.boxes import box_on
+from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.measures import missing_m
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous

@@ -18,8 +18,7 @@ from scegen.concretization.lane_choice import lanes_in, neighbour_lane
 from scegen.concretization.meetings import drives_meet
 from scegen.concretization.objects import lying_in_the_way, made_of, shape_of
 from scegen.concretization.passing import calm_change_length_m, pass_standing
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.stationary import BLOCKS_AT_M
 from scegen.road.geometry import Pose
 from scegen.road.model import RouteStep

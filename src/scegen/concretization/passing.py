@@ -8,8 +8,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
 from scegen.concretization.limits import FAST_LATERAL_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import HazardKind
 

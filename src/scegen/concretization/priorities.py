@@ -15,8 +15,8 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.meetings import ORDINARY, Meeting
+from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import Sort, SpeedChange
 from scegen.measures.grounds import Ground, grounds
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty
 from scegen.scenario.concrete import AtTime, Travelled

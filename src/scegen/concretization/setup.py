@@ -20,6 +20,15 @@ from scegen.scenario.objects import StaticObject
 from scegen.scenario.signals import SignalPlan
 
 
+class NeedsLongerArms(Exception):  # noqa: N818 - a signal between two parts, not an error
+    """The arms are ``metres`` too short for the plan; caught by ``concretize``."""
+
+    def __init__(self, metres: float, who: str) -> None:
+        self.metres = metres
+        self.who = who
+        super().__init__(f"{who} needs {metres:.0f} m more")
+
+
 def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Act, ...]:
     """What happens, in order; who pulls out sets off, also where the text has no act for that."""
     told = spelled_out(functional.acts, {drive.participant for drive in logical.drives})

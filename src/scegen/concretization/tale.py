@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import SpeedChange
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.concrete import Change

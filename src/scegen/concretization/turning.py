@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import sqrt
 
-from scegen.concretization.speed_change import Sort, SpeedChange
+from scegen.concretization.profile import Sort, SpeedChange
 from scegen.motion.polyline import LaidDrive
 from scegen.scenario.concrete import AtTime, Travelled
 

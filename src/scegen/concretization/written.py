@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scegen.concretization.asked import slug_name
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.scenario.concrete import (
     ConcreteParticipant,

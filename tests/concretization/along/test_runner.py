@@ -10,8 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from scegen.concretization.along.runner import Move, Runner, gap_m
-from scegen.concretization.profile import NEVER_S, Profile
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import NEVER_S, Profile, SpeedChange
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind
 

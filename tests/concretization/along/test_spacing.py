@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.spacing import GapAt, level, place
-from scegen.concretization.measures import missing_m
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.boxes import missing_m
+from scegen.concretization.profile import SpeedChange
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind

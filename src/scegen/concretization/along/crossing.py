@@ -12,11 +12,10 @@ from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
 from scegen.concretization.asked import pace_of
+from scegen.concretization.boxes import LENGTHWISE
 from scegen.concretization.limits import HARD_BRAKING_MPS2, REACTION_S, starting_mps2
-from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.others import Walker, abreast_m, gained
-from scegen.concretization.profile import NEVER_S
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import Body

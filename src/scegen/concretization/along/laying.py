@@ -54,7 +54,7 @@ def lay(story: Story) -> list[Walk]:
             )
         _rest_as_said(story)
         overtake(story)
-        perform_waiting(story, following)
+        perform_waiting(story, [act for act in following if act.id not in story.begins_s])
         come_back(story)
         touching = react(story)
         walks = cross(story, strips_m(story))

@@ -9,15 +9,15 @@ from math import pi, sqrt
 import numpy as np
 
 from scegen.claims.boxes import free, gap_m
-from scegen.concretization.along.passing import JUST_M, just_missed_s, keep_apart
+from scegen.concretization.along.moments import perform_waiting
 from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner
-from scegen.concretization.along.spacing import level
+from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.asked import outward
 from scegen.concretization.braking import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
@@ -47,6 +47,8 @@ def overtake(story: Story) -> None:
     for act in story.acts:
         if not story.goes_round(act):
             continue
+        if act.id not in story.begins_s:  # it follows upon another such act
+            perform_waiting(story, [act])
         slow = passed_by(story, act)
         if slow:
             _pass(story, act, story.runners[act.participant], slow)

@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from scegen.concretization.along.passing import JUST_M, just_missed_s, place_just_missed
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
-from scegen.concretization.along.spacing import GapAt, level, place
+from scegen.concretization.along.spacing import (
+    JUST_M,
+    GapAt,
+    just_missed_s,
+    level,
+    place,
+    place_just_missed,
+)
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M, SLOWING
 from scegen.concretization.asked import words_between
+from scegen.concretization.boxes import LENGTHWISE
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
-from scegen.concretization.measures import LENGTHWISE
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START, Measure

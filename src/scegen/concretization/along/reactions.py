@@ -9,8 +9,8 @@ from math import ceil, floor
 
 import numpy as np
 
-from scegen.concretization.along.passing import keep_apart
 from scegen.concretization.along.runner import Runner, gap_m
+from scegen.concretization.along.spacing import keep_apart
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import BRAKING, answering_rates_mps2
 from scegen.concretization.braking import (
@@ -22,7 +22,7 @@ from scegen.concretization.braking import (
     touch_s,
 )
 from scegen.concretization.limits import REACTION_S
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import SpeedChange
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import AfterAct

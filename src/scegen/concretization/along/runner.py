@@ -12,8 +12,7 @@ from math import pi
 import numpy as np
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.profile import Profile
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import Profile, SpeedChange
 from scegen.motion.model import Array
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import MAX_LANES

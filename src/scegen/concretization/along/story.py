@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.motion.following import Driver, driver_of
 from scegen.motion.model import Array

@@ -1,21 +1,158 @@
-"""From the two levels above to a story: who is cast, what lies in the way, which acts."""
+"""From the two levels above to a story: who is along the road and how fast, what lies there."""
 
 from __future__ import annotations
 
 from scegen.concretization.along.acts import all_acts
-from scegen.concretization.along.casting import cast
+from scegen.concretization.along.auxiliary import RAMP_MPS
 from scegen.concretization.along.doors import cast_doors, hang_doors
 from scegen.concretization.along.lanes import choose_lanes
-from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.along.strips import put_on_strips
-from scegen.concretization.asked import as_meant
+from scegen.concretization.asked import as_meant, pace_of
+from scegen.concretization.limits import REVERSING_MPS, REVERSING_MPS2
 from scegen.concretization.objects import lying_in_the_way, shape_of
+from scegen.concretization.profile import SpeedChange
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import LogicalScenario
+from scegen.road.cross_section import median_half_m
+from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.logical import (
+    Assignment,
+    Crossing,
+    Drive,
+    Heading,
+    LogicalScenario,
+    Standing,
+    Walking,
+)
+from scegen.scenario.model import Interval
+from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind
+
+_STANDS_MPS = 1.0
+_EDGE_M = 1.5
+"""Who walks along the side of the road keeps so far from the middle of its outermost lane."""
+_PASSES_BY_MPS = 6.0
+"""By so much one who overtakes is faster, where no speeds are said."""
+
+
+def is_along(assignment: Assignment, participant: Participant) -> bool:
+    """Whether somebody moves or stands along the lanes (and not across them, or parked)."""
+    if isinstance(assignment, Crossing):
+        return False
+    if isinstance(assignment, Standing):
+        return assignment.in_lane or participant.kind in ON_FOOT
+    return True
+
+
+def cast(story: Story) -> None:
+    """Everybody along the road, at the speed that is said or usual; lanes and places come later."""
+    for assignment in story.logical.assignments:
+        participant = story.functional.participant(assignment.participant)
+        if is_along(assignment, participant):
+            story.runners[participant.id] = _runner(story, assignment, participant)
+    _speeds(story)
+
+
+def _runner(story: Story, assignment: Assignment, participant: Participant) -> Runner:
+    junction, arm = story.functional.junction, story.ego_arm
+    keeps = junction.driving_side.value
+    if isinstance(assignment, Drive):
+        forward = assignment.entry == arm
+    elif isinstance(assignment, Walking):
+        forward = (assignment.arm == arm) == (assignment.heading is Heading.INWARD)
+    elif isinstance(assignment, Standing):
+        forward = (assignment.arm == arm) == (assignment.side.value == keeps)
+    else:
+        raise TypeError(f"{participant.id} goes across the road")
+    beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
+    lane = assignment_lane(assignment)
+    runner = Runner(participant.id, participant.kind, participant.body, forward, lane, 0.0)
+    runner.keeps_left = keeps == "left"
+    runner.inner_m = median_half_m(junction.carriageway)
+    runner.lane_width_m = junction.lanes_wide_m
+    if beside:
+        # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
+        outward = -1.0 if keeps == "right" else 1.0
+        runner.offset_m = outward * _EDGE_M
+    return runner
+
+
+def assignment_lane(assignment: Assignment) -> int:
+    """The lane that the logical scenario gives; -1 where it is open."""
+    lane = None if isinstance(assignment, Crossing) else assignment.lane
+    return -1 if lane is None else lane
+
+
+def _speeds(story: Story) -> None:
+    """Said, else by the danger that it causes, else the one speed of cruising traffic."""
+    functional, logical = story.functional, story.logical
+    said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
+    cruising = pace_of(functional, logical, functional.ego.id).default
+    ramps = functional.junction.auxiliary is AuxiliaryLane.ON_RAMP
+    on_ramp = story.merging if ramps else frozenset()
+    for runner in story.runners.values():
+        assignment = logical.assignment(runner.id)
+        stays = isinstance(assignment, Standing) or (
+            isinstance(assignment, Drive) and assignment.maneuver is Maneuver.STAY
+        )
+        if (back := _begins_with(story, runner.id, ActKind.REVERSE)) is not None:
+            _reverse(runner, said.get(runner.id), back)
+        elif stays or _begins_with(story, runner.id, ActKind.SET_OFF):
+            runner.speed_mps = 0.0
+        else:
+            pace = pace_of(functional, logical, runner.id)
+            with_ego = cruising if runner.forward and cruising > _STANDS_MPS else pace.high
+            speed = max(min(pace.default, with_ego), pace.low)
+            slow = runner.id in on_ramp and runner.id not in said
+            runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
+    for hazard in functional.hazards:
+        if hazard.kind is HazardKind.OVERTAKING:
+            _make_faster(story, hazard.by, hazard.to)
+    for act in functional.acts:
+        if act.kind is ActKind.OVERTAKE and act.into:
+            _make_faster(story, (act.participant,), (act.into,))
+
+
+def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
+    """The first thing that somebody does, if it is of a kind."""
+    first = next((act for act in story.functional.acts if act.participant == name), None)
+    return first if first is not None and first.kind is kind else None
+
+
+def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
+    """Hardly forwards, then back at the speed that is said, or a usual one, as far as is said."""
+    speed = said.middle if said is not None else sum(REVERSING_MPS) / 2
+    runner.backs = True
+    runner.speed_mps = min(FORTH_MPS, speed)
+    if isinstance(act.when, AfterStart) and act.when.delay_s.middle > 0.0:
+        runner.speed_mps = min(runner.speed_mps, FORTH_M / act.when.delay_s.middle)
+    begins = 1.02 * FORTH_M / runner.speed_mps
+    if act.distance_m is None:
+        runner.steps = [SpeedChange(speed, REVERSING_MPS2, begins)]
+        return
+    far = act.distance_m.middle
+    speed = min(speed, (REVERSING_MPS2 * far) ** 0.5)
+    runner.steps = [SpeedChange(speed, REVERSING_MPS2, begins)]
+    slows = FORTH_M + far - speed**2 / (2 * REVERSING_MPS2)
+    runner.steps.append(SpeedChange(0.0, REVERSING_MPS2, runner.profile.time_s(slows)))
+
+
+def _make_faster(story: Story, by: tuple[str, ...], to: tuple[str, ...]) -> None:
+    """Who overtakes is clearly faster; where its speed is said, the other is slower."""
+    for fast in (story.runners[name] for name in by if name in story.runners):
+        for slow in (story.runners[name] for name in to if name in story.runners):
+            enough = 2.0 if story.has_said_speed(slow.id) else _PASSES_BY_MPS
+            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= enough:
+                continue
+            if not story.has_said_speed(slow.id):
+                slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)
+            elif not story.has_said_speed(fast.id):
+                top = BODIES[fast.kind].top_speed_mps
+                fast.speed_mps = min(slow.speed_mps + _PASSES_BY_MPS, top)
 
 
 def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:

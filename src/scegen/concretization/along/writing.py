@@ -11,8 +11,7 @@ from scegen.concretization.along.frame import Frame
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.profile import NEVER_S
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.written import written, written_phase
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M

@@ -21,9 +21,8 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.passing import change_length_m, slowing_s_m
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import SpeedChange
+from scegen.concretization.profile import SpeedChange
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.stationary import blocked_lane_ahead
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind

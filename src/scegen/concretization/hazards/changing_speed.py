@@ -9,8 +9,8 @@ from __future__ import annotations
 from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.rule import Rule, culprits, happens_s_m, stops_for_walkers
+from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import SpeedChange
 from scegen.scenario.acts import Act
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS

@@ -14,8 +14,8 @@ from scegen.concretization.lane_choice import change_lanes, choose_ring_lane, la
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S
 from scegen.concretization.meetings import Meeting, nearest_s_m
 from scegen.concretization.passing import change_length_m, speed_for_change_mps
+from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
-from scegen.concretization.speed_change import SpeedChange
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.motion.stretches import Stretch

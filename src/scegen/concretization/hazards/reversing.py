@@ -22,8 +22,7 @@ from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
 from scegen.concretization.lane_choice import entry_lanes
 from scegen.concretization.meetings import DANGER, Meeting, sampled
 from scegen.concretization.others import WalkDraft
-from scegen.concretization.room import NeedsLongerArms
-from scegen.concretization.setup import Setup
+from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.concrete import ArrivalBelow
 from scegen.scenario.functional import Hazard
