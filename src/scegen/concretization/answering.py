@@ -24,7 +24,6 @@ from scegen.concretization.braking import (
     touch_s,
 )
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Sort, SpeedChange
@@ -82,10 +81,9 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[Contact]:
 
 def _runs_in(scene: Setup, moments: Moments, contact: Contact) -> bool:
     ahead, along = had_ahead(moments, contact)
-    who, other = scene.drives[contact.who], scene.drives.get(contact.other)
-    if other is None or _comes_back(scene, other.id):
+    if contact.other not in scene.drives or _comes_back(scene, contact.other):
         return ahead
-    return ahead and along > _ALONG and same_arm(who, other)
+    return ahead and along > _ALONG
 
 
 def _comes_back(scene: Setup, name: str) -> bool:
