@@ -308,7 +308,7 @@ def test_who_is_where(text, kind, side):
 
 def test_two_lanes_are_changed_and_traffic_is_the_scene():
     text = "The ego has to change two lanes to the right to reach its exit."
-    assert doings(text) == [{Maneuver.LANE_CHANGE}]
+    assert doings(text) == [{Maneuver.EXIT}]
     text = "Stop-and-go traffic on a ring road; the car ahead rolls back towards the ego."
     assert len(read(text).participants) == 2
 

@@ -25,6 +25,7 @@ _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
 _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
 """What comes before a turn at the junction ("cuts in and turns right")."""
+_WAITS_TO_CROSS = "nobody walks along the road and then crosses it: it stands until it crosses"
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +97,8 @@ class Entity:
     heading: str | None = None
     heading_basis: Basis | None = None
     bound: bool = False
+    on_minor: tuple[bool, Basis] | None = None
+    """Whether it comes on the road that has the sign (else on the one that has priority)."""
     by_heading: Basis | None = None
     counted: Basis | None = None
     moves: Basis | None = None
@@ -265,10 +268,17 @@ class Draft:
         if alternative is None and entity.turn_alternative is None and values < known <= _TURNS:
             known = set()  # "both turn: V1 goes left": now it is said which way
         if Maneuver.CROSS in values:
+            walked = entity.maneuver_basis
+            if Maneuver.STRAIGHT in known and not entity.is_vehicle and walked is not None:
+                self._note_at(walked, _WAITS_TO_CROSS)
             known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)
         entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
         entity.turn_alternative = alternative or entity.turn_alternative
+
+    def _note_at(self, basis: Basis, instead: str) -> None:
+        if basis.i is not None and basis.j is not None:
+            self.note(basis.i, basis.j, instead)
 
     def _contradiction(self, entity: Entity, values: set[Maneuver], basis: Basis) -> None:
         first = f"{min(entity.maneuvers & _TURNS)}{self._quoted(entity.maneuver_basis)}"

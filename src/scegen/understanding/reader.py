@@ -16,6 +16,7 @@ from scegen.understanding.clauses.own_measures import own_measures
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
+from scegen.understanding.meaning.afoot import note_runners
 from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
@@ -105,9 +106,10 @@ def read(text: str) -> FunctionalScenario:
     scenes = Interpreter(context, numbers, surroundings.measured).run(chunks, events)
     ego = choose_ego(draft)
     happenings = read_amounts(numbers, chunks, scenes, context)
+    note_runners(scenes)
     too_fast(draft, surroundings.speed_limit_mps)
     read_calls(terms, draft)
-    report(draft, terms, chunks)
+    report(draft, terms, chunks, crossing=junction.crossing)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise, tokens).build()
     return unattached(scenario, terms, tokens)
 

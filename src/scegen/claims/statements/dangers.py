@@ -19,6 +19,13 @@ from scegen.scenario.vocabulary import HazardKind
 
 _SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
+_CROSSING = frozenset(
+    {
+        HazardKind.CROSSING_PEDESTRIAN,
+        HazardKind.CROSSING_CYCLIST,
+        HazardKind.CROSSING_ANIMAL,
+    }
+)
 MADE_BY: dict[HazardKind, frozenset[ActKind]] = {
     HazardKind.HARD_BRAKING: _SLOWS,
     HazardKind.DELAYED_BRAKING: _SLOWS,
@@ -57,8 +64,28 @@ def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judge
     paced = {p.id for p in told.functional.participants if p.speed_mps is not None}
     if hazard.kind is HazardKind.SLOW_DRIVING and hazard.by and paced >= {*hazard.by}:
         return _slower
+    if _let_go_first(told, hazard):
+        return _comes_close
     hits = all(_struck(told, hazard, by) for by in hazard.by)
     return _too_late if hazard.kind is HazardKind.DELAYED_BRAKING and hits else _happens
+
+
+def _let_go_first(told: Told, hazard: Hazard) -> bool:
+    """Whether who crosses meets only those who should let it go first, and do not."""
+    breaches = [h for h in told.hazards if h.kind is HazardKind.FAILURE_TO_YIELD]
+    return (
+        hazard.kind in _CROSSING
+        and bool(hazard.to)
+        and all(
+            any(to in breach.by and {*hazard.by} <= {*breach.to} for breach in breaches)
+            for to in hazard.to
+        )
+    )
+
+
+def _comes_close(told: Told, hazard: Hazard, view: View) -> Judged:
+    """It comes second then, so close behind as two whose ways meet."""
+    return _happens(told, hazard.model_copy(update={"kind": HazardKind.MERGING_CONFLICT}), view)
 
 
 def measured_out(told: Told, hazard: Hazard) -> list[Act]:

@@ -10,7 +10,7 @@ from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
 
 _SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
@@ -78,9 +78,10 @@ def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:
 
 def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
     """The acts that a danger consists of, where who causes it has none of the sort."""
-    runners = story.runners
-    if hazard.kind in _OF_THE_DRIVER:
-        return
+    functional, runners = story.functional, story.runners
+    on_foot = hazard.to and all(functional.participant(to).kind in ON_FOOT for to in hazard.to)
+    if hazard.kind in _OF_THE_DRIVER or (hazard.kind in FROM_BESIDE and on_foot):
+        return  # who does not yield to people drives on
     for by in (name for name in hazard.by if name in runners):
         for kind in _acts_of(hazard.kind):
             alike = next((s for s in (_SLOWS, _ASIDE) if kind in s), frozenset({kind}))

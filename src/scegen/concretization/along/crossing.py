@@ -85,7 +85,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     strip = strips.get("left" if from_left else "right", 0.0)
     into = -1 if from_left else 1
     aim = _aim_y_m(story, participant.id, meets, body, speed, into)
-    to_aim = abs(aim - edge) - body.centre_ahead_m
+    to_aim = (aim - edge) * into - body.centre_ahead_m
     gains = speed**2 / (2 * starting_mps2(participant.kind))
     steady = to_aim if far is None else min(to_aim, far - gains)
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
@@ -129,6 +129,10 @@ def _meets(story: Story, name: str) -> str:
         if act.kind in LETS_BY and act.into == name and act.participant in story.runners:
             return act.participant
     for hazard in story.functional.hazards:
+        owing = [n for n in hazard.by if n in story.runners and _owes(story, n, name)]
+        if owing:
+            return owing[0]
+    for hazard in story.functional.hazards:
         if name in hazard.by:
             found = [n for n in hazard.to if n in story.runners]
             if found:
@@ -146,8 +150,17 @@ def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, i
         return middle + meets.sign * (0.5 - share) * meets.body.width_m
     if _brakes(story, meets.id):
         return middle
+    if _owes(story, meets.id, name):  # the other just passes before it
+        passes_s = meets.body.length_m / max(meets.speed_mps, 1.0) + _PASSES_BEFORE_S
+        return middle - into * ((meets.body.width_m + body.length_m) / 2 + passes_s * speed)
     clear = (meets.body.width_m + body.length_m) / 2 + _PASSES_BEFORE_S * speed
     return middle + into * clear
+
+
+def _owes(story: Story, driver: str, name: str) -> bool:
+    """Whether somebody should let one who crosses go first, and does not."""
+    breaches = (h for h in story.functional.hazards if h.kind is HazardKind.FAILURE_TO_YIELD)
+    return any(driver in h.by and name in h.to for h in breaches)
 
 
 def _brakes(story: Story, name: str) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 
+from scegen.concretization.along.doors import left_of_one_way
 from scegen.concretization.along.story import Story
 from scegen.concretization.asked import outward, side_of, words_between
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
@@ -50,7 +51,7 @@ def choose_lanes(story: Story) -> None:
 
     def wishes_of(count: int) -> list[Wish[int]]:
         told = [*_from_words(story), *_from_acts(story, count)]
-        return [*told, *_from_hazards(story), *_usual(story, count)]
+        return [*told, *_from_hazards(story, count), *_usual(story, count)]
 
     junction, people = story.functional.junction, story.people
     said = max(junction.lanes, default=0)
@@ -70,7 +71,7 @@ def choose_lanes(story: Story) -> None:
     if cost >= SAID:
         broken = [w for w in wishes_of(story.lane_count) if w.weight >= SAID and not w.met(lanes)]
         raise MotionInfeasibleError(
-            f"on a road with {story.lane_count} lane(s) a direction not all can be had: "
+            f"on a road with {story.lane_count} lane(s) a direction, these cannot all be had: "
             + "; ".join(w.words for w in broken[:3]),
             where=broken[0].who[0],
             hint="Say how many lanes the road has, or leave one of these out.",
@@ -207,7 +208,7 @@ def _from_acts(story: Story, count: int) -> list[Wish[int]]:
     return wishes
 
 
-def _from_hazards(story: Story) -> list[Wish[int]]:
+def _from_hazards(story: Story, count: int) -> list[Wish[int]]:
     """Who endangers another from beside is beside it, who does it in line is in its lane."""
     wishes: list[Wish[int]] = []
     runners = story.people
@@ -216,7 +217,10 @@ def _from_hazards(story: Story) -> list[Wish[int]]:
             if not {by, to} <= runners.keys() or by == to:
                 continue
             words = f"{hazard.kind} of {by} to {to}"
-            if runners[by].forward != runners[to].forward:
+            if runners[by].opens:
+                kerb = 1 if left_of_one_way(story.functional, runners[by]) else count
+                wishes.append(Wish((to,), LIKELY, _among(to, frozenset({kerb})), words))
+            elif runners[by].forward != runners[to].forward:
                 if hazard.kind in _OVER_THE_LINE:
                     near = (Wish((n,), LIKELY, _among(n, _INNERMOST), words) for n in (by, to))
                     wishes += near

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import goes_first, let_by
 from scegen.understanding.amounts.sentences import Sentences
@@ -105,6 +105,8 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         kind = _kind(frame.kind, entity, event)
         if kind is None or _stands_then(entity, event):
             continue
+        if kind is ActKind.STOP and not whom and _by_the_rule(scene, text, context):
+            continue
         across = event.name == "cut_in" and text.tokens[event.j - 1].low == "across"
         if across and (entity.maneuvers & _TURNS or _round(context)):
             continue  # "turns right and cuts across a cyclist"
@@ -177,6 +179,20 @@ def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
     if event.name == "return" and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     return kind
+
+
+def _by_the_rule(scene: Clause, text: Sentences, context: Context) -> bool:
+    """``stops at the stop sign``, ``at the line``: there everybody does."""
+    signed = context.junction.control in {Control.STOP, Control.ALL_WAY_STOP}
+    letting = any(s.actors == scene.actors and let_by(s, text.scenes) for s in text.scenes)
+    return (
+        signed
+        and not letting
+        and any(
+            p.kind in {"stop_sign", "stop_line"} or context.tokens[p.j - 1].low == "line"
+            for p in scene.places()
+        )
+    )
 
 
 def _forced(event: Event) -> bool:

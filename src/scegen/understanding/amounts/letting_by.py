@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing
@@ -88,8 +88,9 @@ def _describes(told: Clause, after: list[Clause]) -> bool:
 def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     """``a pedestrian crosses, the ego waits``: whoever comes across its way just before."""
     event = clause.event
-    if not all(e.is_vehicle and not e.parked for e in clause.actors) or event.pps or event.object:
-        return []
+    other = [p for p in event.pps if p.value != "for" or not isinstance(p.target, Thing)]
+    if not all(e.is_vehicle and not e.parked for e in clause.actors) or other or event.object:
+        return []  # "waits for a gap" says no more of whom than "waits"
     before = [s for s in scenes if s.event.i < event.i and event.sentence - s.event.sentence <= 1]
     for told in reversed(before):
         if told.event.negated or told.actors == clause.actors:
@@ -99,7 +100,8 @@ def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
             for p in told.event.pps
         )
         others = [e for e in told.actors if e not in clause.actors]
-        return [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
+        meets = [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
+        return meets or [e for e in others if "opposite" in e.dirs]
     return []
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.draft import Basis, Entity
@@ -15,6 +16,7 @@ from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
 _RUNNING_MPS = 8.0
+_BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 
 def held(number: Measured, text: Sentences, context: Context, found: Happenings) -> bool:
@@ -47,8 +49,8 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
         return False  # "drives 50 km/h … and hits it at 30 km/h": as fast as it then is
     afoot = _afoot(number, context) if not taken else []
     whose = afoot or [e for e in _whose(number, text, context) if e not in taken]
-    outrun = quantity.value.low > _RUNNING_MPS
-    whose = [e for e in whose if not (outrun and e.kind is ParticipantKind.PEDESTRIAN)]
+    near = text.adjacent(number.i - 1)  # "runs across in front of the ego at 50 km/h"
+    whose = [e for e in whose if quantity.value.low <= _fastest_mps(e, near)]
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
@@ -67,6 +69,13 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
             found.further.append(("speed_mps", entity, Basis(*span)))
         taken.append(entity)
     return bool(taken)
+
+
+def _fastest_mps(entity: Entity, near: list[Entity]) -> float:
+    """What it can do; if somebody else stands nearer, what one does by muscle in traffic."""
+    top = BODIES[entity.kind].top_speed_mps
+    own = not near or entity in near or entity.kind not in _BY_MUSCLE
+    return top if own else min(top, _RUNNING_MPS)
 
 
 def _afoot(number: Measured, context: Context) -> list[Entity]:

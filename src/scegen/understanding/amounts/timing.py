@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import AtLight
 from scegen.understanding.amounts.teller import Teller
-from scegen.understanding.chunks import Word
+from scegen.understanding.chunks import Place, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing, Trigger, amount_of, exactly
@@ -14,6 +14,7 @@ from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
 _ANY = frozenset(ActKind)
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
 _GREEN_REACH = 9
+_REACTION_REACH = 4
 _LATER = frozenset({"later", "afterwards", "thereafter", "that"})
 
 
@@ -179,6 +180,10 @@ class Clock(Teller):
         since = self._since(number)
         if since == "start":
             return None, "end"
+        said = {t.low for t in tokens[max(0, number.i - _REACTION_REACH) : number.i]}
+        told = [a for a in self._happenings.acts if a.i < doing.i and a.entity != doing.entity]
+        if "reaction" in said and told:
+            return told[-1], "begin"  # to what the other does
         if since == "after":
             clause = [a for _, a in self._told_in(number.j, end) if a is not doing]
             if clause:
@@ -244,7 +249,10 @@ class Clock(Teller):
         start = max(before.basis.j or before.i, self._text.bounds(doing.i)[0])
         span = self._text.find(words()["then"], start, doing.i)
         forwards = span is not None and self._text.tokens[span[0]].low != "before"
-        return span if forwards else None
+        lane = span is not None and any(
+            isinstance(c, Place) and c.i <= span[0] < c.j for c in self._text.chunks
+        )  # "in the next lane"
+        return span if forwards and not lane else None
 
     def _clauses(self) -> None:
         """``as soon as the lead brakes, the ego changes lanes``."""

@@ -49,6 +49,7 @@ from scegen.understanding.building.viewpoint import settle_positions
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.happenings import Happenings
 from scegen.understanding.meaning.crossed_arms import settle_arms
+from scegen.understanding.meaning.signed_roads import settle_roads
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
@@ -110,6 +111,7 @@ class Builder:
                 settle_ramp(self._draft, ego, junction.auxiliary, beside_ego=beside)
         else:
             alongside(self._draft, ego, self._draft.tokens)
+            settle_roads(self._draft, junction)
         settle_numbers(self._draft, ego, junction)
         self._name(ego)
         groups = some_of(self._draft, self._happenings, junction.kind, self._proofs)

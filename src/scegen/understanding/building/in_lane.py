@@ -56,14 +56,20 @@ def settle_along(draft: Draft, ego: Entity) -> None:
 
 
 def _in_the_same_lane(entity: Entity, ego: Entity) -> None:
-    """``the ego in the right lane … a truck in the right lane``: not beside it."""
-    if entity.start_lane is None or ego.start_lane is None:
+    """``the ego in the right lane … a truck in the right lane``: not beside it.
+
+    Nor is who stands in the right lane, where nobody says in which one the ego drives.
+    """
+    if entity.start_lane is None or entity.approaches != {Approach.ADJACENT}:
         return
-    if entity.start_lane[0] == ego.start_lane[0] and entity.approaches == {Approach.ADJACENT}:
+    same = ego.start_lane is not None and entity.start_lane[0] == ego.start_lane[0]
+    barred = ego.start_lane is None and entity.stands is not None
+    if same or barred:
         entity.beside = None
         basis = entity.start_lane[1]
         entity.approaches = {Approach.AHEAD}
-        entity.approach_basis = Basis(basis.i, basis.j, "in the lane of the ego")
+        reason = "in the lane of the ego" if same else "who stands in the lane is ahead"
+        entity.approach_basis = Basis(basis.i, basis.j, reason)
 
 
 def beside_of(entity: Entity) -> Approach | None:

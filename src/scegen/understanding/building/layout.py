@@ -7,11 +7,8 @@ from itertools import pairwise
 from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, MAX_LANES, Junction
 from scegen.scenario.roadway import (
-    NOT_BESIDE_A_SHOULDER,
-    PLAIN_ROAD_STRIPS,
     AuxiliaryLane,
     Carriageway,
-    Strip,
 )
 from scegen.scenario.vocabulary import (
     Approach,
@@ -23,6 +20,7 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.ramps import auxiliary_lane
+from scegen.understanding.building.strips import AT_JUNCTIONS, strips_beside
 from scegen.understanding.draft import Basis, Draft
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.junctions import JunctionReading
@@ -35,13 +33,9 @@ _RING_LANES = 2
 _RING_OF_TWO = "a roundabout's ring has 2 lanes at most, and has 2 here"
 _FEWER_LANES = "at junctions at most 3 lanes a direction are built; as many as it takes"
 _NO_LIGHT_HERE = "lights stand at intersections only: this is read as one, with four ways"
-_AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
 _DRIVEN_OVER = "no median is built where somebody meets the oncoming, or a direction has one lane"
 _NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
 _NO_LANE_SO_LONG = "no such lane is built here, so it has no length"
-_INNER_SHOULDER = "no shoulder is built along the median; here it is on the outer one"
-_NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
-_BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
 _AT_ARMS_END = "at a junction, crosswalks lie at the ends of the arms that somebody crosses"
 _NOT_AT_RAMPS = "no crosswalk is built beside a ramp or a lane that ends"
 _FEWEST_TO_NAME = 2
@@ -99,7 +93,7 @@ class Layout:
             self._proofs.add("junction.lane_width_m", self._around.lane_width_basis)
         self._proofs.add("junction.driving_side", self._around.side_basis, "right-hand traffic")
         carriageway = self._carriageway(kind, lanes)
-        strips = self._strips(kind, carriageway)
+        strips = strips_beside(self._draft, self._along, self._proofs, kind, carriageway)
         return Junction(
             carriageway=carriageway,
             strips=strips,
@@ -142,7 +136,7 @@ class Layout:
             return Carriageway.UNDIVIDED
         if kind is not JunctionKind.STRAIGHT:
             if self._along.median or not self._along.presumed:
-                self._note(basis, _AT_JUNCTIONS)
+                self._note(basis, AT_JUNCTIONS)
             return Carriageway.UNDIVIDED
         narrow = lanes[:1] == (1,) or self._around.two_lane is not None
         if self._along.presumed and (narrow or self._meets_the_oncoming()):
@@ -156,12 +150,6 @@ class Layout:
     def _note(self, basis: Basis, instead: str) -> None:
         if basis.i is not None and basis.j is not None:
             self._draft.note(basis.i, basis.j, instead)
-
-    def _anybody_on_it(self) -> bool:
-        return any(
-            e.parked or e.was_parked is not None or e.strip is not None
-            for e in self._draft.entities
-        )
 
     def _meets_the_oncoming(self) -> bool:
         """Whether somebody comes towards another, or turns back, so that no median can be there."""
@@ -211,43 +199,10 @@ class Layout:
         if self._along.bend is None or basis is None:
             return None
         if kind is not JunctionKind.STRAIGHT or angles:
-            self._note(basis, _AT_JUNCTIONS)
+            self._note(basis, AT_JUNCTIONS)
             return None
         self._proofs.add("junction.bend", basis)
         return self._along.bend
-
-    def _strips(self, kind: JunctionKind, carriageway: Carriageway) -> frozenset[Strip]:
-        """What lies beside the lanes; a motorway's hard shoulder only where it is one."""
-        found = set()
-        for strip, basis in self._along.strips.items():
-            of_road = basis == self._along.carriageway_basis
-            if kind is not JunctionKind.STRAIGHT:
-                if not of_road:
-                    self._note(basis, _AT_JUNCTIONS)
-            elif not of_road or carriageway is Carriageway.DIVIDED:
-                if strip is Strip.HARD_SHOULDER and not of_road and not self._anybody_on_it():
-                    self._note(basis, _NOBODY_DRIVES)
-                self._proofs.add("junction.strips", basis)
-                found.add(strip)
-        for entity in self._draft.entities:
-            strip_, basis_ = entity.strip or (None, None)
-            if strip_ is None or basis_ is None or Maneuver.CROSS in entity.maneuvers:
-                entity.strip = None
-                continue
-            plain = kind is JunctionKind.STRAIGHT
-            built = plain or (entity.parked and strip_ not in PLAIN_ROAD_STRIPS)
-            beside = Strip.HARD_SHOULDER in found and strip_ in NOT_BESIDE_A_SHOULDER
-            kerb, sides = Approach(self._draft.kerb), {Approach.LEFT, Approach.RIGHT}
-            if strip_ is Strip.HARD_SHOULDER and entity.approaches & sides == sides - {kerb}:
-                self._note(basis_, _INNER_SHOULDER)
-                entity.approaches = {kerb}
-            if built and not beside:
-                self._proofs.add("junction.strips", basis_)
-                found.add(strip_)
-            elif strip_ not in found:
-                entity.strip = None
-                self._note(basis_, _BESIDE_A_SHOULDER if beside else _AT_JUNCTIONS)
-        return frozenset(found)
 
     def _kind(self) -> tuple[JunctionKind, Basis | None]:
         reading = self._reading

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
@@ -10,6 +10,7 @@ from scegen.understanding.words.terms import Term
 _QUALITIES = frozenset({"colour", "quality"})
 _PLACES = {
     "ramp": "ramps are built where somebody joins or leaves by them; here the plain road is",
+    "exit": "exits of a road are built where somebody leaves by one; here the plain road is",
     "bus_stop": "bus stops are built only where somebody stands at one",
     "feature": "this shape of road is not built; a level, plain road is",
     "parking": "bays are built only where somebody is parked; this one is not",
@@ -17,12 +18,13 @@ _PLACES = {
 ONE_RAMP = "one ramp, or lane that ends, is built; this other one is left out"
 _NOT_DRIVEN_OVER = "nobody is driven over one; who comes over it is on this side from the start"
 _NOBODY_THERE = "nobody is put on a median; where they are is left open"
+_ONE_LANE = "nobody is shared out among lanes: those told of together are in one"
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
 
 
-def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
-    """Adds a note for everything that is not expressed."""
+def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bool) -> None:
+    """Adds a note for everything that is not expressed; at a ``crossing`` exits are its arms."""
     known = {c.label_at for c in chunks if isinstance(c, Mention)}
     events = (c for c in chunks if isinstance(c, Event) and c.name != "unknown")
     known |= {i for event in events for i in range(event.i, event.j)}
@@ -41,14 +43,27 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk]) -> None:
         if term.cat in {"noted", "place"} and "instead" in term.data:
             if not _tells_of_a_call(draft, term):
                 draft.note(term.i, term.j, term.data["instead"])
-        elif term.cat == "place" and term.value in _PLACES and not _used(draft, term):
+        elif term.cat == "place" and term.value in _PLACES and not _used(draft, term, crossing):
             draft.note(term.i, term.j, _PLACES[term.value])
         elif term.cat == "manner" and term.value == "aggressive":
             draft.note(term.i, term.j, "the manner of driving is not modelled; what is done is")
     for chunk in chunks:
         if isinstance(chunk, Mention):
             _mention(draft, chunk)
+    _several_lanes(draft, chunks)
     del draft.notes[_MOST_NOTES:]
+
+
+def _several_lanes(draft: Draft, chunks: list[Chunk]) -> None:
+    """``two lanes of stopped cars``, ``in both lanes``."""
+    for k, place in enumerate(chunks):
+        if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
+            continue
+        words = {t.low for t in draft.tokens[place.i : place.j]}
+        of, who = [*chunks[k + 1 : k + 3], None, None][:2]
+        filled = isinstance(of, Word) and of.value == "of" and isinstance(who, Mention)
+        if place.head.form == "s" and (filled or words & {"both", "all", "every"}):
+            draft.note(place.i, place.j, _ONE_LANE)
 
 
 def _gone_over(draft: Draft, median: Term) -> bool:
@@ -64,9 +79,11 @@ def _tells_of_a_call(draft: Draft, term: Term) -> bool:
     return "on_call" in term.data and any((b.i or 0) <= term.i for b in calls)
 
 
-def _used(draft: Draft, term: Term) -> bool:
+def _used(draft: Draft, term: Term, crossing: bool) -> bool:
     """Whether it is built: a ramp by which somebody comes or leaves, a bay where one stands."""
-    if term.value == "ramp":
+    if crossing and term.value == "exit":
+        return True
+    if term.value in {"ramp", "exit"}:
         users = (basis for e in draft.entities for basis in (e.by_ramp, e.exits))
         return any(basis is not None for basis in users)
     strips = (e.strip[1] for e in draft.entities if e.strip is not None)

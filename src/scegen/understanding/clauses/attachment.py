@@ -270,7 +270,9 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
         m += 1
     target = chunks[m] if m < len(chunks) else None
     placed = isinstance(target, Place) and (
-        target.kind in _SIDES or any(t.cat == "compass" for t in target.mods)
+        target.kind in _SIDES
+        or (target.kind == "road" and "opposite" in target.dirs)
+        or any(t.cat == "compass" for t in target.mods)
     )
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None

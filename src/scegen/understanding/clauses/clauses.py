@@ -29,7 +29,7 @@ from scegen.understanding.phrases.lookahead import (
 from scegen.understanding.words.terms import Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
-LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side"})
+LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side", "bus_stop"})
 
 
 class ClauseReader:

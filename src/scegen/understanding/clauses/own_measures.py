@@ -8,6 +8,7 @@ from scegen.understanding.words.tokens import Token
 
 _LINKS = frozenset({"of", "be", "speed", "mild", ":"})
 _FARTHEST = 6
+_FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 
 
 def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -68,12 +69,21 @@ def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
 
 
 def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | None:
-    """``waits for a van at 50 km/h``: the van's, for who waits has no speed."""
+    """``waits for a van at 50 km/h``, ``backs out in front of a van at 50 km/h``: the van's.
+
+    Who waits has no speed, and who sets off has none yet.
+    """
     who, at = (chunks[m] if m >= 0 else None for m in (k - 2, k - 1))
-    waits = any(e.name in {"wait", "yield"} for e in holders)
     said = isinstance(at, Word) and at.cat == "prep"
-    governed = isinstance(who, Mention) and who.prep is not None and not who.possessor
-    return who if waits and said and governed and isinstance(who, Mention) else None
+    if not said or not isinstance(who, Mention) or who.possessor:
+        return None
+    waits = who.prep is not None and any(e.name in {"wait", "yield"} for e in holders)
+    front = any(
+        e.name in _FROM_REST and p.value == "ahead" and p.target is who
+        for e in holders
+        for p in e.pps
+    )
+    return who if waits or front else None
 
 
 def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:

@@ -1,13 +1,16 @@
-"""People where they stand or come from, of whom no verb says that they cross."""
+"""People where they stand or come from, of whom no verb says that they cross; who runs."""
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.context import Context
+from scegen.understanding.semantics.context import Clause, Context
 
+_RUNNING = Interval(low=2.2, high=3.8)
+"""From Euro NCAP's running adult (8 km/h, AEB VRU protocol) up; the upper end is our own."""
 _WAY = frozenset({"crosswalk", "road", "lane", "path", "highway"})
 
 
@@ -29,6 +32,22 @@ def on_the_road(mention: Mention, context: Context) -> None:
                 context.draft.hazard(HazardKind.CROSSING_PEDESTRIAN, basis, walkers)
             if cyclists and place.kind == "crosswalk":
                 context.draft.hazard(HazardKind.CROSSING_CYCLIST, basis, cyclists)
+
+
+def note_runners(clauses: list[Clause]) -> None:
+    """``a child runs into the road``: faster than who walks, if nothing says how fast.
+
+    Args:
+        clauses: what happens, amounts read.
+    """
+    for clause in clauses:
+        event = clause.event
+        if event.lemma not in word_list("running") or event.negated or event.modal:
+            continue
+        for entity in clause.actors:
+            if entity.kind is ParticipantKind.PEDESTRIAN and entity.speed is None:
+                entity.speed = _RUNNING
+                entity.speed_basis = Basis(event.i, event.j, "as fast as people run")
 
 
 def comes_from_the_side(mention: Mention, context: Context) -> None:

@@ -50,7 +50,9 @@ class Lanes:
             steady: it is where they are, not where they get to.
             basis: its words.
         """
-        named = _lane_of(lane) if "adjacent" not in lane.dirs and steady else None
+        # "in the lane to its right": which one that is, depends on whose it is
+        after = lane.head is not None and any(m.i > lane.head.i for m in lane.mods)
+        named = _lane_of(lane) if "adjacent" not in lane.dirs and steady and not after else None
         for entity in entities if named is not None else []:
             implied = self._draft.lanes_implied
             reason = "one of several lanes is named"

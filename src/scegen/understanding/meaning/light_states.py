@@ -89,7 +89,12 @@ def _answer(change: Clause, clauses: list[Clause], context: Context) -> None:
                 _note(entity, light, _joined(change, clause), context)
             return
     for entity in whose if colour is AtLight.GREEN else []:
-        _note(entity, AtLight.GREEN, change.words, context)
+        _note(entity, AtLight.WAITS if entity.held else AtLight.GREEN, change.words, context)
+    coming = [c for c in clauses if c.event.name == "approach" and not c.event.negated]
+    for clause in coming if colour is AtLight.RED else []:  # who keeps the rules stops there
+        if clause.event.sentence == event.sentence and _link(clause, change, context) != "after":
+            for entity in clause.drivers:
+                _note(entity, AtLight.STOPS, _joined(change, clause), context)
 
 
 def _link(clause: Clause, change: Clause, context: Context) -> str | None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.bodies import BODIES
+from scegen.scenario.vocabulary import ON_FOOT, Approach, HazardKind, ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.clauses import bearing
 from scegen.understanding.draft import Basis, Entity
@@ -26,6 +27,7 @@ from scegen.understanding.meaning import (
     screen_sides,
     screens,
     side_roads,
+    signed_roads,
     standing,
 )
 from scegen.understanding.meaning.light_states import read_states
@@ -52,7 +54,8 @@ _BY_MANNER = {
     "out_of_control": HazardKind.LOSS_OF_CONTROL,
 }
 _RUNNING_MPS = 8.0
-"""What nobody on foot outruns in traffic; a number above it is somebody else's."""
+"""What nobody on foot or on a bicycle outruns in traffic."""
+_BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
@@ -146,6 +149,7 @@ class Interpreter:
         breaches.subsume(self._context)
         courses.circulate(chunks, self._clauses, self._context)
         on_strips.on_strips(chunks, self._clauses, self._context)
+        signed_roads.note_roads(chunks, self._clauses, self._context)
         sides_left(chunks, self._context)
         crossed_arms.note_arms(chunks, self._clauses, self._context)
         return self._clauses
@@ -189,15 +193,20 @@ class Interpreter:
         elif term.cat == "state":
             standing.state(term, entities, self._context)
 
-    def _quantity(self, term: Term, entities: list[Entity], verb: str = "") -> None:
+    def _quantity(
+        self, term: Term, entities: list[Entity], verb: str = "", *, others: bool = False
+    ) -> None:
+        """A speed of some; it may be ``others``, if it stands right after somebody else."""
         quantity = term.data["quantity"]
         if quantity is None or any(term is r for r in self._of_the_road):
             return
         if self._numbers.measured(quantity, verb).frame.role != "speed":
             return
         for entity in entities:
-            outrun = entity.kind is ParticipantKind.PEDESTRIAN
-            outrun = outrun and quantity.value.low > _RUNNING_MPS
+            fastest = BODIES[entity.kind].top_speed_mps
+            if others and entity.kind in _BY_MUSCLE:
+                fastest = min(fastest, _RUNNING_MPS)
+            outrun = quantity.value.low > fastest
             if not entity.parked and entity.speed is None and not outrun:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
@@ -308,7 +317,11 @@ class Interpreter:
         event = clause.event
         for term in event.mods:
             if term.cat == "quantity" and not self._of_another_clause(event, term):
-                self._quantity(term, clause.actors, event.name)
+                after = any(
+                    p.value == "ahead" and p.target is not None and p.target.j + 1 == term.i
+                    for p in event.pps
+                )  # "runs across in front of the ego at 50 km/h"
+                self._quantity(term, clause.actors, event.name, others=after)
             elif term.cat == "compass":
                 self._placer.heading(term, clause.actors)
             elif term.cat == "dir" and term.value == "opposite" and event.name in _TRAVEL:

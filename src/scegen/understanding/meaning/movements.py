@@ -12,6 +12,8 @@ from scegen.understanding.semantics import ways
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 
+_BETWEEN_LANES = "nobody drives between two lanes here, only in one"
+
 
 def overtake(clause: Clause, context: Context) -> None:
     """Overtaking, or passing something that stands in the lane."""
@@ -25,6 +27,8 @@ def overtake(clause: Clause, context: Context) -> None:
             return
     dodges = isinstance(event.object, Thing) and any(context.oncoming(e) for e in clause.drivers)
     if event.name == "bypass" and (isinstance(event.object, Place) or dodges):
+        if isinstance(event.object, Place) and event.object.kind == "lane":
+            context.draft.note(event.i, event.object.j, _BETWEEN_LANES)
         return  # "an oncoming moped swerves round a pothole"
     if not ways.overtaking(clause, context) or ways.past_the_roadside(clause, context):
         say("movements.move", clause, context)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.scenario.roadway import BAYS, Strip
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Place, Prep
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.lexicon import word_list
@@ -40,9 +40,25 @@ def on_strips(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
         if event.name in _ARRIVING and not (parked or any(map(_stands, clause.actors))):
             continue  # "pulls up at a stop": not there at first
         _put(context, own, clause.actors)
+        if isinstance(event.object, Place) and _roadside(event.object, event.pps):
+            for entity in clause.walkers:  # "runs along the right edge of the road"
+                entity.roadside = entity.roadside or Basis(event.i, event.object.j)
         left = event.object if event.name == "leave" else None
         for place, basis in _strip_of(left):
             _leaves(context, clause.actors, place, basis)
+    _behind_on_it(context)
+
+
+def _behind_on_it(context: Context) -> None:
+    """``a van is parked on the cycle lane; a cyclist swerves around it``: there, too."""
+    for placed in context.draft.placements:
+        ahead, behind = placed.entity, placed.reference
+        if ahead.strip is None or behind is None or placed.approaches != {Approach.AHEAD}:
+            continue
+        strip, basis = ahead.strip
+        rides = strip is Strip.CYCLE_LANE and behind.kind is ParticipantKind.BICYCLE
+        if rides and behind.start_lane is None:
+            _is_on(context, behind, strip, Basis(basis.i, basis.j, "it gets past who is there"))
 
 
 def _put(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
@@ -58,6 +74,9 @@ def _put(context: Context, preps: list[Prep], whom: list[Entity]) -> None:
             if at:
                 for entity in whom:
                     _is_on(context, entity, strip, there)
+                    if not entity.is_vehicle and target is not None:
+                        sides = {Approach(d) for d in target.dirs if d in {"left", "right"}}
+                        context.draft.place(entity, None, sides, there)
             elif prep.value == "from" or prep.outer is not None or _out_of(prep, context):
                 _leaves(context, whom, strip, there)
 
@@ -107,8 +126,6 @@ def _leaves(context: Context, whom: list[Entity], strip: Strip, basis: Basis) ->
 def _is_on(context: Context, entity: Entity, strip: Strip, basis: Basis) -> None:
     if entity.ego or entity.strip is not None:
         return
-    if not entity.is_vehicle and strip is Strip.BUS_STOP:
-        strip = Strip.PAVEMENT  # who waits at a stop
     entity.strip = strip, basis
     if not entity.is_vehicle:
         return

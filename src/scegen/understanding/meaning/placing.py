@@ -208,7 +208,7 @@ class Placer:
         event: Event | None,
         basis: Basis,
     ) -> None:
-        facing = target.kind in {"direction", "side"} and "opposite" in target.dirs
+        facing = target.kind in {"direction", "side", "road"} and "opposite" in target.dirs
         allowed = _STEADY | ({"cross", "turn"} if facing else {"cross"})
         steady = event is None or event.name in allowed
         if (prep.value == "in" and not steady) or from_the_wrong_lane(prep, event):

@@ -25,8 +25,15 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
             members = [e for m in chain(chunk) for e in m.entities]
             _behind_each_other(chunk.mods, members, draft)
     for event in events:
-        _behind_each_other(event.mods, [e for m in event.subject for e in m.entities], draft)
+        if not any(map(_from_a_side, event.subject)):  # they arrive so, on roads of their own
+            _behind_each_other(event.mods, [e for m in event.subject for e in m.entities], draft)
     _queue_of_the_numbered(chunks, events, draft)
+
+
+def _from_a_side(mention: Mention) -> bool:
+    """``a van from the left``, ``cars from different directions``."""
+    whence = (p.target for p in mention.pps if p.value == "from")
+    return any(isinstance(w, Place) and w.kind in {"side", "direction"} for w in whence)
 
 
 def _queue_of_the_numbered(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:

@@ -89,6 +89,8 @@ def _from_access(place: Place, clause: Clause, context: Context) -> None:
     """``backs out of a driveway on the right``: it comes from there."""
     sides = {Approach(d) for d in place.dirs if d in {"left", "right"}}
     goal = any(p.target is place and p.value in {"to", "into"} for p in clause.event.pps)
+    if place.kind == "parking" and clause.event.name == "reverse":
+        sides = sides or {Approach(context.draft.kerb)}  # "backs out of a bay"
     if sides and not goal:
         for entity in clause.actors:
             context.draft.place(entity, None, sides, Basis(place.i, place.j))

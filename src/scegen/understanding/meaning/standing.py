@@ -69,13 +69,7 @@ def stand(clause: Clause, context: Context) -> None:
         return
     actors = _comes_to_rest(clause.actors, clause.words)
     if any(p.kind in _ROADSIDE for p in places):
-        beside = [e for e in actors if e.is_vehicle and not e.ego and e.sets_off < 0]
-        for entity in beside:
-            entity.parked, entity.parked_basis = True, clause.words
-        context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
-            d for d in context.draft.dangers
-            if d.kind is not HazardKind.STOPPING or not d.by or not all(e in beside for e in d.by)
-        ]  # fmt: skip
+        _beside_the_lanes(actors, clause, context)
     if any(p.kind in _HELD for p in places):
         return
     _stand_in_the_lane(actors, clause)
@@ -83,6 +77,20 @@ def stand(clause: Clause, context: Context) -> None:
         walks = not entity.is_vehicle and not entity.parked
         if walks and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
+
+
+def _beside_the_lanes(actors: list[Entity], clause: Clause, context: Context) -> None:
+    """``stands on the shoulder``, ``… and pulls out``: parked, all the time or at first."""
+    others = [e for e in actors if e.is_vehicle and not e.ego]
+    beside = [e for e in others if e.sets_off < clause.event.i]
+    for entity in beside:
+        entity.parked, entity.parked_basis = True, clause.words
+    for entity in [e for e in others if e not in beside]:
+        entity.was_parked, entity.pulls_out = entity.was_parked or clause.words, True
+    context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
+        d for d in context.draft.dangers
+        if d.kind is not HazardKind.STOPPING or not d.by or not all(e in beside for e in d.by)
+    ]  # fmt: skip
 
 
 def _until_it_goes(clause: Clause) -> None:

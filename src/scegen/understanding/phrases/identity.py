@@ -10,6 +10,7 @@ _ENDS = frozenset({",", ".", ";", ")"})
 
 def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with every second name of somebody in brackets of its own."""
+    _counted_after(chunks)
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
@@ -22,6 +23,19 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
             found.append(chunks[k])
             k += 1
     return found
+
+
+def _counted_after(chunks: list[Chunk]) -> None:
+    """``oncoming traffic: three cars come``: who the traffic is."""
+    for who, mark, again in zip(chunks, chunks[1:], chunks[2:], strict=False):
+        colon = isinstance(mark, Word) and mark.value == ":"
+        if not (colon and isinstance(who, Mention) and isinstance(again, Mention)):
+            continue
+        number = again.mod("num")
+        mass = who.head is not None and "mass" in who.head.data and who.mod("num") is None
+        if mass and number is not None and again.head is not None:
+            who.mods.append(number)
+            who.heads, who.head, again.same_as = again.heads, again.head, who
 
 
 def _names(chunks: list[Chunk], k: int) -> tuple[list[Mention], int]:

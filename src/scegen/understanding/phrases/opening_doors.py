@@ -137,7 +137,7 @@ def _opens(i: int, tokens: list[Token]) -> int | None:
 def _stands(after: list[Chunk]) -> bool:
     """``a van is parked``, ``a van stands``: what the verb after somebody says."""
     verb = next((c for c in after if not isinstance(c, Word)), None)
-    return isinstance(verb, Event) and verb.name in {"park", "wait", "locate"}
+    return isinstance(verb, Event) and verb.name in {"park", "wait", "locate", "stop", "pull_over"}
 
 
 def _ego(mention: Mention) -> bool:

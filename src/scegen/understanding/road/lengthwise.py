@@ -25,6 +25,7 @@ class Lengthwise:
         presumed: those words only make it likely ("a highway").
         median: those words name a median.
         strips: what lies beside its lanes, with the words for it.
+        without: strips that the text says are not there, with the words for it.
         bend: the bend that is driven.
         bend_basis: the words for it.
         auxiliary: a ramp, or a lane that ends.
@@ -37,6 +38,7 @@ class Lengthwise:
     presumed: bool = False
     median: bool = False
     strips: dict[Strip, Basis] = field(default_factory=dict)
+    without: dict[Strip, Basis] = field(default_factory=dict)
     bend: Bend | None = None
     bend_basis: Basis | None = None
     auxiliary: AuxiliaryLane | None = None
@@ -48,9 +50,13 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
     """What the words for roads say of their length."""
     found = Lengthwise()
     for k, term in enumerate(terms):
-        if term.cat != "place" or absent.negated(terms, k):
+        if term.cat != "place":
             continue
         basis = Basis(term.i, term.j)
+        if absent.negated(terms, k):
+            if "strip" in term.data:
+                found.without.setdefault(Strip(term.data["strip"]), basis)
+            continue
         presumed = bool(term.data.get("presumed"))
         known = found.carriageway is not None and (presumed or not found.presumed)
         if "carriageway" in term.data and not known:

@@ -32,8 +32,15 @@ def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
             found.pop()
         start = opener.i if opener is not None else terms[k].i
         definite = opener is not None and (opener.cat == "possessive" or opener.value == "def")
+        if terms[k + 2].cat == "num":  # "a jam of six cars" tells what the six do
+            if terms[k].data.get("stands") and _stands(terms[k + 2 :]):
+                found.append(Term("state", "stationary", start, merged))
+            k += 2
+            continue
         kind = ("det", "def") if definite else ("quant", "vague")
         told = [t for t in described if t.cat in _TOLD]  # "a slow convoy of lorries" is slow
+        if terms[k].data.get("stands"):  # "a jam of lorries"
+            told.append(Term("state", "stationary", terms[k].i, terms[k].j))
         found.append(Term(*kind, start, told[0].i if told else merged))
         found += told[:-1] + ([replace(told[-1], j=merged)] if told else [])
         k += 2
@@ -45,14 +52,22 @@ def _gathered(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     term = terms[k]
     of = terms[k + 1] if k + 1 < len(terms) else None
     noun = tokens[term.j - 1].forms[-1][0] in word_list("gathering") and term.j - term.i == 1
-    if not noun or term.cat in {"verb", "quant"} or of is None or of.value != "of":
+    counted = k + 2 < len(terms) and terms[k + 2].cat == "num"
+    jam = bool(term.data.get("stands")) or (counted and "mass" in term.data)
+    if not (noun or jam) or term.cat in {"verb", "quant"} or of is None or of.value != "of":
         return None
     for after in terms[k + 2 : k + 2 + _MOST_ADJECTIVES]:
         if after.cat == "actor":
             return of.j
-        if after.cat not in {*_DESCRIBING, "dir", "quant"}:
+        if after.cat not in {*_DESCRIBING, "dir", "quant", *(["num"] if jam else [])}:
             return None
     return None
+
+
+def _stands(after: list[Term]) -> bool:
+    """Whether the next verb lets a jam stand: "a jam of six cars crawls" does not."""
+    verb = next((t for t in after if t.cat in {"verb", "punct"}), None)
+    return verb is None or verb.value not in {"crawl", "move", "slow"}
 
 
 def _adjective(term: Term, tokens: list[Token]) -> bool:

@@ -1,0 +1,87 @@
+"""What lies beside the lanes, as said, as is usual on such a road, or as somebody stands there."""
+
+from __future__ import annotations
+
+from scegen.scenario.roadway import NOT_BESIDE_A_SHOULDER, PLAIN_ROAD_STRIPS, Carriageway, Strip
+from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.understanding.building.proving import Proofs
+from scegen.understanding.draft import Basis, Draft
+from scegen.understanding.road.lengthwise import Lengthwise
+
+AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
+_INNER_SHOULDER = "no shoulder is built along the median; here it is on the outer one"
+_NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
+_BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
+
+
+def strips_beside(
+    draft: Draft, along: Lengthwise, proofs: Proofs, kind: JunctionKind, carriageway: Carriageway
+) -> frozenset[Strip]:
+    """The strips of the road; a motorway's hard shoulder only where it is one.
+
+    Args:
+        draft: the scenario in the making; who is on a strip that is not built is taken off it.
+        along: what the words say of the road along its length.
+        proofs: where the evidence goes.
+        kind: the shape of the road.
+        carriageway: how its directions lie to each other.
+    """
+    found: set[Strip] = set()
+    for strip, basis in along.strips.items():
+        of_road = basis == along.carriageway_basis
+        if strip in along.without:
+            proofs.add("junction.strips", along.without[strip])
+        elif kind is not JunctionKind.STRAIGHT:
+            _note(draft, None if of_road else basis, AT_JUNCTIONS)
+        elif not of_road or carriageway is Carriageway.DIVIDED:
+            if strip is Strip.HARD_SHOULDER and not of_road and not _anybody_on_it(draft):
+                _note(draft, basis, _NOBODY_DRIVES)
+            proofs.add("junction.strips", basis)
+            found.add(strip)
+    found |= _stops(draft, proofs, kind)
+    _where_somebody_is(draft, proofs, kind, found)
+    return frozenset(found)
+
+
+def _stops(draft: Draft, proofs: Proofs, kind: JunctionKind) -> set[Strip]:
+    """Who waits at a bus stop on foot does so behind it, on the pavement."""
+    found: set[Strip] = set()
+    for entity in draft.entities:
+        strip, basis = entity.strip or (None, None)
+        if strip is Strip.BUS_STOP and basis is not None and not entity.is_vehicle:
+            entity.strip = Strip.PAVEMENT, basis
+            if kind is JunctionKind.STRAIGHT:
+                proofs.add("junction.strips", basis)
+                found.add(strip)
+    return found
+
+
+def _where_somebody_is(draft: Draft, proofs: Proofs, kind: JunctionKind, found: set[Strip]) -> None:
+    """Adds the strips on which somebody is at first; who crosses starts behind them all."""
+    kerb, sides = Approach(draft.kerb), {Approach.LEFT, Approach.RIGHT}
+    for entity in draft.entities:
+        strip, basis = entity.strip or (None, None)
+        if strip is None or basis is None or Maneuver.CROSS in entity.maneuvers:
+            entity.strip = None
+            continue
+        plain = kind is JunctionKind.STRAIGHT
+        built = plain or (entity.parked and strip not in PLAIN_ROAD_STRIPS)
+        beside = Strip.HARD_SHOULDER in found and strip in NOT_BESIDE_A_SHOULDER
+        if strip is Strip.HARD_SHOULDER and entity.approaches & sides == sides - {kerb}:
+            _note(draft, basis, _INNER_SHOULDER)
+            entity.approaches = {kerb}
+        if built and not beside:
+            proofs.add("junction.strips", basis)
+            found.add(strip)
+        elif strip not in found:
+            entity.strip = None
+            _note(draft, basis, _BESIDE_A_SHOULDER if beside else AT_JUNCTIONS)
+
+
+def _anybody_on_it(draft: Draft) -> bool:
+    return any(e.parked or e.was_parked is not None or e.strip is not None for e in draft.entities)
+
+
+def _note(draft: Draft, basis: Basis | None, instead: str) -> None:
+    if basis is not None and basis.i is not None and basis.j is not None:
+        draft.note(basis.i, basis.j, instead)
