@@ -48,9 +48,7 @@ class Judge(Teller):
         parent = event.parent
         held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"}
         held_off = held_off and parent is not None and not parent.negated  # "cannot avoid hitting"
-        if event.name == "overlook":
-            kind = OutcomeKind.NEAR_MISS
-        elif nearly is not None:
+        if nearly is not None:
             kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
         elif event.negated or held_off or self._before_it(event) or self._of_nobody(event):
             kind = OutcomeKind.AVOIDED

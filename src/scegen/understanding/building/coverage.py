@@ -46,7 +46,9 @@ def unattached(
     ]
     spans += [(u.start, u.end) for u in scenario.unsupported]
     named = [(e.start, e.end) for e in scenario.evidence if e.start is not None]
-    found = list(scenario.unsupported)
+    ends = [(e.start, e.end) for e in scenario.evidence if e.field == "outcome.kind"]
+    told = [(a, b) for a, b in ends if a is not None and b is not None]  # "misses" denies no seeing
+    found = [u for u in scenario.unsupported if not any(a <= u.start < b for a, b in told)]
     for before, term in zip([None, *terms], terms, strict=False):
         start, end = tokens[term.i].start, tokens[term.j - 1].end
         cat = "dir" if (term.cat, term.value) == _PORTION else term.cat
