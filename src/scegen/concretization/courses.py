@@ -24,11 +24,39 @@ _SAME_MPS = 1e-3
 class Course:
     """When a lone vehicle that starts at the outer end of its path is where, at which speed."""
 
-    time_s: Array
-    s_m: Array
-    speed_mps: Array
     phases: tuple[SpeedChange, ...]
     profile: Profile
+    length_m: float
+
+    @property
+    def time_s(self) -> Array:
+        """Times, about as far apart as a step."""
+        return self._sampled[0]
+
+    @property
+    def s_m(self) -> Array:
+        """Where it is then."""
+        return self._sampled[1]
+
+    @property
+    def speed_mps(self) -> Array:
+        """How fast it is then."""
+        return self._sampled[2]
+
+    @cached_property
+    def _sampled(self) -> tuple[Array, Array, Array]:
+        """Worked out where it is asked for: many a course is only tried by its phases."""
+        profile = self.profile
+        ends = min(profile.time_s(self.length_m), _LONGEST_S)
+        if profile.time_s(self.length_m) >= NEVER_S:
+            ends = min(profile.times_s[-1], _LONGEST_S)
+        count = max(2, int(np.ceil(ends / STEP_S)) + 1)
+        edges = [time for time in profile.times_s if time < ends]
+        times = np.unique(np.concatenate([np.linspace(0.0, max(ends, STEP_S), count), edges]))
+        places, speeds = profile.at_times(times)
+        # Strictly rising places, so that the time at a place is the first one.
+        first = np.concatenate(([True], np.diff(places) > 1e-9))
+        return times[first], places[first], speeds[first]
 
     def time_at(self, s_m: float) -> float:
         """When it first reaches ``s_m``; before its start and behind its end at steady speed."""
@@ -173,18 +201,4 @@ def course_of(marks: Sequence[SpeedChange], speed_mps: float, length_m: float) -
         (placed if mark.then_s is None else chained).remove(mark)
         drive.fire(mark, time_s)
         acted |= mark.sort is Sort.ACT
-    return _sampled(drive, length_m)
-
-
-def _sampled(drive: _Driving, length_m: float) -> Course:
-    profile = drive.profile
-    ends = min(profile.time_s(length_m), _LONGEST_S)
-    if profile.time_s(length_m) >= NEVER_S:
-        ends = min(profile.times_s[-1], _LONGEST_S)
-    count = max(2, int(np.ceil(ends / STEP_S)) + 1)
-    edges = [time for time in profile.times_s if time < ends]
-    times = np.unique(np.concatenate([np.linspace(0.0, max(ends, STEP_S), count), edges]))
-    places, speeds = profile.at_times(times)
-    # Strictly rising places, so that the time at a place is the first one.
-    first = np.concatenate(([True], np.diff(places) > 1e-9))
-    return Course(times[first], places[first], speeds[first], tuple(drive.phases), profile)
+    return Course(tuple(drive.phases), drive.profile, length_m)

@@ -302,6 +302,22 @@ def merge_point(
 
 
 @kernel
+def least_gap_m(x: Floats, y: Floats, fx: Floats, fy: Floats) -> float:
+    """The distance of the point that is nearest to one of a line."""
+    step_m = _longest_step_m(fx, fy)
+    least, gap = np.inf, np.inf
+    for n in range(x.shape[0]):
+        m = 0
+        while m < fx.shape[0]:
+            dx, dy = x[n] - fx[m], y[n] - fy[m]
+            squared = dx * dx + dy * dy
+            if squared < least:
+                least, gap = squared, np.hypot(dx, dy)
+            m += _on_to(squared, least, step_m)
+    return float(gap)
+
+
+@kernel
 def nearest_points(
     x: Floats, y: Floats, fx: Floats, fy: Floats, within_m: float
 ) -> tuple[Ints, Floats]:

@@ -20,8 +20,9 @@ from scegen.motion.batch.touching import Box
 
 _FINE_S, _COARSE_S = 0.05, 0.4
 _FINE_STEPS = round(_COARSE_S / _FINE_S)
-_COARSE_M = 14.0
-"""Two cars approach each other by less than this in half a coarse step."""
+_CLOSING_MPS = 70.0
+"""Two cars approach each other by less than this."""
+_COARSE_M = _CLOSING_MPS * _COARSE_S / 2
 
 
 class Timetable(NamedTuple):
@@ -70,19 +71,32 @@ def _free_m(a: Box, b: Box) -> float:
     return max(along, across)
 
 
+@inner_kernel
+def _on_to(more_m: float, step_s: float) -> int:
+    """How many steps on they may be near at the soonest, who are so much farther apart."""
+    return max(1, int(more_m / (_CLOSING_MPS * step_s)))
+
+
 @kernel
 def come_near(
     one: Timetable, two: Timetable, begins_s: float, ends_s: float, within_m: float
 ) -> bool:
     """Whether two come within a distance of each other between two times."""
     reach = 2.0 * (one.half_length_m + two.half_length_m) + _COARSE_M
-    for n in range(int(np.ceil((ends_s - begins_s) / _COARSE_S))):
+    steps, n = int(np.ceil((ends_s - begins_s) / _COARSE_S)), 0
+    while n < steps:
         coarse = begins_s + n * _COARSE_S
         a, b = _box(one, coarse), _box(two, coarse)
-        if np.hypot(b.x - a.x, b.y - a.y) >= reach:
+        more_m = np.hypot(b.x - a.x, b.y - a.y) - reach
+        if more_m >= 0.0:
+            n += _on_to(more_m, _COARSE_S)
             continue
-        for m in range(_FINE_STEPS):
+        m = 0
+        while m < _FINE_STEPS:
             a, b = _box(one, coarse + m * _FINE_S), _box(two, coarse + m * _FINE_S)
-            if max(_free_m(a, b), _free_m(b, a)) < within_m:
+            more_m = max(_free_m(a, b), _free_m(b, a)) - within_m
+            if more_m < 0.0:
                 return True
+            m += _on_to(more_m, _FINE_S)
+        n += 1
     return False

@@ -9,6 +9,7 @@ limits are plausible upper bounds on dry road, for checks, not for dynamics.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -40,16 +41,7 @@ class Body:
 
     def sized(self, length_m: float | None, width_m: float | None) -> Body:
         """So long and so wide (None: as it is), axles and mass in proportion."""
-        length_m, width_m = length_m or self.length_m, width_m or self.width_m
-        longer, wider = length_m / self.length_m, width_m / self.width_m
-        return replace(
-            self,
-            length_m=length_m,
-            width_m=width_m,
-            centre_ahead_m=round(self.centre_ahead_m * longer, 3),
-            wheelbase_m=round(self.wheelbase_m * longer, 3),
-            mass_kg=round(self.mass_kg * longer * wider, 1),
-        )
+        return _sized(self, length_m or self.length_m, width_m or self.width_m)
 
     @property
     def front_m(self) -> float:
@@ -60,6 +52,20 @@ class Body:
     def rear_m(self) -> float:
         """Distance from the reference point to the rear bumper."""
         return self.length_m / 2 - self.centre_ahead_m
+
+
+@lru_cache(maxsize=256, typed=True)
+def _sized(usual: Body, length_m: float, width_m: float) -> Body:
+    """One body for all who ask for the same size, again and again."""
+    longer, wider = length_m / usual.length_m, width_m / usual.width_m
+    return replace(
+        usual,
+        length_m=length_m,
+        width_m=width_m,
+        centre_ahead_m=round(usual.centre_ahead_m * longer, 3),
+        wheelbase_m=round(usual.wheelbase_m * longer, 3),
+        mass_kg=round(usual.mass_kg * longer * wider, 1),
+    )
 
 
 BODIES: dict[ParticipantKind, Body] = {

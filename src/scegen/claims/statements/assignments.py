@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 from itertools import combinations
-from math import inf
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from scegen.claims.statements.touching import touched
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
-from scegen.measures.conflict_areas import nearest_points
+from scegen.measures.conflict_areas import least_gap_m
 from scegen.scenario.logical import (
     Assignment,
     ConflictKind,
@@ -270,6 +269,6 @@ def _cross(told: Told, first: str, second: str, view: View) -> Judged:
         excused |= touched(told, view, name) | (speed < STANDS_MPS)
     x, y, its_x, its_y = (np.ascontiguousarray(p[:, sparse]) for p in (a.x, a.y, b.x, b.y))
     for c in range(view.count):
-        apart[c] = nearest_points(x[c], y[c], its_x[c], its_y[c], inf)[1].min()
+        apart[c] = least_gap_m(x[c], y[c], its_x[c], its_y[c])
     margin = np.where(excused, np.maximum(reach - apart, 0.0), reach - apart)
     return Judged(margin, apart, np.zeros(view.count))

@@ -160,13 +160,15 @@ def _nobody_else(told: Told, view: View) -> Judged:
 
 def _untouched(view: View, pairs: list[tuple[str, str]]) -> Judged:
     """The smallest distance of any pair, and how deep into each other's time the worst are."""
-    margin = np.full(view.count, NEVER)
-    when = np.full(view.count, np.nan)
-    for pair in pairs:
-        time_s = view.of_pair("contact_s", *pair)
-        apart = np.nan_to_num(view.of_pair("distance_m", *pair), nan=NEVER)
-        depth = np.nan_to_num(np.clip(-view.of_pair("pet_s", *pair), 0.0, 3.0), nan=1.0)
-        value = np.where(np.isnan(time_s), apart, -1.0 - depth)
-        when = np.where(value < margin, np.where(np.isnan(time_s), np.nan, time_s), when)
-        margin = np.minimum(margin, value)
+    measured = [found[0] for pair in pairs if (found := view.pair(*pair)) is not None]
+    if not measured:
+        free = np.full(view.count, NEVER)
+        return Judged(free, free, np.full(view.count, np.nan))
+    time_s = view.summary.contact_s[:, measured]
+    apart = np.nan_to_num(view.summary.distance_m[:, measured], nan=NEVER)
+    depth = np.nan_to_num(np.clip(-view.summary.pet_s[:, measured], 0.0, 3.0), nan=1.0)
+    value = np.where(np.isnan(time_s), apart, -1.0 - depth)
+    worst = np.arange(view.count), value.argmin(axis=1)
+    margin = np.minimum(value[worst], NEVER)
+    when = np.where(margin < NEVER, time_s[worst], np.nan)
     return Judged(margin, np.maximum(margin, 0.0), when)

@@ -14,7 +14,8 @@ These are one and a half times the upper ends of the near-miss bands of
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 from math import isfinite
 
 import numpy as np
@@ -102,13 +103,32 @@ def ego_start_sensitivity(
             are parked only where nobody else is or a hazard names them.
         dt_s: time step of the simulation, s.
     """
-    people = concrete.entities
-    ego = people.index(concrete.ego)
     if partner is None:
         met = closest_encounter(concrete, play(concrete, paths))
         if met is None:
             return None
         partner = met.other
+    ways = tuple((name, path.digest) for name, path in paths.items())
+    return _compared(_Asked(concrete, partner, dt_s, ways, paths))
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """One question, the same if all but the objects of the paths is."""
+
+    concrete: ConcreteScenario
+    partner: str
+    dt_s: float
+    ways: tuple[tuple[str, bytes], ...]
+    paths: Mapping[str, Path] = field(compare=False)
+
+
+@lru_cache(maxsize=8)
+def _compared(asked: _Asked) -> Sensitivity:
+    """Kept, because the judgement of a scenario asks what the search for it has found."""
+    concrete, paths, partner, dt_s = asked.concrete, asked.paths, asked.partner, asked.dt_s
+    people = concrete.entities
+    ego = people.index(concrete.ego)
     program, candidate = compile_program(concrete, paths)
     candidates = repeat(candidate, 3)
     factors = (1.0, SLOWER, FASTER)
