@@ -4,7 +4,9 @@ import os
 import re
 import shutil
 import signal
+import socket
 import subprocess
+import sys
 import time
 from collections import Counter
 from pathlib import Path
@@ -14,6 +16,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from campaigns import TEXTS, Notes, campaign, make
+from command import PROGRAM, SOURCE
 
 from scegen.campaign.batching import batches_of
 from scegen.campaign.engines import Engine, WorkerLostError, Workforce
@@ -64,6 +67,48 @@ def test_two_workers_of_any_engine_give_the_same_rows(first, tmp_path, engine):
     assert rows_of(tmp_path / "two").equals(rows_of(first[0]))
     assert set(Store(tmp_path / "two").objects()) == set(Store(first[0]).objects())
     assert not notes.told
+
+
+@pytest.fixture
+def cluster(tmp_path):
+    """A Ray cluster of this machine alone, with a token, and its address."""
+    pytest.importorskip("ray")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    token = tmp_path / "token"
+    token.write_text("0123456789" * 4)
+    own = {"RAY_AUTH_MODE": "token", "RAY_AUTH_TOKEN_PATH": str(token)}
+    head = ["--head", f"--port={port}", "--num-cpus=2", "--include-dashboard=false", "--block"]
+    log = tmp_path / "ray.log"
+    with log.open("w") as said:
+        started = subprocess.Popen(
+            [Path(sys.executable).with_name("ray"), "start", *head, "--disable-usage-stats"],
+            env=os.environ | own,
+            stdout=said,
+            stderr=said,
+            start_new_session=True,
+        )
+    until(lambda: "Ray runtime started" in log.read_text(), started)
+    yield f"127.0.0.1:{port}", own
+    os.killpg(started.pid, signal.SIGKILL)
+    started.wait()
+
+
+def test_a_cluster_gives_the_same_rows(first, cluster, tmp_path):
+    address, own = cluster
+    told = campaign().model_dump_json(by_alias=True)
+    (tmp_path / "run.json").write_text(told, encoding="utf-8")
+    order = [tmp_path / "run.json", "-o", tmp_path / "c", "--engine", "ray", "--address", address]
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM, "campaign", *map(str, order)],
+        env={**os.environ, **own, "PYTHONPATH": SOURCE},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 1, done.stderr  # one of the descriptions is none
+    assert rows_of(tmp_path / "c").equals(rows_of(first[0]))
 
 
 def test_order_and_company_change_nothing(first, tmp_path):

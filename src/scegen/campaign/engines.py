@@ -7,12 +7,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
+from socket import create_connection
 from typing import Any, TypeVar
 
 from scegen.errors import InputError, MissingToolError
 
 T = TypeVar("T")
 R = TypeVar("R")
+_ANSWERS_IN_S = 10.0
 
 
 class Engine(StrEnum):
@@ -87,6 +89,18 @@ def _by_joblib(
         results.close()
 
 
+def _call(address: str) -> None:
+    """Whether anybody is there: Ray itself would try for a quarter of an hour.
+
+    Raises:
+        OSError: nobody is.
+    """
+    host, _, port = address.rpartition("://")[2].rpartition(":")
+    if port.isdecimal():
+        with create_connection((host, int(port)), _ANSWERS_IN_S):
+            pass
+
+
 @cache
 def _once(prepare: Callable[[], None]) -> None:
     prepare()
@@ -105,10 +119,14 @@ def _by_ray(
     if force.address is None:
         quiet |= {"num_cpus": force.workers, "include_dashboard": False}
     try:
+        if force.address is not None:
+            _call(force.address)
         ray.init(address=force.address or "local", **quiet)
-    except (ConnectionError, ValueError, RuntimeError) as error:
+    except (OSError, ValueError, RuntimeError) as error:
         raise InputError(
-            f"no Ray cluster answers: {error}", where=f"--address {force.address}"
+            f"no Ray cluster answers: {error}",
+            where=f"--address {force.address}",
+            hint="ray start --head shows it; one with a token wants RAY_AUTH_MODE=token here, too",
         ) from error
 
     def prepared(task: T) -> R:
