@@ -154,6 +154,7 @@ def main() -> int:
     parser.add_argument("--each", type=int, default=17)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--compare", action="store_true")
+    parser.add_argument("--json", action="store_true", help="what is printed in any case")
     asked = parser.parse_args()
     changes = {"count": asked.count, "concretizations": asked.each}
     orders = [load_campaign(path, changes) for path in asked.files]

@@ -237,7 +237,10 @@ def facts(data: Any, before: str = "") -> str:
 
 @dataclass(frozen=True)
 class Step:
-    """A benchmark: how it is called, how it is shown, and by what protocol it measures."""
+    """A benchmark: how it is called, how it is shown, and by what protocol it measures.
+
+    ``texts``: it is given the paper's sentences as a file.
+    """
 
     name: str
     title: str
@@ -245,6 +248,7 @@ class Step:
     show: Callable[[Any], str]
     arguments: tuple[str, ...] = ()
     module: bool = False
+    texts: bool = False
 
 
 STEPS = (
@@ -267,12 +271,15 @@ STEPS = (
     Step("claims", "What claims cost",
          "Beside an evaluation without them; the paper's eleven and four with numbers.", plain),
     Step("end_to_end", "From text to checked files", "The paper's eleven, one process.",
-         end_to_end),
+         end_to_end, texts=True),
     Step("startup", "One `scegen generate` as a process",
          "Quick checks; the least of five, the first not counted.", facts),
     Step("reader", "The offline reader", "The paper's sentences, read over and over.", facts),
     Step("campaign", "A campaign's throughput",
          "Search, claims, own checks and storing, no pictures; processor time.", plain),
+    Step("campaign_at_size", "A campaign with one worker and with two",
+         "The paper's eleven, four logical scenarios of each, eight times; wall clock.", facts,
+         ("--compare", "--count", "4", "--each", "8"), texts=True),
 )  # fmt: skip
 
 
@@ -281,7 +288,7 @@ def run(step: Step, folder: Path) -> tuple[Any, str, float]:
     arguments = [sys.executable, str(HERE / f"{step.name}.py"), *step.arguments, "--json"]
     if step.module:
         arguments = [sys.executable, "-m", "scegen", *step.arguments, "--json"]
-    if step.name == "end_to_end":
+    if step.texts:
         cases = [json.dumps({"id": case.id, "text": case.text}) for case in paper_cases()]
         (folder / "cases.jsonl").write_text("\n".join(cases), encoding="utf-8")
         arguments.insert(2, str(folder / "cases.jsonl"))

@@ -11,7 +11,7 @@ from scegen.campaign.analysis.coverage import NEEDED as FOR_COVERAGE
 from scegen.campaign.analysis.coverage import Coverage, coverage
 from scegen.campaign.analysis.features import NEEDED as FOR_LIKENESS
 from scegen.campaign.analysis.suite import Suite, suite_of
-from scegen.campaign.report.scenario import files_of
+from scegen.campaign.report.scenario import write_folder
 from scegen.campaign.rows import FILE_COLUMNS
 from scegen.campaign.store import Store, write_whole
 from scegen.campaign.table import query
@@ -89,8 +89,7 @@ def write_suite(store: Store, selected: Selected, folder: Path) -> None:
     for chosen in selected.suite.chosen:
         row = selected.rows[chosen.row]
         place = folder / selected.folder(chosen.row)
-        for name, content in files_of(store, row).items():
-            write_whole(place / name, content, lasting=False)
+        write_folder(store, row, place)
         functional = FunctionalScenario.model_validate_json(store.get(row["functional"]))
         told = to_yaml(functional).encode()
         write_whole(place.parent.parent / FUNCTIONAL_FILE, told, lasting=False)

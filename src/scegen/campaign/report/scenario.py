@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from scegen.campaign.rows import FILE_COLUMNS
-from scegen.campaign.store import Store, digest
+from scegen.campaign.store import Store, digest, write_whole
 from scegen.errors import InputError
 from scegen.pipeline.judging import judge
 from scegen.report.contents import CheckRow
@@ -92,10 +92,5 @@ def write_folder(store: Store, row: Mapping[str, Any], folder: Path) -> None:
     Raises:
         InputError: a file is missing or broken, or the folder cannot be written.
     """
-    files = files_of(store, row)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, content in files.items():
-            (folder / name).write_bytes(content)
-    except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}", where=str(folder)) from error
+    for name, content in files_of(store, row).items():
+        write_whole(folder / name, content, lasting=False)
