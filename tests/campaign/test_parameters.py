@@ -53,6 +53,25 @@ def test_what_is_no_parameter_is_told(name):
         at_point(FUNCTIONAL, {name: 1.0})
 
 
+def test_the_parameters_that_are_named_instead_can_be_swept():
+    text = (
+        "The ego follows a car at 40 km/h with a headway of 2 s, and it brakes at 5 m/s2 to a stop."
+    )
+    waits = "When the gap is 20 m, a child runs out and is hit at 25 % of the ego's width."
+    for functional in (
+        FUNCTIONAL,
+        RANGED,
+        read(text),
+        read(f"The ego drives behind a van. {waits}"),
+    ):
+        with pytest.raises(InputError) as caught:
+            at_point(functional, {"x": 1.0})
+        named = caught.value.hint.split(", ")[:-2]
+        assert named
+        for name in named:
+            at_point(functional, {name: 30.0})
+
+
 @settings(max_examples=15)
 @given(st.integers(1, 12), st.integers(0, 2**50))
 def test_each_part_of_each_range_comes_once(count, seed):

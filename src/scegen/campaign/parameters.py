@@ -90,13 +90,32 @@ def _said(
         raise InputError(
             f"there is no parameter {told!r}",
             where="sweep",
-            hint="name one of the logical scenario, such as ego.speed_kph, brake.rate_mps2, "
-            "spacing_0.gap_m or outcome.impact_percent",
+            hint=", ".join((*_told(data), "or the speed of anybody, such as ego.speed_kph")),
         )
     others = tuple(item for item in functional.evidence if item.field != field)
     own = Evidence(field=field, source=EvidenceSource.DEFAULT, reason=reason)
     data["evidence"] = (*others, own)
     return from_data(FunctionalScenario, data, where=f"sweep: {told}")
+
+
+def _told(data: dict[str, Any]) -> Iterator[str]:
+    """The parameters of which the description gives a number."""
+    for group in ("participants", "objects", "acts"):
+        for one in data[group]:
+            yield from _numbers(one, f"{one['id']}.")
+    for number, spacing in enumerate(data["spacings"]):
+        yield from _numbers(spacing, f"spacing_{number}.")
+    yield from _numbers(data["outcome"] or {}, "outcome.")
+
+
+def _numbers(said: dict[str, Any], before: str) -> Iterator[str]:
+    for name, value in said.items():
+        if not isinstance(value, dict):
+            continue
+        if "low" in value:
+            yield before + (str(said["measure"]) if name == "value" else name)
+        else:
+            yield from _numbers(value, f"{before}{name}.")
 
 
 def _set(data: dict[str, Any], name: str, value: Interval) -> str | None:
