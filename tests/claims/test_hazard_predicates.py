@@ -71,6 +71,15 @@ def test_going_back_behind_one_that_has_passed_or_far_beside_it_is_none():
     assert not happens("reversing", backing(6.0, gap_m=12.0, aside_m=9.0)).happened
 
 
+def test_one_that_stands_is_backed_into():
+    forwards, back = Path(np.array([0.0]), np.array([-6.0]), np.zeros(1), np.zeros(1), ()), 4.0
+    x = np.array([0.0, 0.5, 0.5 - back])
+    path = Path(np.array([0.0, 0.5, 0.5 + back]), x, np.zeros(3), np.zeros(3), ())
+    speeds = np.full(201, 1.0)
+    scene = view((EGO, OTHER), (forwards, path), (steady(0), speeds))
+    assert happens("reversing", scene).happened
+
+
 def test_who_only_drives_forwards_does_not_reverse():
     proof = happens("reversing", following(steady(12), steady(10)))
     assert not proof.happened

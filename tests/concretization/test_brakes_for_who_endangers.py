@@ -1,8 +1,8 @@
 """Who brakes at a junction does so for the one that endangers it, where it meets that one."""
 
 import pytest
-from saying import missed
-from told import first
+from saying import KMH, missed
+from told import first, told, who
 
 from scegen.understanding import read
 
@@ -21,6 +21,41 @@ def test_it_holds_from_the_first(text):
     functional = read(text)
     assert functional.acts
     assert not missed(functional, first(functional))
+
+
+def avoids(kind, ego_speed, other, hazard, *, control="uncontrolled", **lights):
+    """The ego goes straight on and is endangered, and nobody touches anybody."""
+    ego = who("ego", maneuvers=["straight"], speed=ego_speed * KMH) | {"light": lights.get("ego")}
+    other |= {"light": lights.get("x")}
+    outcome = {"kind": "avoided", "between": ["ego", "x"]}
+    return told(kind, [ego, other], [(hazard, "x", "ego")], outcome=outcome, control=control)
+
+
+LEFT, RIGHT, ON = ["left"], ["right"], ["straight"]
+AVOIDED = {
+    "turns in before it": avoids(
+        "t", 70, who("x", "car", RIGHT, RIGHT), "failure_to_yield", control="yield"
+    ),
+    "turns across it": avoids("t", 50, who("x", "car", LEFT, LEFT), "failure_to_yield"),
+    "comes across it": avoids(
+        "four_way",
+        50,
+        who("x", "car", LEFT, ON, speed=60 * KMH),
+        "red_light_running",
+        control="signals",
+        ego="green",
+        x="red",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", AVOIDED)
+def test_who_is_to_get_away_brakes_and_goes_on(name):
+    functional = AVOIDED[name]
+    concrete = first(functional)
+    assert not missed(functional, concrete)
+    before, *program = [phase.target_speed_mps for phase in concrete.ego.speed_program]
+    assert before < concrete.ego.speed_mps == program[-1]
 
 
 def test_who_backs_out_of_a_bay_comes_from_beside_at_the_speed_that_is_said():

@@ -64,6 +64,24 @@ def test_from_the_left_on_an_open_road_is_from_the_lane_there(describe):
     assert {(c.beside, c.beside_on) for c in found} == {("ego", "left")}
 
 
+@pytest.mark.parametrize(
+    ("kind", "more", "in_lane"),
+    [
+        ("collision", {}, True),
+        ("near_miss", {}, False),
+        ("collision", {"hazards": [{"kind": "swerving", "by": ["ego"], "to": ["van"]}]}, False),
+        ("collision", {"acts": [{"id": "a", "participant": "ego", "kind": "swerve"}]}, False),
+    ],
+)
+def test_a_parked_one_that_is_run_into_stands_in_the_lane(describe, kind, more, in_lane):
+    van = {"id": "van", "parked": True, "maneuvers": ["stay"]}
+    outcome = {"kind": kind, "between": ["ego", "van"]}
+    functional = describe(
+        "straight", 2, [EGO, van], more.get("hazards", ()), more={**more, "outcome": outcome}
+    )
+    assert {v.in_lane for v in assignments(functional, "van")} == {in_lane}
+
+
 def test_circulating(describe):
     functional = describe("roundabout", 4, [EGO, {"id": "car", "circulating": True}])
     assert all(c.circulating for c in assignments(functional, "car"))

@@ -13,7 +13,7 @@ from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import LEAVING, Act, ActKind
 from scegen.scenario.concrete import door_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -32,7 +32,6 @@ ASIDE_MPS = 0.05
 _GOES_ON_S = 0.4
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
-SIDEWAYS = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
 
 
 def first(flags: Bools) -> Ints:
@@ -67,7 +66,7 @@ def sideways_begin(
         a
         for a in functional.acts[: functional.acts.index(act)]
         if a.participant == act.participant
-        and a.kind in SIDEWAYS
+        and a.kind in LEAVING
         and not (beside and a.kind is ActKind.OVERTAKE)
     ]
     before = leaves_lane(view, act.participant, drive)
@@ -243,7 +242,7 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         return np.where(run.happens, run.begin, never)
     if act.kind is ActKind.OVERTAKE:
         return _passing_begins(view, functional, drive_of(logical, name), act)
-    if act.kind in SIDEWAYS:
+    if act.kind in LEAVING:
         return sideways_begin(view, functional, drive_of(logical, name), act)
     if act.kind is ActKind.REVERSE:
         return first(view.row(name, SPEED) < -STANDS_MPS)

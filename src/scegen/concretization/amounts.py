@@ -23,7 +23,8 @@ BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
 """The dangers that the braking of who comes up behind somebody may be."""
 CLOSEST_M = 0.65
 """How near one who may not touch the other comes: a near miss."""
-_GAINS_MPS = 8.0
+CHANGES_MPS = 8.0
+"""By how much speed changes where nobody says."""
 _HARDER = (1.0, 1.2, 1.4, 9.0)
 _OF_GRIP = 0.95
 
@@ -122,7 +123,7 @@ def _target_mps(
         change = rate * act.duration_s.middle
         return max(0.0, before_mps + (change if act.kind in GAINING else -change))
     if act.kind is ActKind.ACCELERATE:
-        return min(before_mps + _GAINS_MPS, body.top_speed_mps)
+        return min(before_mps + CHANGES_MPS, body.top_speed_mps)
     return usual_mps if act.kind is ActKind.SET_OFF else 0.0
 
 
@@ -132,6 +133,12 @@ def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
     if hazard is HazardKind.SUDDEN_ACCELERATION:
         return SUDDEN_ACCELERATION_MPS2[0]
     return STOPPING_MPS2 if kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
+
+
+def falls_back(act: Act) -> bool:
+    """Whether one brakes of whom nobody says how far: no more than the one ahead makes it."""
+    said = (act.target_speed_mps, act.duration_s, act.distance_m)
+    return act.kind is ActKind.BRAKE and all(each is None for each in said)
 
 
 def answering_rates_mps2(act: Act | None, most_mps2: float, *, hard: bool) -> list[float]:

@@ -13,6 +13,7 @@ from scegen.concretization.amounts import (
     BRAKING,
     CLOSEST_M,
     answering_rates_mps2,
+    falls_back,
     goes_on_when_free,
 )
 from scegen.concretization.braking import (
@@ -24,12 +25,14 @@ from scegen.concretization.braking import (
     touch_s,
 )
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.hazards.rule import same_arm
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
 from scegen.motion.trigger_steps import STEP_S, just_before_step_s
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 8.0
@@ -81,9 +84,18 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[Contact]:
 
 def _runs_in(scene: Setup, moments: Moments, contact: Contact) -> bool:
     ahead, along = had_ahead(moments, contact)
-    if contact.other not in scene.drives or _comes_back(scene, contact.other):
-        return ahead
-    return ahead and along > _ALONG
+    stays = contact.other not in scene.drives or _comes_back(scene, contact.other)
+    return ahead and (stays or along > _ALONG or _gets_away(scene, contact))
+
+
+def _gets_away(scene: Setup, contact: Contact) -> bool:
+    """Whether one is said not to touch who endangers it, and so does something about it."""
+    outcome = scene.functional.outcome
+    return (
+        outcome is not None
+        and outcome.kind is OutcomeKind.AVOIDED
+        and any(contact.other in h.by and contact.who in h.to for h in scene.hazards)
+    )
 
 
 def _comes_back(scene: Setup, name: str) -> bool:
@@ -115,14 +127,18 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
     who.deeds, who.course_ = rest, None
     free, late = who.course, moments.offsets_s[who.id]
 
+    said = scene.act(own.act) if own is not None and own.act is not None else None
+    open_end = own is None or (said is not None and falls_back(said))
+    to_mps = target if own is None or open_end else min(own.target_mps, target)
+
     def brake(begins_s: float, rate: float) -> None:
         place = free.s_at(just_before_step_s(begins_s) - late)
         if own is not None:
-            mark = replace(own, s_m=place, target_mps=min(own.target_mps, target), rate_mps2=rate)
+            mark = replace(own, s_m=place, target_mps=to_mps, rate_mps2=rate)
         else:
             thing = any(each.id == contact.other for each in scene.objects)
             hazard = next(iter(kinds), HazardKind.OBSTACLE if thing else None)
-            mark = SpeedChange(target, rate, s_m=place, hazard=hazard, sort=Sort.ACT, there=backs)
+            mark = SpeedChange(to_mps, rate, s_m=place, hazard=hazard, sort=Sort.ACT, there=backs)
         who.deeds, who.course_ = [*rest, mark], None
 
     def leaves(room_m: float) -> bool:
@@ -130,14 +146,13 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
         there = times[times < _parts_s(moments, who.id, contact.other)]
         return apart_by(moments, contact, there, room_m)
 
-    said = scene.act(own.act) if own is not None and own.act is not None else None
     rates = answering_rates_mps2(said, who.braking_mps2(inf), hard=bool(kinds))
     earliest = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
     found = brake_late(leaves, contact.time_s, rates, earliest, brake)
     if found is None:
         who.deeds, who.course_ = before, None
         return False
-    if waits or (own is None and target == 0.0):
+    if waits or own is None:
         _go_on(who, leaves, waits)
     if own is None:
         reason = f"brakes for {contact.other}, as a driver who sees it does"
@@ -161,11 +176,16 @@ def _go_on(who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedCha
 
 
 def _slowest_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
-    """How slow whoever it runs into becomes."""
+    """How slow whoever it runs into becomes; 0 where that one comes and goes by other arms."""
     if contact.other not in scene.drives:
         return 0.0
     since = contact.time_s if scene.sets_off(contact.other) else 0.0
     times = np.arange(since, contact.time_s + _AFTER_S, STEP_S)
+    own, other = (moments.track(name, times[-1:])[0] for name in contact[1:])
+    if not same_arm(scene.drives[contact.who], scene.drives[contact.other]) and (
+        float((own.cos * other.cos + own.sin * other.sin)[0]) <= _ALONG
+    ):
+        return 0.0
     slowest = float(moments.track(contact.other, times)[1].min())
     return slowest if slowest > 0.1 else 0.0
 

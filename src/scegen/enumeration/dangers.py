@@ -8,15 +8,13 @@ from scegen.enumeration import predicates as p
 from scegen.enumeration.presuming import Parties, outcome_pairs
 from scegen.enumeration.right_of_way import road_rules
 from scegen.enumeration.statements import Stated
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import LEAVING, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import HAZARDS, Case, RoadRule
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
 _RANKED = frozenset({Control.YIELD, Control.STOP, Control.PRIORITY_TO_RIGHT})
 """Where the ways alone tell who has right of way, and the text tells that they do."""
-LEAVING = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
-"""Acts by which somebody leaves its lane."""
 
 
 def say_dangers(

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import LEAVING, ActKind
 from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Standing
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Side
 
 BLOCKING = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING})
@@ -43,10 +45,21 @@ def standing(
         hidden = _sides(functional, arm, crossed) if hides else set()
         side = hidden.pop() if len(hidden) == 1 else kerb
     opens = any(a.kind is ActKind.OPEN_DOOR for a in functional.acts if a.participant == parked.id)
-    blocks = not (parked.pulls_out or opens) and any(
-        h.kind in BLOCKING and parked.id in h.by for h in functional.hazards
-    )
+    blocks = any(h.kind in BLOCKING and parked.id in h.by for h in functional.hazards)
+    blocks = (blocks or _is_run_into(functional, parked)) and not (parked.pulls_out or opens)
     return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)
+
+
+def _is_run_into(functional: FunctionalScenario, parked: Participant) -> bool:
+    """Whether somebody hits it who leaves no lane for that, so that it stands in the lane."""
+    outcome = functional.outcome
+    if outcome is None or outcome.kind is not OutcomeKind.COLLISION or parked.strip is not None:
+        return False
+    others = {*outcome.between} - {parked.id}
+    aside = {n for h in functional.hazards if LEAVING & {*HAZARDS[h.kind].acts} for n in h.by}
+    aside |= {act.participant for act in functional.acts if act.kind in LEAVING}
+    aside |= {p.id for p in functional.participants if p.strip is not None}
+    return parked.id in outcome.between and len(others) == 1 and not others & aside
 
 
 def _sides(

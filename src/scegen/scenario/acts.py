@@ -101,6 +101,8 @@ LASTING = frozenset(ActKind) - {
     ActKind.REVERSE,
 }
 """What may take as long as is said; the others follow from ways and speeds."""
+LEAVING = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
+"""Acts by which somebody leaves its lane."""
 FAR = frozenset(
     {ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF, ActKind.REVERSE}
 ) | {ActKind.CROSS}

@@ -84,3 +84,11 @@ def test_the_rate_that_is_said_is_the_rate_of_the_reaction(rate):
     (step,) = story.ego.steps
     assert (step.rate_mps2, step.act) == (rate, "brakes")
     assert 0.3 < gap_m(story.ego, story.runners["wreck"], 60.0) < 1.5
+
+
+@pytest.mark.parametrize(("other", "ends"), [(80, 80 - 28.8), (60, 60), (None, 0)])
+def test_who_brakes_behind_one_that_is_no_slower_falls_back_and_does_not_stop(other, ends):
+    lead = [] if other is None else [one("lead", "car", AHEAD, speed=other)]
+    story = laid(road([ego(80), *lead], acts=[act("b", "ego", "brake")]))
+    (step,) = story.ego.steps
+    assert step.target_mps * 3.6 == pytest.approx(ends)

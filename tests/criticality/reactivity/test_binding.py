@@ -1,6 +1,8 @@
 """Bound to the ego, a danger survives an ego that comes earlier or later."""
 
 import pytest
+from saying import KMH
+from told import made, told, who
 
 from scegen.claims.ways import paths_of, ways_of
 from scegen.concretization import concretize
@@ -56,3 +58,16 @@ def test_nothing_changes_where_the_result_would_not_stand():
     assert bind_to_ego(timed, network, others, lambda _: False) is timed
     # Who looks at the ego already is left alone.
     assert bind_to_ego(result.concrete, network, others, lambda _: True) is result.concrete
+
+
+@pytest.mark.parametrize("speed", [50, 80, 110, 130])
+def test_nobody_crawls_along_a_road_to_wait_for_the_ego(speed):
+    people = [
+        who("ego", maneuvers=["straight"], speed=speed * KMH),
+        who("van", "van", ["adjacent", "right"], ["lane_change"]),
+    ]
+    road = {"lanes": 2, "carriageway": "divided"}
+    functional = told("straight", people, [("cut_in", "van", "ego")], **road)
+    concrete, proof = made(functional)
+    assert proof.reached
+    assert concrete.participant("van").speed_mps >= 0.45 * speed * KMH - 0.1

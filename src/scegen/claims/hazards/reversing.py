@@ -25,7 +25,9 @@ def reversing(view: View, by: str, to: str) -> list[Part]:
     place = view.place_m(by)
     into, passes_m = _into_the_way(view, by, to, place)
     gone = np.diff(place, axis=1, prepend=place[:, :1])
-    counts = back & into & (view.place_m(to) < passes_m)
+    counts = back & into
+    if view.ways[to].path.length_m > 0.0:  # one that stands is never past
+        counts &= view.place_m(to) < passes_m
     went = np.where(counts, gone, 0.0)
     time_s = view.when(np.cumsum(went, axis=1))
     far = at_least("driven backwards", went.sum(axis=1), limits.REVERSED, time_s)

@@ -8,7 +8,6 @@ from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     ASIDE_MPS,
     GAINING,
-    SIDEWAYS,
     SLOWING,
     act_begins,
     act_run,
@@ -19,7 +18,7 @@ from scegen.claims.moments import (
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import LEAVING, Act, ActKind
 
 SWERVES_M = 0.3
 """Less to the side is no swerve."""
@@ -35,7 +34,7 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
         return np.where(run.happens, run.end, view.steps)
     if act.kind is ActKind.WAIT:
         return rest(view, told.functional, act)[1]
-    return _ends_aside(told, act, begins, view) if act.kind in SIDEWAYS else begins
+    return _ends_aside(told, act, begins, view) if act.kind in LEAVING else begins
 
 
 def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:

@@ -14,7 +14,6 @@ from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always, w
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     GAINING,
-    SIDEWAYS,
     SLOWING,
     act_begins,
     act_run,
@@ -32,6 +31,7 @@ from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
 from scegen.motion.doors import WAY_M
 from scegen.scenario.acts import (
+    LEAVING,
     Act,
     ActKind,
     AfterAct,
@@ -65,7 +65,7 @@ def claims(told: Told) -> Iterator[Claim]:
         yield _claim(told, act, "", f"{act.participant} does {plain(act.kind)}", "s", _happens)
         if act.kind in SLOWING | GAINING:
             yield from _of_speed(told, act)
-        if act.kind in SIDEWAYS:
+        if act.kind in LEAVING:
             yield from _sideways(told, act)
         if act.kind is ActKind.WAIT:
             yield _claim(told, act, "rest", f"{act.participant} comes to rest", "km/h", _rests)

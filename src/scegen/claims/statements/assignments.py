@@ -98,11 +98,11 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
     if drive.reverses is not None:
         return
     if drive.circulating:
-        ego = told.drive(told.ego)
-        if ego is not None and not ego.circulating:
-            does = f"{name} is in the ring before {told.ego} is"
-            test = partial(_in_the_ring, drive, ego)
-            yield _claim(ClaimKind.ORDER, f"ring.{name}", does, drive, "circulating", test, "s")
+        for other in _who_come_later(told, name):
+            does = f"{name} is in the ring before {other.participant} is"
+            test = partial(_in_the_ring, drive, other)
+            who = f"ring.{name}.{other.participant}"
+            yield _claim(ClaimKind.ORDER, who, does, drive, "circulating", test, "s")
     else:
         does = f"{name} comes in on arm {drive.entry}"
         test = partial(_comes_in, drive, _off_its_side(told, drive))
@@ -114,6 +114,12 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
         does = f"{name} {leaves} and leaves by arm {drive.exit}, if nothing holds it up"
         test = partial(_goes_out, told, drive)
         yield _claim(ClaimKind.EXIT, name, does, drive, "maneuvers", test)
+
+
+def _who_come_later(told: Told, name: str) -> list[Drive]:
+    """Those who are not in the ring already as one is: the ego, of the ego those whom it meets."""
+    met = told.concerned_by(name) if name == told.ego else {told.ego}
+    return [d for d in told.logical.drives if d.participant in met and not d.circulating]
 
 
 def _beside_the_lanes(other: Assignment) -> Iterator[Claim]:

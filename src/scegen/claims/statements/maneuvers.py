@@ -11,7 +11,7 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, passes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import SIDEWAYS, at, first
+from scegen.claims.moments import at, first
 from scegen.claims.statements.ramps import by_ramp
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, amount, either
@@ -19,7 +19,7 @@ from scegen.claims.tolerances import GAP_M, SAME_LANE_M, STANDS_MPS, TIME_S
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
-from scegen.scenario.acts import LETS_BY, ActKind
+from scegen.scenario.acts import LEAVING, LETS_BY, ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
@@ -84,13 +84,13 @@ def _keeps_lane(told: Told, drive: Drive) -> bool:
         return False
     plain_road = told.functional.junction.kind is STRAIGHT
     beside = [h for h in told.hazards if plain_road and h.kind in FROM_BESIDE]
-    beside += [h for h in told.hazards if SIDEWAYS & {*HAZARDS[h.kind].acts}]
+    beside += [h for h in told.hazards if LEAVING & {*HAZARDS[h.kind].acts}]
     beside += [h for h in told.hazards if h.kind is HazardKind.SUDDEN_TURN]
     led_around = any(
         h.kind in {HazardKind.OBSTACLE, HazardKind.STOPPING} and name in h.to for h in told.hazards
     ) or any(thing.in_way_of == name for thing in told.functional.objects)
     stands = any(p.parked or p.maneuvers == {Maneuver.STAY} for p in told.people)
-    sideways = any(act.kind in SIDEWAYS for act in told.acts_of(name))
+    sideways = any(act.kind in LEAVING for act in told.acts_of(name))
     return not (sideways or led_around or stands or any(name in h.by for h in beside))
 
 

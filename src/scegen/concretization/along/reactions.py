@@ -12,7 +12,12 @@ import numpy as np
 from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.spacing import keep_apart
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import BRAKING, answering_rates_mps2
+from scegen.concretization.amounts import (
+    BRAKING,
+    CHANGES_MPS,
+    answering_rates_mps2,
+    falls_back,
+)
 from scegen.concretization.braking import (
     Contact,
     answer_each,
@@ -117,7 +122,22 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
             return
         break
     if step not in who.steps and not any(s.act == step.act for s in who.steps):
-        who.steps = kept
+        who.steps = [_eased(story, who, s) if s is step else s for s in kept]
+
+
+def _eased(story: Story, who: Runner, step: SpeedChange) -> SpeedChange:
+    """One who brakes behind another that is no slower falls back; it does not stop."""
+    if step.hazard is not None or not falls_back(story.act(step.act or "")):
+        return step
+    meanwhile = step.begins_s + REACTION_S
+    follows = (
+        had_ahead(story, Contact(meanwhile, who.id, other.id))[0]
+        for other in story.runners.values()
+        if other is not who and not other.stands and _same_way(story, who.id, other.id)
+    )
+    if not any(follows):
+        return step
+    return replace(step, target_mps=max(0.0, who.speed_at_mps(step.begins_s) - CHANGES_MPS))
 
 
 def _brake_for(story: Story, contact: Contact, loose: SpeedChange | None = None) -> bool:
@@ -133,14 +153,15 @@ def _brake_for(story: Story, contact: Contact, loose: SpeedChange | None = None)
     slowest = min([other.speed_mps, *(s.target_mps for s in other.steps)])
     slowest = slowest if other.speed_mps > 0.0 and who.towards == other.towards else 0.0
 
+    said = story.act(own.act) if own is not None and own.act is not None else None
+
     def brake(begins_s: float, rate: float) -> None:
         step = SpeedChange(slowest, rate, begins_s, hazard=hazard, reacts_to=other.id)
         if own is not None:
-            target = min(own.target_mps, slowest)
-            step = replace(step, target_mps=target, act=own.act, hazard=own.hazard)
+            target = slowest if said is not None and falls_back(said) else own.target_mps
+            step = replace(step, target_mps=min(target, slowest), act=own.act, hazard=own.hazard)
         who.steps = [*rest, step]
 
-    said = story.act(own.act) if own is not None and own.act is not None else None
     most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
     rates = answering_rates_mps2(said, most, hard=bool(kinds))
     sees_s = ceil((_sees_s(who, other) + REACTION_S) / STEP_S) * STEP_S

@@ -17,9 +17,12 @@ from scegen.motion.model import Trace
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
+from scegen.scenario.vocabulary import JunctionKind
 
-SHARES = (0.6, 0.45, 0.3, 0.15, 0.0)
-"""Speeds while waiting, as shares of the planned one: the most natural first."""
+IN_TRAFFIC = (0.8, 0.6, 0.45)
+SHARES = (*IN_TRAFFIC, 0.3, 0.0, 0.15)
+"""Speeds while waiting, as shares of the planned one: the most natural first. Without a junction
+nobody crawls or stands for the ego."""
 _DT_S = 0.01
 _BEFORE_MEETING_S = 0.5
 
@@ -94,10 +97,11 @@ def _waiting(
     for phase, at_s in zip(participant.speed_program, fired_s, strict=True):
         if at_s < max(times_s) and getattr(phase.trigger, "participant", None) == ego.id:
             return
+    shares = IN_TRAFFIC if concrete.road.kind is JunctionKind.STRAIGHT else SHARES
     ego_trace, trace = _trace(batch, concrete, ego.id), _trace(batch, concrete, who)
     for meeting_s in times_s:
         for join in joins(participant, trace, fired_s, meeting_s - _BEFORE_MEETING_S):
-            for share in SHARES:
+            for share in shares:
                 tried = held_back(
                     concrete,
                     ways,

@@ -1,0 +1,19 @@
+"""Who is said to go round already is in the ring before those come in whom it meets."""
+
+from saying import missed, person, said
+from told import first, made
+
+
+def told(circulating):
+    people = [
+        person(name, circulating=name == circulating, maneuvers=["exit_2"], **more)
+        for name, more in (("ego", {}), ("truck", {"kind": "truck", "approaches": ["right"]}))
+    ]
+    return said("roundabout", *people, junction={"arms": 4})
+
+
+def test_the_ego_goes_round_already_and_nobody_else():
+    functional, turned = told("ego"), told("truck")
+    concrete, proof = made(functional)
+    assert "order.ring.ego.truck" in {claim.id for claim in proof.claims if claim.holds}
+    assert "order.ring.truck.ego" in missed(turned, concrete, first(turned).logical)
