@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import Measured
+from scegen.understanding.frames import Measured, words
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import STILL, Amount, Doing, Trigger, amount_of, exactly
 from scegen.understanding.lexicon import word_list
@@ -172,19 +172,29 @@ class Filler(Teller):
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
         if role == "duration":
             return None
+        who = self._text.subject_before(number.i)
         kind = ActKind.SWERVE if role == "lateral_move" else None
+        if role == "speed_after" and who:
+            kind = self._towards(number, who[0])
         frame = frames().get(event.name) if event is not None and event.name != "move" else None
         gains = frame is not None and frame.kind in _GAINING
         if role == "rate":
-            words = f"{number.around.before}{' '.join(number.around.after.split()[:1])}"
-            gains = gains or any(w in words for w in ("accelerat", " start", " sets "))
+            around = f"{number.around.before}{' '.join(number.around.after.split()[:1])}"
+            gains = gains or any(w in around for w in ("accelerat", " start", " sets "))
             kind = ActKind.ACCELERATE if gains else ActKind.BRAKE
-        who = self._text.subject_before(number.i)
         if kind is None or not who:
             return None
         doing = Doing(kind, who[0], amount_of(number).basis, number.i)
         doing.told += [event.i] if event is not None and event.i < number.i else []
         return self.add(doing)
+
+    def _towards(self, number: Measured, who: Entity) -> ActKind | None:
+        """``its speed drops to 30 km/h``, ``lowers its speed to 30 km/h``: how it gets there."""
+        said = set(number.around.before.split())
+        up, down = (bool(said & {*words()[w]}) for w in ("rising", "falling"))
+        if up is down and who.speed is not None:
+            up, down = number.quantity.value.low > who.speed.high, True
+        return ActKind.ACCELERATE if up else ActKind.BRAKE if down else None
 
     def _changed(self, doing: Doing, number: Measured) -> Amount | None:
         """``slows by 20 km/h``: from the speed that it had."""

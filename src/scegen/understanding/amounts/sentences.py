@@ -207,7 +207,7 @@ class Sentences:
         word = self.tokens[start].low
         if word not in words()["whose"]:
             return []
-        acting = any(s.actors or not s.event.nominal for s in self.within(start, i))
+        acting = any(s.actors for s in self.within(start, i))
         if acting or any(start < m.i < i for m in self.mentions):
             return []
         if word in {"my", "our"}:

@@ -23,10 +23,12 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):
             continue
-        owner = _possessor(chunks, k) or _likewise(chunks, k, tokens) or _bracketed(chunks, k)
+        owner = (
+            _possessor(chunks, k, tokens) or _likewise(chunks, k, tokens) or _bracketed(chunks, k)
+        )
         told_by = [e for e in events if any(m is chunk.term for m in e.mods)]
         owner = owner or _awaited(chunks, k, told_by) or _from_a_side(chunks, k)
-        owner = owner or _fronted(chunks, k)
+        owner = owner or _fronted(chunks, k) or _told_of(chunks, k, tokens)
         if owner is None:
             continue
         for holder in holders:
@@ -34,17 +36,41 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         owner.mods.append(chunk.term)
 
 
-def _possessor(chunks: list[Chunk], k: int) -> Mention | None:
-    """``at 80 % of the ego's speed of 100 km/h``: the ego's."""
-    for m in range(k - 1, max(0, k - _FARTHEST), -1):
-        chunk, before = chunks[m], chunks[m - 1]
+def _possessor(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
+    """``the ego's speed of 100 km/h``, ``speed of the ego: 100 km/h``, ``ego speed 100 km/h``."""
+    for m in range(k - 1, max(-1, k - _FARTHEST), -1):
+        chunk, before = chunks[m], chunks[m - 1] if m else None
+        rated = isinstance(chunk, Thing) and _rates(chunk, tokens)
         if isinstance(chunk, Thing) and chunk.owner is not None:
             return chunk.owner
+        if rated and isinstance(before, Mention) and before.prep is None:
+            return before
         if isinstance(chunk, Word) and chunk.value == "genitive":
             return before if isinstance(before, Mention) and before.possessor else None
-        if not isinstance(chunk, Thing) and getattr(chunk, "value", "") not in _LINKS:
+        if isinstance(chunk, Mention):
+            return chunk if m > 1 and _of_a_rate(chunks[m - 2 : m], tokens) else None
+        about = tokens[chunk.i].low in word_list("measuring")
+        if not isinstance(chunk, Thing) and getattr(chunk, "value", "") not in _LINKS and not about:
             return None
     return None
+
+
+def _told_of(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
+    """``50 km/h is the speed of the ego``."""
+    is_, rate, of, who = (*chunks[k + 1 : k + 5], *[None] * 4)[:4]
+    linked = isinstance(is_, Word) and is_.cat == "aux"
+    named = rate is not None and of is not None and _of_a_rate([rate, of], tokens)
+    return who if linked and named and isinstance(who, Mention) else None
+
+
+def _of_a_rate(chunks: list[Chunk], tokens: list[Token]) -> bool:
+    rate, of = chunks
+    named = isinstance(rate, Thing) and _rates(rate, tokens)
+    return named and isinstance(of, Word) and of.value == "of"
+
+
+def _rates(thing: Thing, tokens: list[Token]) -> bool:
+    return tokens[thing.j - 1].low in word_list("rates")
 
 
 def _likewise(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
@@ -98,11 +124,14 @@ def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:
 
 
 def _fronted(chunks: list[Chunk], k: int) -> Mention | None:
-    """``At 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
-    opens = k == 1 or (k > 1 and getattr(chunks[k - 2], "value", "") in {".", ";"})
-    at = chunks[k - 1] if k else None
+    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
+    start = k
+    while start and getattr(chunks[start - 1], "value", "") not in {".", ";"}:
+        start -= 1
+    opening = chunks[start:k]
+    at = opening[0] if opening and all(isinstance(c, Word) for c in opening) else None
     who = next((c for c in chunks[k + 1 : k + 3] if not _is_comma(c)), None)
-    led = opens and isinstance(at, Word) and at.cat == "prep"
+    led = isinstance(at, Word) and at.cat == "prep"
     return who if led and isinstance(who, Mention) and not who.possessor else None
 
 

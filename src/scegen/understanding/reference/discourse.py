@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.groups import Group, of_both, opened, vehicle_around
 from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.reference.pronouns import Pronouns, picked
@@ -82,7 +83,9 @@ class Discourse:
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if mention.pronoun is not None:
+        if (known := self._of_two(mention) or self._at_the_wheel(mention)) != []:
+            found = known
+        elif mention.pronoun is not None:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
@@ -97,6 +100,20 @@ class Discourse:
             entity.sides |= mention.sides
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
+
+    def _of_two(self, mention: Mention) -> list[Entity]:
+        """``both vehicles``, ``the two``: of two who are known already."""
+        first = mention.i - (mention.pronoun == "count")
+        words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
+        meant = self._roster.together([])
+        alone = len(self._draft.entities) == len(meant) == _A_PAIR
+        return meant if alone and words in word_list("two_of_them") else []
+
+    def _at_the_wheel(self, mention: Mention) -> list[Entity]:
+        """``the ego's driver``: the ego."""
+        owner, head = mention.owner, mention.head
+        drives = owner is not None and head is not None and head.value == "driver"
+        return list(owner.entities) if drives and owner is not None else []
 
     def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
         """``half of them``: so many, no matter which; ``some of them`` says not how many."""
