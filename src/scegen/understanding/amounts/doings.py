@@ -116,7 +116,7 @@ class Filler(Teller):
                 e.i for e in (event, *event.children, *([event.parent] if event.parent else []))
             }
             own = [a for a in here if near & {a.i, *a.told}]
-            own = own or self._named_by(event, fitting)
+            own = own or self.named_by(event, fitting)
             own = own or [a for a in here if a.nominal and a.i < event.i and self._of(a, event)]
             named = [a for a in here if a.nominal and 0 <= a.i - number.j <= _SOON]
             own = own or named[:1]
@@ -161,12 +161,6 @@ class Filler(Teller):
         named = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
         before = [a for a in self._happenings.acts if a.i < start and a.always]
         return before[-1] if before and not named else None
-
-    def _named_by(self, event: Event, acts: list[Doing]) -> list[Doing]:
-        """``the lane change takes 5 s``: of the act that a noun names."""
-        noun = event if event.nominal else event.parent
-        frame = frames().get(noun.name) if noun is not None and noun.nominal else None
-        return [a for a in acts if frame is not None and a.kind is frame.kind]
 
     def _made(self, number: Measured, role: str, event: Event | None) -> Doing | None:
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""

@@ -14,6 +14,7 @@ from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Apart, Doing, Item, Trigger, amount_of
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
+_LINES = JUNCTION | {"crosswalk"}
 _SHORT = frozenset({"before", "short", "from", "away", "off", "of", "in", "ahead", "prior"})
 _SOON = 14
 _ASIDE = frozenset({"side", "direction", "lane", "front"})
@@ -41,13 +42,13 @@ class Releaser(Teller):
         if opened and self.until(number):
             return False
         short = word in _SHORT
-        lines = JUNCTION | ({"crosswalk"} if self._context.junction.crossing else set())
-        junction = isinstance(noun, Place) and noun.kind in lines and short
+        line = self._line(number, noun, word)
+        junction = line is not None and (line.kind in JUNCTION or self._context.junction.crossing)
         thing = self._thing(noun, number.i) if short and measure is Measure.GAP_M else None
         if thing is not None:
             return self._before_a_thing(number, thing, clause if opened else None)
         before = word == "before" and isinstance(noun, Mention)
-        if not (opened or junction or before):
+        if not (opened or line is not None or before):
             return False
         doing = self._main(clause if opened else None, number, start, end)
         if doing is None and opened:
@@ -69,10 +70,15 @@ class Releaser(Teller):
             return True
         own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
         named = [e for e in (text.named(noun) if not own else []) if e is not subject]
+        if line is not None:
+            named = [e for e in self._on_it() if e is not subject]
+            if len(named) != 1:
+                return False  # from there, and from nobody
         other = named[0] if named else doing.entity if subject is not doing.entity else None
         near = [e for m in text.mentions if m.i < number.i for e in m.entities if e is not subject]
         other = other or doing.into or counterpart(subject, self._context, near)
-        if other is None or other is subject or self.from_elsewhere(number):
+        nowhere = line is None and self.from_elsewhere(number)
+        if other is None or other is subject or nowhere:
             return False
         entity, reference = subject, other
         behind_or_ahead(number, subject, other, self._context)
@@ -81,6 +87,32 @@ class Releaser(Teller):
         doing.when = Trigger("measure", amount_of(number).basis, amount_of(number))
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
+
+    def _line(self, number: Measured, noun: NounPhrase | None, word: str) -> Place | None:
+        """The line across the road from which a distance counts: the junction, a crosswalk.
+
+        ``50 m before the junction``, ``the distance to the junction is 50 m``, ``the junction is
+        50 m ahead``.
+        """
+        if isinstance(noun, Place):
+            return noun if noun.kind in _LINES and word in _SHORT | {"to"} else None
+        start, _ = self._text.bounds(number.i)
+        for place in reversed(self._text.places(start, number.i, _LINES)):
+            before, between = (
+                self._text.low(max(start, place.i - 3), place.i).split(),
+                self._text.low(place.j, number.i),
+            )
+            far = "distance" in before and before[-1] in {"to", "from"}
+            there = between.strip() in {"is", "is still", "is only"} and word in _SHORT
+            if far and not any(place.j <= m.i < number.i for m in self._text.mentions):
+                return place
+            if there:
+                return place
+        return None
+
+    def _on_it(self) -> list[Entity]:
+        """Who crosses where a crosswalk is: how far that is off is how far they are."""
+        return [e for e in self._context.draft.entities if Maneuver.CROSS in e.maneuvers]
 
     def from_elsewhere(self, number: Measured) -> bool:
         """``40 m from the line``, ``40 m before the bridge``: from nobody who takes part."""

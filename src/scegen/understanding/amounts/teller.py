@@ -6,8 +6,10 @@ from collections.abc import Collection
 
 from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured
+from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import Doing, Happenings, amount_of
 from scegen.understanding.semantics.context import Context
 
@@ -53,3 +55,14 @@ class Teller:
         basis = amount_of(number).basis
         made = [self.same(told[-1], entity, number.i, basis) for entity in part[1]]
         return made[0]
+
+    def named_by(self, event: Event, acts: list[Doing]) -> list[Doing]:
+        """``the lane change takes 5 s``: of the act that a noun names.
+
+        Args:
+            event: the noun, or a verb that depends on it.
+            acts: those that it may be.
+        """
+        noun = event if event.nominal else event.parent
+        frame = frames().get(noun.name) if noun is not None and noun.nominal else None
+        return [a for a in acts if frame is not None and a.kind is frame.kind]

@@ -111,7 +111,7 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
     opens: Mention | None = None
     fresh = True
     for chunk in chunks:
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.cat == "sub"):
             opens, fresh = None, True
             continue
         if isinstance(chunk, Mention) and fresh:
