@@ -14,7 +14,7 @@ from scegen.understanding.amounts.releasing import JUNCTION, Releaser
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import behind_or_ahead, ego_of, in_file
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Doing, Happenings, amount_of
@@ -32,8 +32,12 @@ MEASURES = {
 _APART = 4
 _AT = (" at ", " at a ", " at a gap of ", " at a distance of ", " at a time gap of ",
        " at a headway of ")  # fmt: skip
+_LED = frozenset({"at", "with", "upon"})
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
+_TWO_LANES = 7
+_EVADING = frozenset({"avoid", "react", "pull_over"})
+"""What is done then, and is no act."""
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
@@ -81,6 +85,8 @@ class Spacer(Teller):
             return False
         measure = self._sideways(measure, number, *pair)
         at = self._moment(number, measure, *pair)
+        if at is None:
+            return False
         if row:
             amount = amount_of(number)
             self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
@@ -130,7 +136,8 @@ class Spacer(Teller):
         passing = [a for a in self._happenings.acts if a.kind is ActKind.OVERTAKE]
         past = past or (near and any(a.entity in (one, other) for a in passing))
         along = number.around.after.startswith((" ahead ", " in front ", " behind ", " before "))
-        lateral = not along and (past or self._beside(one, other))
+        beside = self._beside(one, other) and number.quantity.exact.high <= _TWO_LANES
+        lateral = not along and (past or beside)
         return Measure.LATERAL_GAP_M if measure is Measure.GAP_M and lateral else measure
 
     def _between(
@@ -256,7 +263,8 @@ class Spacer(Teller):
 
     def _moment(
         self, number: Measured, measure: Measure, entity: Entity, reference: Entity
-    ) -> Doing | str:
+    ) -> Doing | str | None:
+        """When they are so far apart; None where what happens then is not told."""
         if measure is Measure.OVERLAP_PERCENT:
             return CONTACT
         start, end = self._text.bounds(number.i)
@@ -272,6 +280,10 @@ class Spacer(Teller):
             of_act = any(f" {w} of the " in named for w in ("beginning", "start", "onset"))
             laned = [a for a in acts if a.kind in _LANED]
             return laned[-1] if of_act and laned else START
+        noun = self.noun_for(start, number.i)
+        if noun is not None and self._begins_then(noun, number.i):
+            named = [a for a in self.named_by(noun, acts) if a.i < end]
+            return named[-1] if named else None
         own = self._text.verb_at(number.i, number.j)
         told = {own.i} if own is not None and own.i < number.i else set()
         into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
@@ -304,6 +316,8 @@ class Spacer(Teller):
             laned = changes  # "gap 30 m; the van changes lane": when it does
         if laned:
             return laned[-1]
+        if own is not None and own.name in _EVADING and own.i < number.i:
+            return then[0] if then else None  # "reacts at a TTC of 3 s by braking"
         one, other = entity.speed, reference.speed
         unequal = one is not None and other is not None and one != other
         stands = any(e.stands is not None or e.parked for e in (entity, reference))
@@ -313,15 +327,23 @@ class Spacer(Teller):
         later = [a for a in acts if a.kind in _ANSWERING and a.always]
         return later[0] if later and later[0].entity is leader else START
 
+    def _begins_then(self, noun: Event, i: int) -> bool:
+        """``TTC at the lane change: 2 s``, ``the braking starts at a TTC of 2 s``."""
+        before = self._text.low(noun.i - 1, noun.i + 1).split()
+        at = bool({"at", "upon", "during"} & set(before[:1]))
+        return at or bool(word_list("happening") & {*self._text.low(noun.j, i).split()})
+
     def _opens(self, number: Measured, start: int) -> bool:
-        """Whether a clause begins with "at" and the number."""
+        """``At a TTC of 2 s the ego brakes``: whether a clause begins so."""
         tokens = self._text.tokens
-        at = next((k for k in range(number.i - 1, start - 1, -1) if tokens[k].low == "at"), None)
+        led = (k for k in range(number.i - 1, start - 1, -1) if tokens[k].low in _LED)
+        at = next(led, None)
         between = tokens[at : number.i] if at is not None else []
         if at is None or any(t.kind in {"number", "punct"} for t in between):
             return False
         done = any(at <= a.i < number.i for a in self._happenings.acts)
-        return not done and (at == start or tokens[at - 1].low in {",", "and"})
+        joined = tokens[at].low == "at" and tokens[at - 1].low in {",", "and"}
+        return not done and (at == start or joined)
 
     def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
         """``… is 150 m away when the ego pulls out``: at that moment."""

@@ -68,6 +68,14 @@ class Releaser(Teller):
                 return False
             doing.when = Trigger("junction", amount.basis, amount, entity=moved)
             return True
+        return self._comes_down(number, measure, doing, subject, line)
+
+    def _comes_down(
+        self, number: Measured, measure: Measure, doing: Doing, subject: Entity, line: Place | None
+    ) -> bool:
+        """Between whom a measure comes down to a value that sets something off."""
+        text = self._text
+        noun, _ = self._what_follows(number)
         own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
         named = [e for e in (text.named(noun) if not own else []) if e is not subject]
         if line is not None:
@@ -242,7 +250,9 @@ class Releaser(Teller):
         after = [a for a in inside if a.i >= stop]
         if not (before or after) and begin == start:  # no comma: "when it is 20 m away it brakes"
             after = [a for a in acts if number.i < a.i < end]
-        return before[-1] if before else next(iter(after), None)
+        noun = self.noun_for(start, begin) or self.noun_for(stop, end)
+        named = self.named_by(noun, acts) if noun is not None else []
+        return before[-1] if before else next(iter([*after, *named[-1:]]), None)
 
     def _subject(
         self, number: Measured, clause: tuple[int, int, str] | None, doing: Doing
