@@ -282,8 +282,8 @@ class Spacer(Teller):
             return laned[-1] if of_act and laned else START
         noun = self.noun_for(start, number.i)
         if noun is not None and self._begins_then(noun, number.i):
-            named = [a for a in self.named_by(noun, acts) if a.i < end]
-            return named[-1] if named else None
+            meant = [a for a in self.named_by(noun, acts) if a.i < end]
+            return meant[-1] if meant else None
         own = self._text.verb_at(number.i, number.j)
         told = {own.i} if own is not None and own.i < number.i else set()
         into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
@@ -318,6 +318,10 @@ class Spacer(Teller):
             return laned[-1]
         if own is not None and own.name in _EVADING and own.i < number.i:
             return then[0] if then else None  # "reacts at a TTC of 3 s by braking"
+        return self._until_it_brakes(entity, reference, acts)
+
+    def _until_it_brakes(self, entity: Entity, reference: Entity, acts: list[Doing]) -> Doing | str:
+        """Between two who are as fast: as far as when the one in front brakes."""
         one, other = entity.speed, reference.speed
         unequal = one is not None and other is not None and one != other
         stands = any(e.stands is not None or e.parked for e in (entity, reference))

@@ -2,17 +2,5 @@
 
 from scegen.understanding.frames.loader import ActFrame, AmountFrame, acts, amounts, words
 from scegen.understanding.frames.numbers import Measured, Numbers
-from scegen.understanding.frames.of_the_road import last_of, role_of, value_of
 
-__all__ = [
-    "ActFrame",
-    "AmountFrame",
-    "Measured",
-    "Numbers",
-    "acts",
-    "amounts",
-    "last_of",
-    "role_of",
-    "value_of",
-    "words",
-]
+__all__ = ["ActFrame", "AmountFrame", "Measured", "Numbers", "acts", "amounts", "words"]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from scegen.understanding.frames import role_of, value_of
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.road.measures import role_of, value_of
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 

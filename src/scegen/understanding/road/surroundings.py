@@ -8,8 +8,8 @@ from scegen.errors import InfeasibleError
 from scegen.scenario.functional import MAX_LANES, Environment
 from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.understanding.draft import Basis
-from scegen.understanding.frames import last_of, role_of, value_of
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.road.measures import last_of, role_of, value_of
 from scegen.understanding.words.lane_widths import auxiliary_length_m, lane_width_m
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
