@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -18,6 +18,8 @@ from scegen.motion.model import Array
 STEP_S = 0.05
 _LONGEST_S = 240.0
 _SAME_MPS = 1e-3
+_KEPT = 256
+"""Courses that are kept: the same are driven for every place in line that is tried."""
 
 
 @dataclass(frozen=True)
@@ -177,7 +179,8 @@ class _Driving:
         )
 
 
-def course_of(marks: Sequence[SpeedChange], speed_mps: float, length_m: float) -> Course:
+@lru_cache(maxsize=_KEPT)
+def course_of(marks: tuple[SpeedChange, ...], speed_mps: float, length_m: float) -> Course:
     """Drive alone along a path of ``length_m`` from its outer end."""
     drive = _Driving(speed_mps)
     placed = [mark for mark in marks if mark.then_s is None]

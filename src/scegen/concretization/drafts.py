@@ -100,7 +100,7 @@ class DriveDraft:
         """When it is where if it starts at the outer end of its entry arm."""
         if self.course_ is None:
             self.course_ = course_of(
-                self.speed_changes(), self.first_speed(), self.laid.path.length_m
+                tuple(self.speed_changes()), self.first_speed(), self.laid.path.length_m
             )
         return self.course_
 

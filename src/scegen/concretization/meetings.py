@@ -9,7 +9,7 @@ from math import cos, sin
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.measures.conflict_areas import nearest_points
+from scegen.measures.conflict_areas import least_gap_m, nearest_points
 from scegen.motion.model import Array, Path
 
 _SAMPLE_M = 1.0
@@ -156,8 +156,7 @@ def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
     _, x1, y1, _ = sampled(first.laid.path)
     _, x2, y2, _ = sampled(second.laid.path)
     wide_m = (first.body.width_m + second.body.width_m) / 2
-    _, gaps = nearest_points(x1, y1, x2, y2, wide_m)
-    return bool(gaps.min() < wide_m)
+    return least_gap_m(x1, y1, x2, y2, wide_m) < wide_m
 
 
 def shared_length_m(first: DriveDraft, second: DriveDraft) -> float:

@@ -302,10 +302,10 @@ def merge_point(
 
 
 @kernel
-def least_gap_m(x: Floats, y: Floats, fx: Floats, fy: Floats) -> float:
-    """The distance of the point that is nearest to one of a line."""
+def least_gap_m(x: Floats, y: Floats, fx: Floats, fy: Floats, within_m: float) -> float:
+    """The distance of the point that is nearest to one of a line; inf if it is not within that."""
     step_m = _longest_step_m(fx, fy)
-    least, gap = np.inf, np.inf
+    least, gap = within_m * within_m, np.inf
     for n in range(x.shape[0]):
         m = 0
         while m < fx.shape[0]:

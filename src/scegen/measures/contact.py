@@ -12,10 +12,30 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.boxes import box_between
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.measures.boxes import box_between, track_box
+from scegen.motion.batch.arrays import Floats, Ints, X, Y
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.batch.touching import boxes_touch
+
+
+@kernel
+def contact_steps(tracks: Floats, candidate: int, steps: int, bodies: Floats, pairs: Ints) -> Ints:
+    """The first of so many steps in which each pair of a candidate touches; -1: none (p,)."""
+    found = np.full(pairs.shape[0], -1)
+    for p in range(pairs.shape[0]):
+        one, two = pairs[p, 0], pairs[p, 1]
+        a, b = tracks[candidate, one], tracks[candidate, two]
+        body_a, body_b = body_of(bodies, one), body_of(bodies, two)
+        # The reference points of two who touch are no farther apart.
+        reach = body_a.radius_m + body_b.radius_m + abs(body_a.ahead_m) + abs(body_b.ahead_m)
+        for t in range(steps):
+            dx, dy = b[X, t] - a[X, t], b[Y, t] - a[Y, t]
+            if dx * dx + dy * dy > reach * reach:
+                continue
+            if boxes_touch(track_box(a, body_a, t), track_box(b, body_b, t)):
+                found[p] = t
+                break
+    return found
 
 
 @kernel

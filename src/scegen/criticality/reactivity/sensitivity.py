@@ -22,10 +22,10 @@ import numpy as np
 
 from scegen.claims.hazards.scenes import scene_of
 from scegen.criticality.encounter import closest_encounter
+from scegen.measures.contact import contact_steps
 from scegen.measures.evaluation import Summary, measure
-from scegen.measures.tables import Tables
 from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate_batch
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.arrays import Ints
 from scegen.motion.batch.playing import play
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
@@ -133,8 +133,14 @@ def _compared(asked: _Asked) -> Sensitivity:
     candidates = repeat(candidate, 3)
     factors = (1.0, SLOWER, FASTER)
     candidates.speed_mps[:, ego] *= np.array(factors)
-    scene = scene_of(
+    everybody = scene_of(
         concrete, paths, [(concrete.ego.id, partner)], friction_of(concrete.environment)
+    )
+    # Of all others it is only asked whether they touch, of the ego's whether this one does.
+    bodies, met = everybody.bodies, everybody.pairs[0]
+    others = everybody.pairs[np.all(everybody.pairs != ego, axis=1)]
+    scene = everybody._replace(
+        bodies=bodies[met], pairs=np.array([[0, 1]]), occlusions=everybody.occlusions[:0]
     )
     traces = simulate_batch(program, candidates, duration_s=concrete.latest_end_s, dt_s=dt_s)
     other = [p.id for p in people].index(partner)
@@ -145,9 +151,11 @@ def _compared(asked: _Asked) -> Sensitivity:
         if c == 0:
             end = min(end, round(concrete.duration_s / dt_s))
         # A copy: kernels are compiled for contiguous tracks.
-        tracks = traces.tracks[c : c + 1, :, :, : end + 1].copy()
+        tracks = np.ascontiguousarray(traces.tracks[c : c + 1, met, :, : end + 1])
         found = measure(BatchTraces(dt_s, tracks, traces.fired_step[c : c + 1]), scene)
-        starts.append(_start(found, scene, ego, arrives * np.float64(dt_s), factor))
+        touch = contact_steps(traces.tracks, c, end + 1, bodies, others)
+        in_time = (touch >= 0) & (touch * dt_s < (arrives * dt_s)[others].min(axis=1))
+        starts.append(_start(found, factor, others_touch=bool(in_time.any())))
     return Sensitivity(partner, *starts)
 
 
@@ -164,16 +172,14 @@ def _ends(
     return ends
 
 
-def _start(found: Summary, scene: Tables, ego: int, arrives_s: Floats, factor: float) -> Start:
-    in_time = found.contact_s[0] < arrives_s[scene.pairs].min(axis=1)
-    without_ego = np.all(scene.pairs != ego, axis=1)
+def _start(found: Summary, factor: float, *, others_touch: bool) -> Start:
     return Start(
         factor,
         bool(isfinite(found.contact_s[0, 0])),
         float(found.distance_m[0, 0]),
         _finite(found.pet_s[0, 0]),
         _finite(found.ttc_s[0, 0]),
-        bool((in_time & without_ego).any()),
+        others_touch,
     )
 
 
