@@ -105,6 +105,29 @@ def test_traffic_of_so_many_is_those(text):
     assert {a.into for a in scenario.acts} == {p.id for p in others}
 
 
+def test_a_door_that_opens_is_of_who_is_parked_there():
+    scenario = read("The ego passes a row of three parked cars; a door opens in front of it.")
+    assert len(scenario.participants) == 4
+    assert [a.kind for a in scenario.acts] == ["open_door"]
+
+
+def test_who_is_met_as_it_comes_towards_the_ego_faces_it():
+    text = "The ego meets a van that comes towards it."
+    assert _who(text, "van_1").approaches == {Approach.OPPOSITE}
+
+
+def test_who_stops_at_its_sign_is_in_nobodys_way():
+    text = "A truck on the minor road stops at the stop sign, then sets off in front of the ego."
+    scenario = read(text)
+    assert not scenario.acts
+    assert all(h.kind is not HazardKind.STOPPING for h in scenario.hazards)
+
+
+def test_who_overtakes_and_turns_does_turn():
+    text = "A cyclist is overtaken by a van which turns into a driveway."
+    assert _who(text, "van_1").maneuvers == {Maneuver.LEFT, Maneuver.RIGHT}
+
+
 def test_lights_that_change_as_somebody_comes_or_waits():
     assert _who("The light turns red as the ego approaches.", "ego").light is AtLight.STOPS
     text = "The ego waits at red; when it turns green a cyclist from the right still crosses."

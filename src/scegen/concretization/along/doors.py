@@ -17,7 +17,6 @@ from scegen.motion.doors import REACH_M, hinge_ahead_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind, Side
 
@@ -61,8 +60,6 @@ def hang_doors(story: Story) -> None:
         middle = strip_middle_m(story, name)
         tip = REACH_M - (middle - vehicle.width_m / 2) - door.lane_width_m / 2
         door.lane, door.offset_m = story.lane_count, inward * (tip - REACH_M / 2)
-        across = left_of_one_way(functional, door)
-        beside, towards = (1, -inward) if across else (story.lane_count, inward)
         for other in (runners[n] for n in endangered(functional, name) if n in runners):
             said = any(
                 spacing.measure is Measure.LATERAL_GAP_M
@@ -70,15 +67,8 @@ def hang_doors(story: Story) -> None:
                 for spacing in functional.spacings
             )
             most = tip - _IN_THE_WAY_M + other.body.width_m / 2
-            meets = across or other.forward == door.forward
-            if other.lane == beside and meets and not said:
-                other.offset_m = towards * min(towards * other.offset_m, most)
-
-
-def left_of_one_way(functional: FunctionalScenario, door: Runner) -> bool:
-    """Whether it opens from the other kerb of a road that all drive the same way."""
-    one_way = functional.junction.carriageway is Carriageway.ONE_WAY
-    return one_way and door.opens and not door.forward
+            if other.lane == story.lane_count and other.forward == door.forward and not said:
+                other.offset_m = inward * min(inward * other.offset_m, most)
 
 
 def endangered(functional: FunctionalScenario, name: str) -> set[str]:

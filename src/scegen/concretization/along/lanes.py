@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 
-from scegen.concretization.along.doors import left_of_one_way
 from scegen.concretization.along.story import Story
 from scegen.concretization.asked import outward, side_of, words_between
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
@@ -51,7 +50,7 @@ def choose_lanes(story: Story) -> None:
 
     def wishes_of(count: int) -> list[Wish[int]]:
         told = [*_from_words(story), *_from_acts(story, count)]
-        return [*told, *_from_hazards(story, count), *_usual(story, count)]
+        return [*told, *_from_hazards(story), *_usual(story, count)]
 
     junction, people = story.functional.junction, story.people
     said = max(junction.lanes, default=0)
@@ -208,7 +207,7 @@ def _from_acts(story: Story, count: int) -> list[Wish[int]]:
     return wishes
 
 
-def _from_hazards(story: Story, count: int) -> list[Wish[int]]:
+def _from_hazards(story: Story) -> list[Wish[int]]:
     """Who endangers another from beside is beside it, who does it in line is in its lane."""
     wishes: list[Wish[int]] = []
     runners = story.people
@@ -217,10 +216,7 @@ def _from_hazards(story: Story, count: int) -> list[Wish[int]]:
             if not {by, to} <= runners.keys() or by == to:
                 continue
             words = f"{hazard.kind} of {by} to {to}"
-            if runners[by].opens:
-                kerb = 1 if left_of_one_way(story.functional, runners[by]) else count
-                wishes.append(Wish((to,), LIKELY, _among(to, frozenset({kerb})), words))
-            elif runners[by].forward != runners[to].forward:
+            if runners[by].forward != runners[to].forward:
                 if hazard.kind in _OVER_THE_LINE:
                     near = (Wish((n,), LIKELY, _among(n, _INNERMOST), words) for n in (by, to))
                     wishes += near

@@ -24,7 +24,7 @@ from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind
 
 _CLEAR_M = 6.0
 _LONG_BACK_S = 2.5
@@ -160,9 +160,22 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     named = [alike[name] for name in meant if name in alike]
     if named:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
+    if _past_the_parked(story, own.id):
+        return []
     order = story.ranks()
     line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
     return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
+
+
+def _past_the_parked(story: Story, name: str) -> bool:
+    """Whether whom it passes is said to be parked beside the lanes."""
+    return any(
+        relation.reference == name
+        and relation.approaches == {Approach.AHEAD}
+        and story.functional.participant(relation.participant).parked
+        and relation.participant not in story.people
+        for relation in story.functional.relations
+    )
 
 
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:

@@ -182,9 +182,13 @@ def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
 
 
 def _by_the_rule(scene: Clause, text: Sentences, context: Context) -> bool:
-    """``stops at the stop sign``, ``at the line``: there everybody does."""
+    """``stops at the stop sign``, ``at the line``: there everybody on that road does."""
     signed = context.junction.control in {Control.STOP, Control.ALL_WAY_STOP}
     letting = any(s.actors == scene.actors and let_by(s, text.scenes) for s in text.scenes)
+    minor = bool(scene.actors) and all(e.on_minor and e.on_minor[0] for e in scene.actors)
+    elsewhere = any(p.kind not in {"access", "road", "junction"} for p in scene.places())
+    if signed and not letting and minor and not elsewhere:
+        return True  # "stops, then sets off"
     return (
         signed
         and not letting

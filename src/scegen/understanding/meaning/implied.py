@@ -22,6 +22,10 @@ _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 def positions(clauses: list[Clause], context: Context) -> None:
     """Places who is driven up to, and who comes out of the next lane or the oncoming one."""
+    for clause in clauses:  # "meets a van that comes towards it": before who is met is ahead
+        if clause.event.lemma == "come" and any(e.ego for e in clause.targets):
+            for driver in clause.drivers if not clause.event.negated else []:
+                _comes_towards(clause, driver, context)
     for clause in clauses:
         say("positions.any", clause, context)
         _driven_up_to(clause, context)

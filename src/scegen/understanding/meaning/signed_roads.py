@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Control, JunctionKind
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.chunks import Chunk, Mention, Place, Prep, Word
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
@@ -38,6 +38,16 @@ def note_roads(chunks: list[Chunk], clauses: list[Clause], context: Context) -> 
                 _note(clause.actors, minor=True, basis=Basis(place.i, place.j))
         own = [p for p in event.pps if p.on_mention is None or p.on_mention in event.subject]
         _by_phrases(own, clause.actors, context)
+    if context.junction.control is Control.STOP:  # who has the sign stops at it, in nobody's way
+        context.draft.dangers[:] = [
+            d
+            for d in context.draft.dangers
+            if d.kind is not HazardKind.STOPPING or not d.by or not all(map(_stops_there, d.by))
+        ]
+
+
+def _stops_there(entity: Entity) -> bool:
+    return entity.on_minor is not None and entity.on_minor[0] and entity.stands is None
 
 
 def _opens(chunks: list[Chunk], k: int) -> bool:

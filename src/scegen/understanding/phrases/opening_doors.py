@@ -10,6 +10,7 @@ from scegen.understanding.words.tokens import Token
 
 _HELPS = frozenset({"aux", "copy", "manner"})
 _ENDS = frozenset({".", ";"})
+_JOINTS = frozenset({"punct", "conj", "sub"})
 _REACH = 2
 _LONGEST = 6
 
@@ -39,6 +40,10 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Event) and chunk.name == "door" and _its(chunk, found):
             found = [*found[: -1 if _genitive(chunk) else None], _who(chunk, found)]
             found.append(replace(chunk, mods=[], form="s"))
+            k += 1
+            continue
+        if isinstance(chunk, Event) and chunk.name == "door" and _by_itself(chunk, found, tokens):
+            found += [_who(chunk, found), replace(chunk, mods=[], form="s", nominal=False)]
             k += 1
             continue
         if _opens_one(chunks[k : k + 2], tokens):
@@ -105,6 +110,13 @@ def _called(door: Event, before: list[Chunk]) -> bool:
     return article or (bool(before) and getattr(before[-1], "cat", "") == "det")
 
 
+def _by_itself(door: Event, before: list[Chunk], tokens: list[Token]) -> bool:
+    """``…; a door opens``: of nobody who is named."""
+    article = any((m.cat, m.value) == ("det", "indef") for m in door.mods)
+    opens = not before or (isinstance(before[-1], Word) and before[-1].cat in _JOINTS)
+    return article and opens and tokens[door.j - 1].low == "opens"
+
+
 def _genitive(door: Event) -> bool:
     return any(m.value == "genitive" for m in door.mods)
 
@@ -161,6 +173,14 @@ def _who(door: Thing | Event, before: list[Chunk]) -> Mention:
     if parked:
         known = parked[-1]
         return replace(known, i=door.i, j=door.j, pps=[], prep=None, same_as=known, joined=None)
+    several = [
+        c
+        for c in before
+        if isinstance(c, Mention) and c.mod("num") and any(m.value == "parked" for m in c.mods)
+    ]
+    if several:  # one of the three
+        one = Term("pronoun", "one", door.i, door.j)
+        return Mention(door.i, door.j, [], one, pronoun="one", partitive=True, whole=several[-1])
     head = Term("actor", "car", door.i, door.j)
     mods = [Term("det", "indef", door.i, door.i), Term("state", "parked", door.i, door.i)]
     return Mention(door.i, door.j, mods, head, heads=[head])
