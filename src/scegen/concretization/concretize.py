@@ -9,7 +9,7 @@ import numpy as np
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.along.doors import opens
 from scegen.concretization.answering import answer
-from scegen.concretization.asked import as_meant
+from scegen.concretization.asked import as_meant, pace_of
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.deeds import (
@@ -24,7 +24,7 @@ from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.table import ordered_rules
 from scegen.concretization.lights import set_lights, stands_at_red, waits_for_green_s
-from scegen.concretization.limits import FAST_LATERAL_MPS2, LATERAL_MPS2
+from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
@@ -35,21 +35,22 @@ from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
-from scegen.concretization.speeds import cruise_speed_mps
 from scegen.concretization.stationary import go_round_stationary, place_stationary
 from scegen.concretization.walkers import place_walkers, program_walkers, stop_in_the_way
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
 from scegen.scenario.acts import ActKind
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.vocabulary import HazardKind
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
 _SPARE = 0.15
+_SLOWEST_MPS = 1.0
 _AGAIN = 3
 _FAST = frozenset({HazardKind.SPEEDING, HazardKind.SUDDEN_TURN})
 """The dangers of those who go fast through bends."""
@@ -157,7 +158,7 @@ def _place(scene: Setup) -> None:
 def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
     others = {each.participant for each in scene.logical.drives}
-    cruise = cruise_speed_mps(scene, participant, drive.entry)
+    cruise = _cruise_speed_mps(scene, participant, drive.entry)
     waits_s = waits_for_green_s(participant)
     if scene.sets_off(participant.id) or stands_at_red(participant):
         cruise = usual_speed_mps(scene, participant.id)
@@ -177,6 +178,21 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
             for act in scene.functional.acts
         ),
     )
+
+
+def _cruise_speed_mps(scene: Setup, participant: Participant, arm: int) -> float:
+    """The parameter's default with a little jitter.
+
+    Traffic that comes on one ``arm`` has one speed unless something else is said.
+    """
+    pace = pace_of(scene.functional, scene.logical, participant.id)
+    # Drawn in any case, so that one participant's range does not shift another's draws.
+    drawn = 1.0 + float(scene.rng.uniform(-JITTER, JITTER))
+    factor = scene.paces.setdefault((arm, pace.default), drawn)
+    top = BODIES[participant.kind].top_speed_mps
+    speed = max(min(max(pace.default * factor, pace.low), pace.high, top), _SLOWEST_MPS)
+    scene.note(pace.name, speed, pace.reason)
+    return speed
 
 
 def _start(scene: Setup, meetings: list[Meeting]) -> Moments:

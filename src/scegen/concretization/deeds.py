@@ -35,12 +35,6 @@ def usual_speed_mps(scene: Setup, name: str) -> float:
     return scene.limit_mps
 
 
-def _usual_mps(scene: Setup, draft: DriveDraft) -> float:
-    """How fast a drive goes on where nobody says."""
-    parked = draft.parked_s_m is not None
-    return draft.cruise_mps if parked else usual_speed_mps(scene, draft.id)
-
-
 def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
     """Give everybody who drives the marks of its acts; places that are open are usual ones.
 
@@ -109,7 +103,8 @@ def lead_in_missing_s(scene: Setup, moments: Moments) -> float:
 
 def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The marks of one's acts, the first of each chain at place 0."""
-    before = draft.cruise_mps
+    parked, before = draft.parked_s_m is not None, draft.cruise_mps
+    usual = draft.cruise_mps if parked else usual_speed_mps(scene, draft.id)
     own: set[str] = set()
     took_s = 0.0
     if scene.sets_off(draft.id):
@@ -122,9 +117,7 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         before = 0.0
     for act in scene.speed_acts(draft.id):
         hazard = scene.hazard_of(act)
-        target, rate = change_of_speed(
-            act, before, draft.body, draft.grip_mps2, hazard, _usual_mps(scene, draft)
-        )
+        target, rate = change_of_speed(act, before, draft.body, draft.grip_mps2, hazard, usual)
         then: float | None = None
         when = act.when
         follows_own = isinstance(when, AfterAct) and when.act in own

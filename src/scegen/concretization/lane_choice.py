@@ -39,34 +39,16 @@ def lanes_in(scene: Setup, draft: DriveDraft) -> int:
 
 def choose_lanes(scene: Setup, draft: DriveDraft) -> None:
     """Start in the outermost lane that leads to the exit."""
-    lanes = entry_lanes(scene, draft)
-    draft.entry_lane = lanes[0]
-    draft.exit_lane = lanes[0]
+    draft.entry_lane = draft.exit_lane = entry_lanes(scene, draft)[0]
     choose_ring_lane(scene, draft)
 
 
 def choose_ring_lane(scene: Setup, draft: DriveDraft, *, inner: bool = False) -> None:
     """The outermost ring lane (or the innermost) that can be reached from the drive's lane."""
-    lane = lane_at_junction(draft)
-    rings = sorted(
-        r.ring_lane
-        for r in routes_of(scene, draft)
-        if r.ring_lane is not None and r.entry_lane == lane
-    )
+    routes = (r for r in routes_of(scene, draft) if r.entry_lane == draft.entry_lane)
+    rings = sorted(r.ring_lane for r in routes if r.ring_lane is not None)
     if rings:
         draft.ring_lane = rings[0] if inner else rings[-1]
-
-
-def lane_at_junction(draft: DriveDraft) -> int:
-    """The lane in which a drive arrives at the junction.
-
-    Only changes planned before the junction count: those in rings and on exit arms come later.
-    """
-    lane = draft.entry_lane
-    for change in draft.lane_changes:
-        if draft.laid_ is None or change.position_m < draft.laid_.turning_starts_m:
-            lane = change.lane_after
-    return lane
 
 
 def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:

@@ -19,7 +19,6 @@ from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.motion.paths import END_MARGIN_M
-from scegen.motion.routing import walk_route
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import ConflictKind
@@ -199,35 +198,27 @@ def _move_over(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
     ring = scene.road.kind is JunctionKind.ROUNDABOUT
     if ring or scene.network.plain or first.drive.exit != second.drive.exit:
         return False
-    ends = {d.id: _end(scene, d) for d in (first, second)}
-    orders = [(first, second), (second, first)]
+    laid = {draft.id: _laid(scene, draft.id, Lanes.of(draft)) for draft in (first, second)}
     fixed = _bound(scene, ())
-    for draft, other in sorted(orders, key=lambda order: order[0] is scene.ego):
-        lane = ends[other.id][0]
-        if draft.id in fixed or draft.lane_changes or abs(lane - ends[draft.id][0]) != 1:
+    for draft, other in sorted([(first, second), (second, first)], key=lambda o: o[0] is scene.ego):
+        own, lane = laid[draft.id], laid[other.id].exit_lane
+        if draft.id in fixed or draft.lane_changes or abs(lane - own.exit_lane) != 1:
             continue
         change = LaneChange(
-            position_m=round(ends[draft.id][1] + _BEHIND_JUNCTION_M, 3),
+            position_m=round(own.laid.turning_ends_m + _BEHIND_JUNCTION_M, 3),
             length_m=round(change_length_m(draft.cruise_mps), 3),
             lane_after=lane,
         )
-        over = change.position_m + change.length_m - ends[draft.id][2] + END_MARGIN_M
+        over = change.position_m + change.length_m - own.laid.stretches[-1].end_m + END_MARGIN_M
         if over > 0.0:
             raise NeedsLongerArms(over + 1.0, draft.id)
         draft.lane_changes.append(change)
         if ways_touch(*(_laid(scene, each.id, Lanes.of(each)) for each in (draft, other))):
             reason = f"moves over behind the junction, so that its way and that of {other.id} meet"
-            scene.note(f"{draft.id}.exit_lane", lane, reason, ends[draft.id][0])
+            scene.note(f"{draft.id}.exit_lane", lane, reason, own.exit_lane)
             return True
         draft.lane_changes.clear()
     return False
-
-
-def _end(scene: Setup, draft: DriveDraft) -> tuple[int, float, float]:
-    """Lane in which a drive ends, where its exit arm begins on the way and where that ends, m."""
-    stretches, lane = walk_route(scene.network, draft.motion(), draft.id)
-    begins_m = _laid(scene, draft.id, Lanes.of(draft)).laid.turning_ends_m
-    return lane, begins_m, stretches[-1].end_m
 
 
 def _note(scene: Setup, name: str, before: Lanes, after: Lanes, wishes: Sequence[LaneWish]) -> None:

@@ -84,15 +84,9 @@ class Moments:
         return self._arrives_s(name) - self._walks_s(name)
 
     def _arrives_s(self, name: str) -> float:
-        """When whom it meets is where they meet, or would be if it did not answer it."""
+        """When whom it meets is where they meet."""
         draft, place, _ = self._rendezvous(name)
-        late, course = self.offsets_s[draft.id], draft.course
-        stops = [m for m in draft.deeds if m.target_mps == 0.0 and m.act is not None]
-        answers = [m for m in stops if m.s_m < place and not self.scene.is_loose(m.act)]
-        if not answers:
-            return late + course.time_at(place)
-        begins = course.time_at(answers[0].s_m)
-        return late + begins + (place - answers[0].s_m) / max(course.speed_then(begins), 0.5)
+        return self.offsets_s[draft.id] + draft.course.time_at(place)
 
     def _walks_s(self, name: str) -> float:
         walk = self.scene.walks[name]

@@ -6,7 +6,7 @@ from math import pi, sqrt
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
-from scegen.concretization.limits import FAST_LATERAL_MPS2, LANE_CHANGE_S, LATERAL_MPS2
+from scegen.concretization.limits import LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.scenario.bodies import Body
@@ -24,14 +24,6 @@ _BEFORE_JUNCTION_M = 5.0
 def change_length_m(speed_mps: float, seconds: float = LANE_CHANGE_S) -> float:
     """Length of a lane change of that duration, at least 8 m."""
     return max(8.0, speed_mps * seconds)
-
-
-def speed_for_change_mps(length_m: float, width_m: float) -> float:
-    """The speed at which a half-cosine change of lane needs 6 m/s2 sideways.
-
-    Its greatest lateral acceleration is width * (pi v / length)^2 / 2.
-    """
-    return length_m / pi * sqrt(2 * FAST_LATERAL_MPS2 / width_m)
 
 
 def calm_change_length_m(passer: DriveDraft, width_m: float) -> float:

@@ -94,8 +94,6 @@ class Manners:
         Returns whether nobody takes another's way then.
         """
         people = [(draft, offset_s), *others]
-        if draft.lets_by is not None:
-            draft.waits_s, draft.lets_by, draft.course_ = None, None, None
         changed = {draft.id}
         for _ in range(2 * len(people)):
             taken = self._first_taken(changed, people)

@@ -36,7 +36,6 @@ def opens(functional: FunctionalScenario) -> dict[str, Act]:
 
 def cast_doors(story: Story) -> None:
     """Add those who open a door to those along the road; lanes come later."""
-    ego = story.ego
     for standing in story.logical.standings:
         name = standing.participant
         if name not in opens(story.functional) or name in story.runners:
@@ -44,11 +43,7 @@ def cast_doors(story: Story) -> None:
         keeps = story.functional.junction.driving_side.value
         forward = (standing.arm == story.ego_arm) == (standing.side.value == keeps)
         box = replace(_DOOR, length_m=_DOOR.width_m, width_m=REACH_M)
-        story.runners[name] = Runner(
-            name, ParticipantKind.DOOR, box, forward, -1, 0.0,
-            thing=True, keeps_left=ego.keeps_left, inner_m=ego.inner_m,
-            lane_width_m=ego.lane_width_m,
-        )  # fmt: skip
+        story.add(name, ParticipantKind.DOOR, box, forward=forward, thing=True)
 
 
 def hang_doors(story: Story) -> None:

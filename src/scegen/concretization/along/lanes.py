@@ -57,16 +57,11 @@ def choose_lanes(story: Story) -> None:
     # Nobody passes another on the other side of a median: there must be a lane for that.
     undivided = junction.carriageway is Carriageway.UNDIVIDED
     counts = [said] if said else range(1 if undivided else 2, MOST_LANES + 1)
-    best: tuple[float, int, dict[str, int]] | None = None
-    on_strips = {n for n in people if story.functional.participant(n).strip is not None}
-    for count in counts:
-        cost, lanes = cheapest(list(people), wishes_of(count), count, story.merging | on_strips)
-        cost += _LANE * (count - 1)
-        if best is None or cost < best[0] - 1e-9:
-            best = cost, count, lanes
-    if best is None:
-        raise MotionInfeasibleError("there is no lane to drive in")
-    cost, story.lane_count, lanes = best
+    beyond = story.merging.union(
+        n for n in people if story.functional.participant(n).strip is not None
+    )
+    tried = [(*cheapest(list(people), wishes_of(n), n, beyond), n) for n in counts]
+    cost, lanes, story.lane_count = min(tried, key=lambda each: round(each[0] + _LANE * each[2], 6))
     if cost >= SAID:
         broken = [w for w in wishes_of(story.lane_count) if w.weight >= SAID and not w.met(lanes)]
         raise MotionInfeasibleError(

@@ -10,12 +10,14 @@ from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.motion.following import Driver, driver_of
 from scegen.motion.model import Array
+from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Drive
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import DrivingSide, HazardKind, Maneuver, ParticipantKind
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
@@ -31,6 +33,19 @@ class Story(Tale):
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
     seed: int = 0
+
+    def add(
+        self, name: str, kind: ParticipantKind, body: Body, lane: int = -1, *,
+        forward: bool, thing: bool = False,
+    ) -> Runner:  # fmt: skip
+        """Somebody or something more along this road, at rest; lanes may come later."""
+        junction = self.functional.junction
+        runner = Runner(name, kind, body, forward, lane, 0.0, thing=thing)
+        runner.keeps_left = junction.driving_side is DrivingSide.LEFT
+        runner.inner_m = median_half_m(junction.carriageway)
+        runner.lane_width_m = junction.lanes_wide_m
+        self.runners[name] = runner
+        return runner
 
     @property
     def ego_arm(self) -> int:

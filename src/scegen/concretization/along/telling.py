@@ -14,7 +14,6 @@ from scegen.concretization.limits import REVERSING_MPS, REVERSING_MPS2
 from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.concretization.profile import SpeedChange
 from scegen.errors import MotionInfeasibleError
-from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
@@ -53,13 +52,12 @@ def cast(story: Story) -> None:
     for assignment in story.logical.assignments:
         participant = story.functional.participant(assignment.participant)
         if is_along(assignment, participant):
-            story.runners[participant.id] = _runner(story, assignment, participant)
+            _cast(story, assignment, participant)
     _speeds(story)
 
 
-def _runner(story: Story, assignment: Assignment, participant: Participant) -> Runner:
-    junction, arm = story.functional.junction, story.ego_arm
-    keeps = junction.driving_side.value
+def _cast(story: Story, assignment: Assignment, participant: Participant) -> None:
+    arm, keeps = story.ego_arm, story.functional.junction.driving_side.value
     if isinstance(assignment, Drive):
         forward = assignment.entry == arm
     elif isinstance(assignment, Walking):
@@ -70,15 +68,12 @@ def _runner(story: Story, assignment: Assignment, participant: Participant) -> R
         raise TypeError(f"{participant.id} goes across the road")
     beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
     lane = assignment_lane(assignment)
-    runner = Runner(participant.id, participant.kind, participant.body, forward, lane, 0.0)
-    runner.keeps_left = keeps == "left"
-    runner.inner_m = median_half_m(junction.carriageway)
-    runner.lane_width_m = junction.lanes_wide_m
+    name, kind, body = participant.id, participant.kind, participant.body
+    runner = story.add(name, kind, body, lane, forward=forward)
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         outward = -1.0 if keeps == "right" else 1.0
         runner.offset_m = outward * _EDGE_M
-    return runner
 
 
 def assignment_lane(assignment: Assignment) -> int:
@@ -167,12 +162,8 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     story.things = tuple(_things(story))
     for thing in story.things:
         blocked = story.runners[thing.in_way_of or ""]
-        body = shape_of(thing).body
-        story.runners[thing.id] = Runner(
-            thing.id, ParticipantKind.CAR, body, blocked.forward, -1, 0.0,
-            thing=True, keeps_left=blocked.keeps_left, inner_m=blocked.inner_m,
-            lane_width_m=blocked.lane_width_m,
-        )  # fmt: skip
+        body, forward = shape_of(thing).body, blocked.forward
+        story.add(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)
     story.acts = all_acts(story)
     choose_lanes(story)
     put_on_strips(story)

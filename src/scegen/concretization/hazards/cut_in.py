@@ -13,8 +13,7 @@ from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm
 from scegen.concretization.lane_choice import change_lanes, choose_ring_lane, lanes_in, routes_of
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S
 from scegen.concretization.meetings import Meeting, nearest_s_m
-from scegen.concretization.passing import change_length_m, speed_for_change_mps
-from scegen.concretization.profile import SpeedChange
+from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
@@ -24,7 +23,7 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 _RING_MARGIN_M = 0.25
 _LEAST_RING_CHANGE_M = 7.0
-_SAME_LINE_M, _RING_LANE_M = 2.0, 3.5
+_SAME_LINE_M = 2.0
 
 
 def _prepare(scene: Setup, hazard: Hazard) -> None:
@@ -71,11 +70,6 @@ def _in_ring(
     begin = piece.end_m - _RING_MARGIN_M - length
     end_s = culprit.laid.path_s_m(begin + length)
     change_lanes(scene, culprit, [(begin, length, scene.road.ring_lanes)], kind)
-    fastest = speed_for_change_mps(length, _RING_LANE_M)
-    speed = culprit.course.speed_at(end_s - length)
-    if speed > fastest:
-        slows = max(1.0, end_s - length - speed)
-        culprit.add_speed_change(SpeedChange(fastest, 3.0, s_m=slows))
     pose = culprit.laid.path.pose(end_s)
     place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
     if apart > _SAME_LINE_M:

@@ -57,9 +57,6 @@ def _sufferer(scene: Setup, hazard: Hazard, draft: DriveDraft) -> DriveDraft | N
             where=draft.id,
             hint="Name another as the one that suffers it, or let it drive.",
         )
-    if not hazard.to:
-        # Nobody is named: not one that drives ahead of it.
-        others = [o for o in others if not same_arm(o, draft) or o.drive.rank > draft.drive.rank]
     return others[0] if others else None
 
 
