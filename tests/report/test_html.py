@@ -190,7 +190,7 @@ def full() -> ReportInput:
     return ReportInput(
         functional(),
         logical_set(),
-        (entry(concrete(), checks=checks),),
+        (entry(concrete(), checks=checks, files=("road.xodr", "scenario.xosc")),),
         ((EVIL, EVIL),),
     )
 
@@ -247,8 +247,7 @@ def test_levels_that_did_not_happen_are_left_out():
 def test_files_are_linked_and_checks_are_told_apart():
     page = html.fromstring(report_html(full()))
     links = [unquote(h) for h in page.xpath("//p[@class='files']/a/@href")]
-    assert "scenarios/000-s/road.xodr" in links
-    assert "scenarios/000-s/scenario.xosc" in links
+    assert links == ["scenarios/000-s/road.xodr", "scenarios/000-s/scenario.xosc"]
     rows = page.xpath("//div[@aria-label='Checks']/table/tbody/tr")
     assert [r.xpath("string(td[2]/span/@class)") for r in rows] == [
         "pill held",

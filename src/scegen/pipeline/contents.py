@@ -90,6 +90,7 @@ def _report_input(
             verdict=item.judged.verdict,
             sensitivity=item.judged.sensitivity,
             proof=item.proof,
+            files=tuple(item.files),
         )
         for item in made
     )

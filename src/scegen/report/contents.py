@@ -30,7 +30,7 @@ class ConcreteEntry:
 
     ``scene`` is from ``player.scene``, ``before`` that of the first timing, None where nothing was
     changed. The verdict and the sensitivity are None where nobody judged, the proof where nothing
-    was searched.
+    was searched. ``files`` are the names of what lies in the folder.
     """
 
     concrete: ConcreteScenario
@@ -41,6 +41,7 @@ class ConcreteEntry:
     verdict: Verdict | None = None
     sensitivity: Sensitivity | None = None
     proof: Proof | None = None
+    files: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

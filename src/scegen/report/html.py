@@ -161,9 +161,6 @@ class _Concrete:
 
 def _concrete(entry: ConcreteEntry) -> _Concrete:
     concrete = entry.concrete
-    names = ["road.xodr", "scenario.xosc", "concrete.yaml", "preview.png"]
-    if entry.proof is not None:
-        names.append("proof.json")
     return _Concrete(
         name=concrete.name,
         anchor=f"scenario-{concrete.name}",
@@ -175,7 +172,7 @@ def _concrete(entry: ConcreteEntry) -> _Concrete:
         hazards=tuple(hazard_words(hazard) for hazard in concrete.hazards),
         scenes=_data([entry.scene, entry.before]),
         tables=tuple(tables(concrete)),
-        files=tuple((name, quote(f"{entry.folder}/{name}")) for name in names),
+        files=tuple((name, quote(f"{entry.folder}/{name}")) for name in entry.files),
         checks=tuple((row, _verdict(row.status)) for row in entry.checks),
         judgement=(
             *danger_tables(entry.proof),

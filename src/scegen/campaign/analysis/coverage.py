@@ -46,7 +46,7 @@ NEEDED = (
 class Ranged:
     """One parameter of a description's scenarios: where it lies, and in how many parts of that."""
 
-    description: str
+    described: str
     parameter: str
     low: float
     high: float
@@ -107,7 +107,7 @@ def _ranges(rows: list[dict[str, Any]]) -> tuple[Ranged, ...]:
         for named, parts in every.items()
     ]
     varied = (ranged for ranged in found if ranged.high > ranged.low)
-    return tuple(sorted(varied, key=lambda r: (r.covered / r.parts, r.description, r.parameter)))
+    return tuple(sorted(varied, key=lambda r: (r.covered / r.parts, r.described, r.parameter)))
 
 
 def good(row: dict[str, Any]) -> bool:

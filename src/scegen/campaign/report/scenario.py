@@ -82,6 +82,7 @@ def page(store: Store, row: Mapping[str, Any], folder: str) -> str:
         verdict=judged.verdict,
         sensitivity=judged.sensitivity,
         proof=found.proof,
+        files=tuple(file for file, name in FILE_COLUMNS.items() if row[name]),
     )
     return report_html(ReportInput(found.functional, None, (entry,)))
 
