@@ -166,6 +166,7 @@ def test_who_does_not_stop_for_people_owes_it_to_them():
         ("A jam of six cars crawls in both lanes of a motorway, the ego comes.", "both lanes"),
         ("A man walks on the pavement and steps into the road in front of the ego.", "walks"),
         ("The ego follows a van past an exit of the motorway.", "exit"),
+        ("The ego drives third in a row of five cars; the first brakes.", "third"),
     ],
 )
 def test_what_is_not_built_is_told(text, words):

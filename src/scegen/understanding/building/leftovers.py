@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term
 
 _QUALITIES = frozenset({"colour", "quality"})
@@ -19,6 +20,7 @@ ONE_RAMP = "one ramp, or lane that ends, is built; this other one is left out"
 _NOT_DRIVEN_OVER = "nobody is driven over one; who comes over it is on this side from the start"
 _NOBODY_THERE = "nobody is put on a median; where they are is left open"
 _ONE_LANE = "nobody is shared out among lanes: those told of together are in one"
+_PLACE_IN_A_ROW = "which place in a row it has is not read from that; it is behind the first"
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
 
@@ -50,13 +52,15 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bo
     for chunk in chunks:
         if isinstance(chunk, Mention):
             _mention(draft, chunk)
-    _several_lanes(draft, chunks)
+    _shared_out(draft, chunks)
     del draft.notes[_MOST_NOTES:]
 
 
-def _several_lanes(draft: Draft, chunks: list[Chunk]) -> None:
-    """``two lanes of stopped cars``, ``in both lanes``."""
+def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
+    """``two lanes of stopped cars``, ``in both lanes``; ``drives fifth in a row of eight``."""
     for k, place in enumerate(chunks):
+        if isinstance(place, Word) and place.cat == "label" and place.value in POSITIONS:
+            draft.note(place.i, place.j, _PLACE_IN_A_ROW)
         if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
             continue
         words = {t.low for t in draft.tokens[place.i : place.j]}
