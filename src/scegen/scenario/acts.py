@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from scegen.scenario.definitions import Word
 from scegen.scenario.model import FrozenModel, Identifier, Interval
@@ -19,7 +19,7 @@ class ActKind(Word):
         "brake",
         "slows down, to a speed that may be given",
         "`stop`, which ends at rest",
-        "brakes with 6 m/s2 to 20 km/h",
+        "brakes with 6 m/s2 to 20 km/h; reacts, of which no more is said",
     )
     ACCELERATE = "accelerate", "gains speed", "`set_off`, from rest", "accelerates to 80 km/h"
     STOP = (
@@ -50,7 +50,7 @@ class ActKind(Word):
         "change_lane",
         "goes over into the lane beside",
         "`swerve`, which leaves no lane for good; `turn`",
-        "changes to the left lane; cuts in; drifts into the ego's lane",
+        "changes to the left lane; cuts in; merges",
     )
     SWERVE = (
         "swerve",
@@ -109,14 +109,22 @@ FAR = frozenset(
 """What may go on for as far as is said; who crosses then stops there, before the far kerb."""
 
 
-class AfterStart(FrozenModel):
+class _Moment(FrozenModel):
+    """What sets an act off; its type is always written, though it never is another."""
+
+    @model_serializer(mode="wrap")
+    def _with_its_type(self, written: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        return {"type": type(self).model_fields["type"].default, **written(self)}
+
+
+class AfterStart(_Moment):
     """So long after the start of the scenario."""
 
     type: Literal["start"] = "start"
     delay_s: Interval = Interval(low=0.0, high=0.0)
 
 
-class AfterAct(FrozenModel):
+class AfterAct(_Moment):
     """So long after another act has begun, or has ended."""
 
     type: Literal["after"] = "after"
@@ -125,7 +133,7 @@ class AfterAct(FrozenModel):
     delay_s: Interval = Interval(low=0.0, high=0.0)
 
 
-class WhenMeasure(FrozenModel):
+class WhenMeasure(_Moment):
     """As soon as a measure of ``participant`` to ``reference`` has come down to a value.
 
     The reference may be an object: "40 m before the crate".
@@ -138,7 +146,7 @@ class WhenMeasure(FrozenModel):
     value: Interval
 
 
-class AfterDistance(FrozenModel):
+class AfterDistance(_Moment):
     """As soon as ``participant``, who acts if None, has gone so far since the start."""
 
     type: Literal["driven"] = "driven"
@@ -146,7 +154,7 @@ class AfterDistance(FrozenModel):
     distance_m: Interval
 
 
-class BeforeJunction(FrozenModel):
+class BeforeJunction(_Moment):
     """So far before the junction: the front of ``participant``, who acts if None, from there."""
 
     type: Literal["before_junction"] = "before_junction"

@@ -85,7 +85,7 @@ class Junction(FrozenModel):
 
     ``arm_angles_deg`` are the directions of the arms seen from the centre, in degrees
     counter-clockwise from east, one per arm in rising order; empty means the kind's own.
-    ``lanes`` is the number of lanes per direction of each arm; empty means one everywhere;
+    ``lanes`` is the number of lanes per direction of each arm; empty means as many as are needed;
     ``lane_width_m`` is how wide each is, None as wide as usual.
     ``crosswalks`` are the arms that a marked crosswalk runs across, on a road without a junction
     one arm at most: who crosses does so there. ``strips`` lie all along the lanes. A road without a

@@ -133,6 +133,10 @@ class HazardRow:
     more_of: tuple[str, Literal[1, -1]] | None = None
 
 
+HARD_BRAKING_MPS2 = 5.0
+"""UN R152: emergency braking demands at least as much."""
+CUT_IN_S = 1.0
+"""So far ahead, by the speed of who follows, a cut-in is close: near UN R157."""
 _BEHIND_ONE = {Case.ONE_ARM: (Arrangement.AHEAD,), Case.APART: (Arrangement.MEET,)}
 """Who brakes, stops or crawls endangers whoever follows, or meets it."""
 _EGO_OR_OTHERS = (Party.EGO, Party.OTHERS)
@@ -167,8 +171,10 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.HARD_BRAKING: HazardRow(
         Definition(
-            "brakes by its own decision, hard, suddenly, or right before one who follows",
-            "`stopping`, where that it stands is the danger; a reaction that another forces",
+            "brakes by its own decision, hard or suddenly in words, or with at least "
+            f"{HARD_BRAKING_MPS2:g} m/s2",
+            "a lower rate alone; `stopping`, where that it stands is the danger; a reaction that "
+            "another forces",
             "the lead car brakes sharply in front of the ego",
         ),
         causes=_FOLLOWED,
@@ -182,8 +188,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         Definition(
             "brakes later than it should, or is said to notice, react or stop too late",
             "`hard_braking`, whose danger is for those behind; `failure_to_yield`, where it takes "
-            "another's way at a junction",
-            "distracted, the driver brakes late behind the bus",
+            "another's way at a junction; a distance alone",
+            "distracted, the driver brakes late behind the bus; skids with locked wheels into it",
         ),
         causes=(Party.EGO, Party.FOLLOWER, Party.OTHER),
         suffers=(Party.LEADER, Party.CROSSING, *_EGO_OR_OTHERS),
@@ -194,7 +200,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.STOPPING: HazardRow(
         Definition(
-            "stops or stands in the travelled way of others, with its driver in it",
+            "stops or stands in the travelled way of others, with its driver or rider",
             "`hard_braking` if only the braking is said; a wait that a rule demands; "
             "`obstacle`, for a thing and a parked or broken-down vehicle; at the edge of the road",
             "a taxi stops in the lane to let somebody out; a stationary car in the ego's lane",
@@ -221,8 +227,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.CUT_IN: HazardRow(
         Definition(
             "comes into somebody's lane from the side, close in front of it",
-            "a lane change that endangers nobody (no danger); `merging_conflict` where two roads "
-            "or lanes join; `failure_to_yield` across a junction",
+            f"a lane change that endangers nobody, {CUT_IN_S:g} s or more ahead; "
+            "`merging_conflict` where roads or lanes join; `failure_to_yield` across a junction",
             "the van squeezes in 8 m ahead of the ego",
         ),
         causes=(Party.BESIDE, Party.OTHER, Party.EGO),
@@ -357,7 +363,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a thing or vehicle keeps somebody from being seen; caused by what hides, suffered by "
             "who cannot see",
             "fog, night, glare (the environment); `obstacle`, which is in the way",
-            "a parked van hides the child from the ego",
+            "a parked van hides the child from the ego; a child runs out between parked cars",
         ),
         causes=(Party.THING, Party.STANDING),
         suffers=_EGO_OR_OTHERS,
@@ -428,7 +434,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.LOSS_OF_CONTROL: HazardRow(
         Definition(
             "skids, slides or spins: the driver does not steer it any more",
-            "`swerving`, where the driver steers",
+            "`swerving`, where the driver steers; skid marks of one who only brakes",
             "a car skids on the ice into the ego's lane",
         ),
         causes=(Party.OTHER, Party.EGO),

@@ -22,7 +22,7 @@ class OutcomeKind(Word):
         "collision",
         "they touch",
         "`near_miss`; a danger or risk of collision",
-        "hits; crashes into; is struck",
+        "hits; is struck; an impact point that a test sets",
     )
     AVOIDED = (
         "avoided",

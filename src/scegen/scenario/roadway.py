@@ -25,7 +25,7 @@ class Carriageway(Word):
         "divided",
         "a median parts the two directions, and nobody crosses it",
         "`one_way`, which has no other direction",
-        "a motorway; a dual carriageway",
+        "a motorway; a road with ramps; a dual carriageway",
     )
     ONE_WAY = (
         "one_way",

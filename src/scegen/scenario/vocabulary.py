@@ -117,14 +117,14 @@ class ParticipantKind(Word):
         "car",
         "a passenger car, and any vehicle of which no more is said",
         "`van`, `truck`",
-        "a vehicle; a taxi; an SUV; a car with a caravan",
+        "a vehicle; a taxi; a test target (GVT)",
     )
     VAN = "van", "a light goods vehicle, or one of its size", "`truck`", "a delivery van; a camper"
     TRUCK = (
         "truck",
         "a heavy goods vehicle, also an agricultural one",
         "`van`",
-        "a lorry; a tractor",
+        "a lorry; a tow truck; a pickup; a tractor",
     )
     BUS = "bus", "a bus or coach of any size", "`van`", "a school bus; a minibus"
     MOTORCYCLE = (
@@ -235,8 +235,8 @@ class AtLight(Word):
     WAITS = (
         "waits",
         "stands at the line at red, and goes when its light has turned green",
-        "`stops`, which does not go on",
-        "when the light turns green it sets off",
+        "`stops`, which does not go on; who stands there to the end (maneuver `stay`)",
+        "when the light turns green it sets off; enters 2 s after its light has turned green",
     )
     STOPS = (
         "stops",
@@ -307,7 +307,7 @@ class Approach(Word):
     BEHIND = (
         "behind",
         "on the reference's arm and in its direction, after it",
-        "`opposite`",
+        "`adjacent`, in another lane",
         "a following car",
     )
     ADJACENT = (

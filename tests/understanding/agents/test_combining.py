@@ -318,7 +318,63 @@ def test_who_causes_a_danger_is_compared(differ):
     result = differ(BRAKES, participants={"participants": people}, hazards=hazards)
     item = only(result)
     assert (item.reader, item.agents) == ("hard_braking by van_7", "hard_braking by car_1")
-    assert result.functional.hazards[0].by == ("van_7",)
+    assert item.kept is Kept.AGENTS
+    assert result.functional.hazards[0].by == ("car_1",)
+
+
+def interval(value):
+    return {"low": value, "high": value}
+
+
+def test_a_number_that_the_agents_give_to_something_else_stays_there(differ):
+    text = "A van hits a parked car at 36 km/h; before, it had slowed down."
+    assert any(p.speed_mps for p in read(text).participants), "the reader takes it for the speed"
+    people = [person("van_1", "van", role="ego"), person("car_1", parked=True, maneuvers=["stay"])]
+    act = {"id": "brake_1", "participant": "van_1", "kind": "brake"}
+    acts = {
+        "acts": [{**act, "target_speed_mps": interval(10.0)}],
+        "outcome": {"kind": "collision", "between": ["van_1", "car_1"]},
+        "basis": [{"field": "acts.brake_1.target_speed_mps", "words": "at 36 km/h"}],
+    }
+    road = {"junction": {"kind": "straight", "arms": 2}}
+    result = differ(text, road=road, participants={"participants": people}, acts=acts)
+    assert result.functional.participant("van_1").speed_mps is None
+    assert result.functional.acts[0].target_speed_mps.low == pytest.approx(10.0)
+    told = next(d for d in result.disagreements if d.field == "participants.van_1.speed_mps")
+    assert (told.kept, told.reader) == (Kept.AGENTS, "10.0 m/s")
+    assert "acts.brake_1.target_speed_mps" in told.reason
+
+
+def test_a_number_for_which_the_agents_find_no_field_stays_out(differ):
+    text = "A van hits a parked car at 36 km/h; before, it had slowed down."
+    people = {
+        "participants": [
+            person("van_1", "van", role="ego"),
+            person("car_1", parked=True, maneuvers=["stay"]),
+        ],
+        "unsupported": [{"words": "hits a parked car at 36 km/h", "instead": "a speed at impact"}],
+    }
+    road = {"junction": {"kind": "straight", "arms": 2}}
+    result = differ(text, road=road, participants=people)
+    assert result.functional.participant("van_1").speed_mps is None
+    told = next(d for d in result.disagreements if d.field == "participants.van_1.speed_mps")
+    assert "a speed at impact" in told.reason
+
+
+def test_whose_maneuver_it_is_the_agents_know_better(differ):
+    text = "A bus turns left at a four-way intersection while a car waits."
+    assert {str(m) for p in read(text).participants if p.kind == "bus" for m in p.maneuvers} == {
+        "left"
+    }
+    people = {
+        "participants": [person("bus_1", "bus", role="ego"), person("car_1", maneuvers=["left"])],
+        "basis": [{"field": "participants.car_1.maneuvers", "words": "turns left"}],
+    }
+    result = differ(text, participants=people)
+    assert not result.functional.participant("bus_1").maneuvers
+    told = next(d for d in result.disagreements if d.field == "participants.bus_1.maneuvers")
+    assert (told.kept, told.reader) == (Kept.AGENTS, "left")
+    assert "participants.car_1.maneuvers" in told.reason
 
 
 def test_disagreements_are_contradictions_of_the_parse_report(differ):

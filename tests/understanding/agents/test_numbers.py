@@ -85,3 +85,38 @@ def test_of_two_amounts_on_the_same_words_the_readers_stands(read_by):
     assert (item.field, item.reader, item.agents) == ("acts.brake_1.rate_mps2", "5", "0.5")
     assert item.kept is Kept.READER
     assert result.functional.acts[0].rate_mps2.low == 5.0
+
+
+def reviewed(server):
+    (request,) = server.asked("reviewer")
+    return request["messages"][-1]["content"]
+
+
+def test_the_reviewer_sees_types_paths_and_neighbours(read_by, chat_server):
+    acts = braking(5.0, 10.0)
+    driven = {"type": "driven", "participant": "van_1", "distance_m": interval(30.0)}
+    acts["acts"][0]["when"] = driven
+    acts["outcome"] = {"kind": "avoided", "between": ["ego", "van_1"]}
+    acts["basis"].append({"field": "outcome.between", "words": "The ego follows a van"})
+    seen = people(speed_mps=interval(20.0))
+    seen["participants"].append({"id": "car_1"})
+    relation = {"participant": "car_1", "reference": "van_1", "approaches": ["behind"]}
+    seen["relations"] = [relation]
+    seen["basis"].append({"field": "relations[0]", "words": "follows"})
+    result = read_by(acts, participants=seen)
+    text = str(reviewed(chat_server))
+    assert '{"type": "driven", "participant": "van_1"' in text
+    assert '- outcome.between: stated "The ego follows a van"' in text
+    assert '- relations.0: stated "follows"' in text
+    assert "- hazards[].kind `stopping`: " in text, "the neighbour of hard_braking"
+    assert "car_1.kind" not in text, "a car is what anything is of which no more is said"
+    assert result.functional.acts[0].when.distance_m.low == 30.0
+
+
+def test_two_notes_on_the_same_words_are_both_kept(read_by):
+    acts = braking(5.0, 10.0)
+    acts["unsupported"] = [{"words": "follows a van", "instead": "no following in acts"}]
+    seen = people(speed_mps=interval(20.0))
+    seen["unsupported"] = [{"words": "follows a van", "instead": "read as ahead"}]
+    (phrase,) = read_by(acts, participants=seen).functional.unsupported
+    assert phrase.instead == "read as ahead; no following in acts"

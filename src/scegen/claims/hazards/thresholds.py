@@ -18,6 +18,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scegen.scenario.hazards import CUT_IN_S, HARD_BRAKING_MPS2
+
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
@@ -34,7 +36,7 @@ SPEEDING = Threshold(1.1, "m/s", 1.4, "own: a tenth above the limit")
 SLOW = Threshold(0.6, "m/s", 1.4, "own: below 0.6 of the limit")
 SLOW_FOR_S = 3.0
 ACCELERATION = Threshold(2.94, "m/s2", 1.0, "own: 0.3 g, within [telematics]")
-HARD_BRAKING = Threshold(5.0, "m/s2", 1.0, "[UN152]")
+HARD_BRAKING = Threshold(HARD_BRAKING_MPS2, "m/s2", 1.0, "[UN152]")
 LATE_BRAKING = Threshold(3.4, "m/s2", 1.0, "[AASHTO]")
 MEASURED_OVER_S = 0.5
 """Accelerations are means over this time, so that one step does not count."""
@@ -43,7 +45,7 @@ OF_WHAT_IS_POSSIBLE = 0.8
 STANDS = Threshold(1.0, "s", 0.5, "own: stands for a second")
 STANDS_MPS = 0.1
 LATERAL_SPEED = Threshold(1.0, "m/s", 0.3, "own: a lane of 3.5 m in at most 3.5 s")
-CUT_IN_GAP = Threshold(1.0, "s", 0.4, "own: near [UN157]")
+CUT_IN_GAP = Threshold(CUT_IN_S, "s", 0.4, "own: near [UN157]")
 TAILGATING = Threshold(0.8, "s", 0.2, "[ISO15622]")
 TAILGATING_FOR_S = 1.0
 CONFLICT = Threshold(1.5, "s", 0.5, "[ASC], [TTC]")

@@ -116,10 +116,10 @@ def _unsupported(description: str, parts: Parts) -> tuple[tuple[Unsupported, ...
                 f'left out as not expressible: "{passage.words}", which the text does not have'
             )
         else:
-            found.setdefault(
-                (quote.start, quote.end),
-                Unsupported(
-                    text=quote.text, start=quote.start, end=quote.end, instead=passage.instead
-                ),
+            place = quote.start, quote.end
+            told = [found[place].instead, passage.instead] if place in found else [passage.instead]
+            instead = "; ".join(dict.fromkeys(told))
+            found[place] = Unsupported(
+                text=quote.text, start=quote.start, end=quote.end, instead=instead
             )
     return tuple(found[place] for place in sorted(found)), tuple(notes)

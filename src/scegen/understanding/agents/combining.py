@@ -1,8 +1,8 @@
 """Reader and agents combined: where they differ on a stated fact, both are shown and one kept.
 
-Numbers that the text states win, as the reader parsed them. Elsewhere the agents' value stands if
-they quoted more or other words for it than the reader; what rests on the very same words, or on
-none, gives way to the lexicon.
+Whoever reads the words of a fact as something else, or rests the fact on other words, keeps its
+reading: the agents know better whose a word is. Only of what rests on the same words, or where the
+agents pass them over, the reader's value stands: it knows better what a word or a number means.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.comparing import compare_hazards, compare_people
 from scegen.understanding.agents.deciding import EVERYBODYS, Decider
 from scegen.understanding.agents.numbers import compare_numbers
+from scegen.understanding.agents.quoting import find_quote
 from scegen.understanding.agents.stated import Words, miscounted, words_of
 from scegen.understanding.report.disagreement import Disagreement
 
@@ -106,7 +107,7 @@ def _counts(decider: Decider) -> bool:
     if not objections:
         return False
     replaced = {name: getattr(reader, name) for name in EVERYBODYS}
-    words = _place(reader, objections[0].words or "")
+    words = find_quote(reader.description, objections[0].words) or Words("", 0, 0)
     theirs, ours = _tally(reader), _tally(decider.scenario)
     decider.decide("participants", words, theirs, ours, replaced, number=True)
     return decider.scenario.participants == reader.participants
@@ -115,8 +116,3 @@ def _counts(decider: Decider) -> bool:
 def _tally(scenario: FunctionalScenario) -> str:
     kinds = [str(p.kind) for p in scenario.participants]
     return ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
-
-
-def _place(scenario: FunctionalScenario, text: str) -> Words:
-    start = max(scenario.description.find(text), 0)
-    return Words(text, start, start + len(text))

@@ -6,12 +6,13 @@ from collections import Counter
 from typing import Any
 
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
-from scegen.scenario.vocabulary import ParticipantKind, Role
+from scegen.scenario.model import Interval
+from scegen.scenario.vocabulary import Role
 from scegen.understanding.agents.deciding import EVERYBODYS, Decider, close, shown
 from scegen.understanding.agents.stated import Words, words_of
 from scegen.understanding.report.disagreement import Kept
 
-_SAID = ("kind", "parked", "maneuvers", "approaches")
+_SAID = ("kind", "parked", "maneuvers", "approaches", "speed_mps")
 _NAMING = ("kind", "role", "speed_mps", "maneuvers", "approaches")
 """Fields whose words tell participants apart, the surest first."""
 
@@ -26,13 +27,16 @@ def pairs(reader: FunctionalScenario, agents: FunctionalScenario) -> dict[str, s
     found: dict[str, str] = {}
     for name in _NAMING:
         found |= _by_words(reader, agents, name, found)
-    ours = [p for p in agents.participants if p.id not in found.values()]
-    left = [p for p in reader.participants if p.id not in found]
-    for p in left:
-        alike = [q for q in ours if q.kind is p.kind]
-        peers = [q for q in left if q.kind is p.kind]
-        if len(alike) == len(peers) == 1:
-            found[p.id] = alike[0].id
+    for kind in dict.fromkeys(p.kind for p in reader.participants):
+        left = [p for p in reader.participants if p.kind is kind and p.id not in found]
+        ours = [p for p in agents.participants if p.kind is kind and p.id not in found.values()]
+        # of whom the same is said, it does not matter who is who
+        said = {p.model_copy(update={"id": "alike", "role": Role.OTHER}) for p in left}
+        if len(left) == len(ours) and len(said) == 1:
+            in_turn = (
+                sorted(people, key=lambda p: p.role is not Role.EGO) for people in (left, ours)
+            )
+            found |= {p.id: q.id for p, q in zip(*in_turn, strict=True)}
     return found
 
 
@@ -46,7 +50,7 @@ def _by_words(
             for q in agents.participants
             if q.id not in known.values()
             and (q.kind is p.kind or name == "kind")
-            and _overlap(reader, p.id, agents, q.id, name)
+            and _overlap(_naming(reader, p, name), _naming(agents, q, name))
         ]
         for p in reader.participants
         if p.id not in known
@@ -59,11 +63,11 @@ def _by_words(
     }
 
 
-def _overlap(
-    reader: FunctionalScenario, theirs: str, agents: FunctionalScenario, ours: str, name: str
-) -> bool:
-    one = words_of(reader, f"participants.{theirs}.{name}")
-    other = words_of(agents, f"participants.{ours}.{name}")
+def _naming(scenario: FunctionalScenario, one: Participant, name: str) -> Words | None:
+    return words_of(scenario, f"participants.{one.id}.{name}")
+
+
+def _overlap(one: Words | None, other: Words | None) -> bool:
     return one is not None and other is not None and one.overlaps(other)
 
 
@@ -76,46 +80,29 @@ def compare_people(decider: Decider) -> None:
         ours = paired.get(theirs.id)
         if ours is None:
             _missing(decider, theirs, missing)
+            _somebodys_speed(decider, theirs, missing)
         else:
             for name in _SAID:
                 # positions are seen by the ego: with another ego they are others
                 if name != "approaches" or paired.get(reader.ego.id) == decider.scenario.ego.id:
                     _said(decider, theirs, ours, name)
-    _speeds(decider, paired)
     _ego(decider, paired.get(reader.ego.id))
 
 
 def _said(decider: Decider, theirs: Participant, ours: str, name: str) -> None:
-    words = words_of(decider.reader, f"participants.{theirs.id}.{name}")
+    proof = f"participants.{theirs.id}.{name}"
+    words = words_of(decider.reader, proof)
     value, held = getattr(theirs, name), getattr(decider.scenario.participant(ours), name)
-    if words is not None and value != held:
-        _take(decider, theirs.id, ours, name, words, value, held)
-
-
-def _take(
-    decider: Decider,
-    theirs: str,
-    ours: str,
-    name: str,
-    words: Words,
-    value: object,
-    held: object,
-    *,
-    number: bool = False,
-) -> None:
-    participants = tuple(
-        p.model_copy(update={name: value}) if p.id == ours else p
-        for p in decider.scenario.participants
-    )
-    decider.decide(
-        f"participants.{ours}.{name}",
-        words,
-        value,
-        held,
-        {"participants": participants},
-        number=number,
-        proof=f"participants.{theirs}.{name}",
-    )
+    number = isinstance(value, Interval)
+    if words is None or value == held or (number and not words.numbers):
+        return
+    if isinstance(held, Interval) and close(value, held):
+        return
+    people = decider.scenario.participants
+    changed = (p.model_copy(update={name: value}) if p.id == ours else p for p in people)
+    update = {"participants": tuple(changed)}
+    path = f"participants.{ours}.{name}"
+    decider.decide(path, words, value, held, update, number=number, proof=proof)
 
 
 def _missing(decider: Decider, theirs: Participant, told: set[Words]) -> None:
@@ -134,44 +121,18 @@ def _missing(decider: Decider, theirs: Participant, told: set[Words]) -> None:
     decider.note("participants", words, f"{named} {theirs.kind}", f"{there}", Kept.AGENTS, reason)
 
 
-def _speeds(decider: Decider, paired: dict[str, str]) -> None:
-    """Speeds in numbers, of those whom the text gives them to."""
-    groups: dict[tuple[Words, ParticipantKind], list[Participant]] = {}
-    for theirs in decider.reader.participants:
-        words = words_of(decider.reader, f"participants.{theirs.id}.speed_mps")
-        if words is not None and words.numbers:
-            groups.setdefault((words, theirs.kind), []).append(theirs)
-    for (words, kind), group in groups.items():
-        alike = [p for p in decider.scenario.participants if p.kind is kind]
-        peers = [p for p in decider.reader.participants if p.kind is kind]
-        known = [(p.id, paired[p.id]) for p in group if p.id in paired]
-        if group == peers and len(group) == len(alike):
-            # all of a kind are as fast: it does not matter who is who
-            known = [(p.id, q.id) for p, q in zip(group, alike, strict=True)]
-        for one, ours in known:
-            _speed(decider, one, ours, words)
-        if not known:
-            _somebodys(decider, group[0], alike, words)
-
-
-def _speed(decider: Decider, theirs: str, ours: str, words: Words) -> None:
-    speed = decider.reader.participant(theirs).speed_mps
-    held = decider.scenario.participant(ours).speed_mps
-    if speed is not None and (held is None or not close(held, speed)):
-        _take(decider, theirs, ours, "speed_mps", words, speed, held, number=True)
-
-
-def _somebodys(
-    decider: Decider, theirs: Participant, alike: list[Participant], words: Words
-) -> None:
+def _somebodys_speed(decider: Decider, theirs: Participant, told: set[Words]) -> None:
     """A speed of one of several of a kind: shown, unless one of the agents' has it."""
-    speed, held = theirs.speed_mps, [p.speed_mps for p in alike if p.speed_mps is not None]
-    if speed is None or any(close(one, speed) for one in held):
+    path, speed = f"participants.{theirs.id}.speed_mps", theirs.speed_mps
+    words = words_of(decider.reader, path)
+    if words is None or speed is None or not words.numbers or words in told:
         return
-    said = tuple(dict.fromkeys(shown(one) for one in held))
-    reason = "it is not clear whose speed it is"
-    path = f"participants.{theirs.id}.speed_mps"
-    decider.note(path, words, speed, said, Kept.AGENTS, reason)
+    alike = (p.speed_mps for p in decider.scenario.participants if p.kind is theirs.kind)
+    held = [one for one in alike if one is not None]
+    if not any(close(one, speed) for one in held):
+        told.add(words)
+        said = tuple(dict.fromkeys(shown(one) for one in held))
+        decider.note(path, words, speed, said, Kept.AGENTS, "it is not clear whose speed it is")
 
 
 def _ego(decider: Decider, ours: str | None) -> None:
@@ -203,10 +164,14 @@ def compare_hazards(decider: Decider) -> None:
         renamed = _renamed(theirs, names)
         if not alike:
             _unnamed(decider, path, words, theirs, renamed)
-        elif renamed is not None and len(alike) == 1 and _blames_others(renamed, alike[0]):
-            hazards = tuple(renamed if h is alike[0] else h for h in decider.scenario.hazards)
-            said = _told(renamed), _told(alike[0])
-            decider.decide(path, words, *said, {"hazards": hazards})
+        elif (
+            renamed is not None
+            and renamed.by
+            and all(h.by and not {*h.by} & {*renamed.by} for h in alike)
+        ):
+            said, ours = _told(renamed), "; ".join(_told(h) for h in alike)
+            reason = "the agents know better whose it is"
+            decider.note(path, words, said, ours, Kept.AGENTS, reason)
 
 
 def _unnamed(
@@ -234,10 +199,6 @@ def _renamed(hazard: Hazard, names: dict[str, str]) -> Hazard | None:
         return None
     by, to = (tuple(names[n] for n in group) for group in (hazard.by, hazard.to))
     return Hazard(kind=hazard.kind, by=by, to=to)
-
-
-def _blames_others(one: Hazard, other: Hazard) -> bool:
-    return bool(one.by and other.by) and not {*one.by} & {*other.by}
 
 
 def _told(hazard: Hazard) -> str:

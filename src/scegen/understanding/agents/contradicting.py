@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.errors import InfeasibleError, InputError
-from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.result import Objection, Part
 from scegen.understanding.agents.stated import Words
 from scegen.understanding.report.disagreement import Disagreement, Kept
@@ -60,7 +60,7 @@ class Contradiction:
             (words, phrase.instead)
             for words in self.words
             for phrase in scenario.unsupported
-            if words.overlaps(_words(phrase))
+            if words.overlaps(phrase)
         ]
 
 
@@ -80,7 +80,3 @@ def contradiction_in(text: str, refusal: InputError | None) -> Contradiction | N
     )
     # without words it is a limit of the reader, which is not the agents'
     return Contradiction(refusal, words) if words else None
-
-
-def _words(phrase: Unsupported) -> Words:
-    return Words(phrase.text, phrase.start, phrase.end)

@@ -7,9 +7,11 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.acts import Act
+from scegen.scenario.functional import Evidence, FunctionalScenario, Participant, Relation
 from scegen.scenario.model import Interval
-from scegen.understanding.agents.stated import Words, words_of
+from scegen.scenario.things import Thing
+from scegen.understanding.agents.stated import Words, holds_number, place_of, words_of
 from scegen.understanding.report.disagreement import Disagreement, Kept
 
 _SAME_WITHIN = 0.02
@@ -17,7 +19,7 @@ _SAME_WITHIN = 0.02
 _NUMBERS_WIN = "numbers stated in the text win"
 EVERYBODYS = ("participants", "relations", "objects", "hazards", "acts", "spacings", "outcome")
 """Fields that name participants: who takes over another's participants takes over all of them."""
-_LEXICON_WINS = "the reader's lexicon has these words, and the agents named no others"
+_LEXICON_WINS = "the reader's lexicon has these words, and the agents make nothing else of them"
 
 
 class Decider:
@@ -58,34 +60,34 @@ class Decider:
         if isinstance(theirs, float) and isinstance(ours, float) and near(theirs, ours):
             self.scenario = self.updated(update) or self.scenario  # the same, not rounded
             return
-        quoted = words_of(self.scenario, path)
-        taken = None if quoted is not None or not number else self._used_for(path, words)
-        if taken is not None:
-            reason = f"the agents take these words for {taken}"
-            self.note(path, words, theirs, ours, Kept.AGENTS, reason)
-            return
-        if quoted is not None and not number and not quoted.within(words):
-            reason = f'the agents rest it on the words "{quoted.text}"'
-            self.note(path, words, theirs, ours, Kept.AGENTS, reason)
-            return
-        combined = self.updated(update, path, proof or path)
+        reason = self._read_otherwise(path, words, number=number)
+        combined = None if reason else self.updated(update, path, proof or path)
         if combined is None:
-            reason = "the reader's value does not fit the rest of the scenario"
+            reason = reason or "the reader's value does not fit the rest of the scenario"
             self.note(path, words, theirs, ours, Kept.AGENTS, reason)
             return
         self.scenario = combined
         reason = _NUMBERS_WIN if number else _LEXICON_WINS
         self.note(path, words, theirs, ours, Kept.READER, reason)
 
-    def _used_for(self, path: str, words: Words) -> str | None:
-        """The other field of the same name that the agents rest on these words, if any."""
-        name = path.rpartition(".")[2]
+    def _read_otherwise(self, path: str, words: Words, *, number: bool) -> str | None:
+        """What the agents make of these words, or of the field, if that is not the reader's fact.
+
+        What a word or a number means the reader knows well; whose it is, the agents know better.
+        """
+        quoted = words_of(self.scenario, path)
+        if quoted is not None:
+            same = quoted.overlaps(words) if number else quoted.within(words)
+            return None if same else f'the agents rest it on the words "{quoted.text}"'
         for item in self._agents.evidence:
-            if item.field == path or item.field.rpartition(".")[2] != name:
-                continue
             own = words_of(self._agents, item.field)
-            if own is not None and words.within(own):
-                return item.field
+            if own is None or not own.overlaps(words) or item.field == path:
+                continue
+            if _rivals(self._agents, path, item.field, number=number):
+                return f"the agents take these words for {item.field}"
+        for left in self._agents.unsupported:
+            if words.overlaps(left):
+                return f"the agents find no field for these words: {left.instead}"
         return None
 
     def updated(
@@ -138,6 +140,27 @@ class Decider:
         self.disagreements.append(item)
         evidence = tuple(_remarked(e, item) for e in self.scenario.evidence)
         self.scenario = self.scenario.model_copy(update={"evidence": evidence})
+
+
+def _rivals(scenario: FunctionalScenario, path: str, other: str, *, number: bool) -> bool:
+    """Whether another field can hold what is read for the path: a number, or the same of others."""
+    if number:
+        return holds_number(scenario, other)
+    one, two = (_whose(scenario, field) for field in (path, other))
+    return one is not None and two is not None and one[0] != two[0] and one[1] == two[1]
+
+
+def _whose(scenario: FunctionalScenario, field: str) -> tuple[str, str] | None:
+    """Of whom a field says something, and what; None if it is of nobody."""
+    found = place_of(scenario, field)
+    if found is None:
+        return None
+    _, one, name = found
+    if isinstance(one, Act):
+        return one.participant, "maneuvers" if name == "kind" else name
+    if isinstance(one, Relation):
+        return f"{one.participant} to {one.reference}", "approaches"
+    return (str(one.id), name) if isinstance(one, Participant | Thing) else None
 
 
 def _remarked(evidence: Evidence, item: Disagreement) -> Evidence:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from pydantic import BaseModel
 
 from scegen.scenario.acts import Act
-from scegen.scenario.functional import Evidence, Hazard, Participant, Relation
+from scegen.scenario.functional import Evidence, Hazard, Participant
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import EvidenceSource
@@ -54,7 +54,7 @@ def _path(reply: Reply, field: str) -> str:
         steps[1] = str(getattr(one, "id", getattr(one, "kind", steps[1])))
     if len(steps) == _WHOLE.get(steps[0]):
         steps.append("kind")
-    kept = {"hazards": 2, "spacings": 2, "relations": 1}.get(steps[0], len(steps))
+    kept = {"hazards": 2, "spacings": 2, "relations": 2}.get(steps[0], len(steps))
     return ".".join(steps[:kept])
 
 
@@ -62,7 +62,7 @@ def _fields(reply: Reply) -> Iterator[tuple[str, bool]]:
     """Paths of all fields that need a ground, and whether each has its default value."""
     for name, part in reply.parts().items():
         if isinstance(part, Outcome):
-            yield from _said(name, part, {"between"})
+            yield from _said(name, part, set())
         elif isinstance(part, BaseModel):
             yield from _filled(name, part)
         else:
@@ -79,7 +79,7 @@ def _of_one(name: str, number: int, one: BaseModel) -> Iterator[tuple[str, bool]
     elif isinstance(one, Act | Thing):
         yield from _said(f"{name}.{one.id}", one, {"id", "participant", "called"})
     else:
-        yield (name if isinstance(one, Relation) else f"{name}.{number}"), False
+        yield f"{name}.{number}", False
 
 
 def _said(place: str, model: BaseModel, whole: set[str]) -> Iterator[tuple[str, bool]]:
@@ -91,7 +91,7 @@ def _said(place: str, model: BaseModel, whole: set[str]) -> Iterator[tuple[str, 
 
 def _of_participant(participant: Participant) -> Iterator[tuple[str, bool]]:
     place = f"participants.{participant.id}"
-    yield f"{place}.kind", False
+    yield f"{place}.kind", participant.kind is Participant.model_fields["kind"].default
     yield f"{place}.role", participant.role is Participant.model_fields["role"].default
     for path, is_default in _filled(place, participant):
         if path not in {f"{place}.kind", f"{place}.role", f"{place}.id"}:

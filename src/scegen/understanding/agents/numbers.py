@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.model import FrozenModel, Interval
+from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.scenario.model import Interval
 from scegen.understanding.agents.deciding import Decider, close
 from scegen.understanding.agents.result import Objection, Part
-from scegen.understanding.agents.stated import Words, words_of
+from scegen.understanding.agents.stated import Words, holds_number, place_of, words_of
 
 _WHOSE = {
     "junction": Part.ROAD,
     "participants": Part.PARTICIPANTS,
+    "objects": Part.PARTICIPANTS,
     "acts": Part.ACTS,
     "spacings": Part.ACTS,
     "outcome": Part.ACTS,
@@ -28,11 +29,11 @@ def lost(reader: FunctionalScenario, scenario: FunctionalScenario) -> tuple[Obje
         reader: the offline reader's scenario.
         scenario: the agents'.
     """
-    used = [words_of(scenario, e.field) for e in scenario.evidence]
-    used += [Words(u.text, u.start, u.end) for u in scenario.unsupported]
+    stated = [words_of(scenario, e.field) for e in scenario.evidence]
+    used: list[Words | Unsupported] = [*scenario.unsupported, *(w for w in stated if w is not None)]
     found: dict[Words, str] = {}
     for field, words in _quantities(reader):
-        if not any(other is not None and other.overlaps(words) for other in used):
+        if not any(words.overlaps(other) for other in used):
             found.setdefault(words, field)
     return tuple(
         Objection(
@@ -49,33 +50,8 @@ def _quantities(scenario: FunctionalScenario) -> Iterator[tuple[str, Words]]:
     """Fields for a quantity that the text states by a number."""
     for item in scenario.evidence:
         words = words_of(scenario, item.field)
-        if words is not None and words.numbers and _interval(scenario, item.field) is not None:
+        if words is not None and words.numbers and holds_number(scenario, item.field):
             yield item.field, words
-
-
-def _interval(scenario: FunctionalScenario, field: str) -> Interval | None:
-    """The quantity in a field; None if it holds none."""
-    steps = field.split(".")
-    if steps[0] not in _WHOSE:
-        return None
-    place = _place(scenario, steps)
-    value = place and getattr(place[1], place[2], None)
-    if steps[0] == "junction" and isinstance(value, float):
-        return Interval(low=value, high=value)
-    return value if isinstance(value, Interval) else None
-
-
-def _place(scenario: FunctionalScenario, steps: list[str]) -> tuple[int, FrozenModel, str] | None:
-    """Where a path leads: the number in its list, whose field it is, and the field."""
-    part = getattr(scenario, steps[0])
-    if isinstance(part, FrozenModel) and len(steps) == 2:
-        return 0, part, steps[1]
-    if not isinstance(part, tuple) or len(steps) < 2:
-        return None
-    for number, one in enumerate(part):
-        if steps[1] in {str(number), getattr(one, "id", None)}:
-            return number, one, steps[2] if len(steps) > 2 else "value"
-    return None
 
 
 def compare_numbers(decider: Decider) -> None:
@@ -92,8 +68,8 @@ def compare_numbers(decider: Decider) -> None:
 
 
 def _compare(decider: Decider, theirs: str, ours: str, words: Words) -> None:
-    there = _place(decider.reader, theirs.split("."))
-    here = _place(decider.scenario, ours.split("."))
+    there = place_of(decider.reader, theirs)
+    here = place_of(decider.scenario, ours)
     if there is None or here is None or there[2] != here[2]:
         return
     if getattr(there[1], "measure", None) != getattr(here[1], "measure", None):

@@ -32,7 +32,7 @@ from scegen.understanding.agents.result import Part
 REVIEWER = "reviewer"
 _PARTS = {
     Part.ROAD: ("the road", "junction.kind"),
-    Part.PARTICIPANTS: ("the participants", "participants.car_1.maneuvers"),
+    Part.PARTICIPANTS: ("the participants", "participants.car_1.maneuvers`, `relations.0"),
     Part.HAZARDS: ("the dangers", "hazards.speeding"),
     Part.ACTS: ("what happens", "acts.brake_1.rate_mps2`, `spacings.0`, `outcome.kind"),
 }

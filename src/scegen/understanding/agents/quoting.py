@@ -3,20 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+
+from scegen.understanding.agents.stated import Words
 
 _AROUND = " \t\r\n\"'“”‘’«».,;:…"
 
 
-class Quote(NamedTuple):
-    """Words as they stand in the description."""
-
-    text: str
-    start: int
-    end: int
-
-
-def find_quote(description: str, words: str | None) -> Quote | None:
+def find_quote(description: str, words: str | None) -> Words | None:
     """Where the description has these words; None if it has not.
 
     Case, white space and punctuation around the words may differ, the words may not; they
@@ -27,4 +20,4 @@ def find_quote(description: str, words: str | None) -> Quote | None:
         return None
     pattern = r"(?<!\w)" + r"\s+".join(re.escape(part) for part in parts) + r"(?!\w)"
     found = re.search(pattern, description, re.IGNORECASE)
-    return Quote(found.group(), found.start(), found.end()) if found else None
+    return Words(found.group(), found.start(), found.end()) if found else None

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from enum import StrEnum
 
 from scegen.llm.prompting import as_data
@@ -16,9 +17,9 @@ from scegen.scenario.vocabulary import EvidenceSource, HazardKind
 def review_question(scenario: FunctionalScenario) -> str:
     """The message to the reviewer."""
     shown = scenario.model_copy(update={"description": "", "evidence": ()})
-    found = _words(shown.model_dump(exclude_defaults=True))
+    used = list(_words(shown.model_dump(exclude_defaults=True)))
     # equal strings of different lists are different words
-    words = {(type(word), word): word for word in found}.values()
+    words = {(type(word), word): word for word in [*used, *_neighbours(used)]}.values()
     return "\n".join(
         [
             as_data(scenario.description),
@@ -33,7 +34,7 @@ def review_question(scenario: FunctionalScenario) -> str:
                 if item.source is not EvidenceSource.DEFAULT
             ),
             "",
-            "What its words mean:",
+            "What its words mean, and those that they are not to be taken for:",
             *(f"- {VOCABULARY[type(w)]} `{w}`: {meaning_of(w).sentence}" for w in words),
         ]
     )
@@ -51,6 +52,14 @@ def _told(item: Evidence) -> str:
     words = f' "{item.text}"' if item.source is EvidenceSource.STATED else ""
     reason = f" ({item.reason})" if item.reason else ""
     return f"- {item.field}: {item.source}{words}{reason}"
+
+
+def _neighbours(words: Iterable[StrEnum]) -> Iterator[StrEnum]:
+    """The words of the same lists from which the definitions tell these apart."""
+    for word in words:
+        for name in re.findall(r"`(\w+)`", meaning_of(word).is_not):
+            if name in set(type(word)):
+                yield type(word)(name)
 
 
 def _words(data: object) -> Iterator[StrEnum]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 
-from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.functional import Evidence, FunctionalScenario, Junction, Unsupported
+from scegen.scenario.model import FrozenModel, Interval
 from scegen.scenario.vocabulary import EvidenceSource, ParticipantKind
 from scegen.understanding.agents.result import Objection, Part
 from scegen.understanding.words.numbers import number_at
@@ -31,7 +32,7 @@ class Words:
         """Whether these are the other words, or a part of them."""
         return other.start <= self.start and self.end <= other.end
 
-    def overlaps(self, other: Words) -> bool:
+    def overlaps(self, other: Words | Unsupported) -> bool:
         """Whether they share a character."""
         return self.start < other.end and other.start < self.end
 
@@ -87,6 +88,33 @@ def miscounted(reader: FunctionalScenario, scenario: FunctionalScenario) -> tupl
                 )
             )
     return tuple(objections)
+
+
+def holds_number(scenario: FunctionalScenario, field: str) -> bool:
+    """Whether a field is of a quantity, or of a moment that a quantity may tell."""
+    place = place_of(scenario, field)
+    if place is None:
+        return False
+    value = getattr(place[1], place[2], None)
+    return (
+        isinstance(value, Interval)
+        or (isinstance(value, float) and isinstance(place[1], Junction))
+        or place[2] == "when"
+    )
+
+
+def place_of(scenario: FunctionalScenario, field: str) -> tuple[int, FrozenModel, str] | None:
+    """Where a path leads: the number in its list, whose field it is, and the field."""
+    head, *steps = field.split(".")
+    part = getattr(scenario, head, None)
+    if isinstance(part, FrozenModel) and len(steps) == 1:
+        return 0, part, steps[0]
+    if not isinstance(part, tuple) or not steps:
+        return None
+    for number, one in enumerate(part):
+        if steps[0] in {str(number), getattr(one, "id", None)}:
+            return number, one, steps[1] if len(steps) > 1 else "value"
+    return None
 
 
 def _words(item: Evidence) -> Words | None:
