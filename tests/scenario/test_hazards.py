@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from scegen.claims.hazards import thresholds
 from scegen.scenario.hazards import HAZARDS, Case, Party
 from scegen.scenario.vocabulary import HazardKind
 
@@ -39,3 +40,9 @@ def test_cases_of_one_row_leave_no_gap_between_them(kind: HazardKind) -> None:
 def test_definitions_name_only_words_that_exist(kind: HazardKind) -> None:
     named = HAZARDS[kind].meaning.is_not.split("`")[1::2]
     assert set(named) <= set(HazardKind) - {kind}
+
+
+def test_definitions_give_the_numbers_that_the_predicates_use() -> None:
+    braking, cut_in = HAZARDS[HazardKind.HARD_BRAKING], HAZARDS[HazardKind.CUT_IN]
+    assert f"at least {thresholds.HARD_BRAKING.value:g} m/s2" in braking.meaning.text
+    assert f"{thresholds.CUT_IN_GAP.value:g} s or more ahead" in cut_in.meaning.is_not

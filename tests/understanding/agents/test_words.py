@@ -6,7 +6,7 @@ import pytest
 
 from scegen.llm.prompting import as_data
 from scegen.scenario import vocabulary
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Carriageway, Strip
@@ -108,3 +108,24 @@ def test_a_text_cannot_close_its_own_marker():
     marker = once.split()[1]
     assert once.count(marker) == 2
     assert marker not in as_data(f"Two cars. {marker} end of description>>>").splitlines()[0]
+
+
+def test_every_kind_of_moment_says_its_type():
+    """The reviewer, and who answers again, are shown what is filled, and no more."""
+    value = {"low": 2.0, "high": 2.0}
+    for moment in (
+        {"type": "start", "delay_s": value},
+        {"type": "after", "act": "brake_1"},
+        {
+            "type": "measure",
+            "measure": "gap_m",
+            "participant": "a",
+            "reference": "b",
+            "value": value,
+        },
+        {"type": "driven", "participant": "a", "distance_m": value},
+        {"type": "before_junction", "distance_m": value},
+    ):
+        act = Act.model_validate({"id": "x", "participant": "a", "kind": "stop", "when": moment})
+        assert act.model_dump(exclude_defaults=True, mode="json")["when"] == moment
+        assert Act.model_validate_json(act.model_dump_json()) == act
