@@ -228,14 +228,17 @@ def _then_again(doing: Doing, text: Sentences) -> Doing | None:
     then = text.find(words()["then"], doing.i + 1, text.bounds(doing.i)[1])
     if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1]):
         return None
-    after = then[1] + 1
-    only = text.tokens[then[1] - 1].low == "again"  # "picks up speed again at 1.5 m/s²"
-    number = quantity_at(text.tokens, after) if after < len(text.tokens) and not only else None
-    if number is None or number.dimension not in {"acceleration", "speed"}:
-        return None
+    if not (_changed(text, doing.i, then[0]) and _changed(text, then[1] + 1, then[1] + 2)):
+        return None  # "brakes 1.2 s later with 7 m/s²", "picks up speed again at 1.5 m/s²"
     again = Doing(doing.kind, doing.entity, Basis(*then), then[1], always=True)
     _to_standstill(again, text)
     return again
+
+
+def _changed(text: Sentences, start: int, end: int) -> bool:
+    """Whether a speed, or how quickly one changes, is given there."""
+    found = (quantity_at(text.tokens, k) for k in range(start, min(end, len(text.tokens))))
+    return any(q is not None and q.dimension in {"acceleration", "speed"} for q in found)
 
 
 def _to_standstill(doing: Doing, text: Sentences, upto: int | None = None) -> None:

@@ -207,7 +207,10 @@ class Clock(Teller):
         ends = own and bool(over)
         ends = ends or before[-1].kind not in {ActKind.BRAKE, ActKind.ACCELERATE}
         since = "end" if ends else "begin"  # of braking without an end, or that another answers
-        return (before[-1], since) if own or nearby & _LATER else (None, "end")
+        if own or nearby & _LATER:
+            return before[-1], since
+        clocked = before[-1].when is not None and before[-1].when.kind == "start"
+        return (None, "end") if clocked else (before[-1], "begin")  # "the ego reacts after 1 s"
 
     def order(self) -> None:
         """Acts without a number: "then", "as soon as", and what one does in turn."""
