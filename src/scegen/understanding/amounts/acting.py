@@ -13,7 +13,6 @@ from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import ActFrame, acts, words
 from scegen.understanding.happenings import STILL, Amount, Doing
-from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import quantity_at
 
@@ -113,7 +112,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         if kind is ActKind.OVERTAKE and scene.targets and all(t.parked for t in scene.targets):
             continue  # past one who is parked beside the lanes leads no move aside
         always = frame.always or kind is ActKind.CHANGE_LANE
-        always = always and not (entity.ego and _forced(event)) and not _owed(event, context)
+        always = always and not (entity.ego and _forced(event))
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
         if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
@@ -153,8 +152,6 @@ def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
         return None
     if kind is ActKind.ACCELERATE and entity.stands is not None and entity.sets_off >= event.i:
         return ActKind.SET_OFF  # "accelerates from standstill"
-    if kind is ActKind.SET_OFF and afoot and event.name != "move":
-        return ActKind.CROSS if Maneuver.CROSS in entity.maneuvers else None
     if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
         return None
     along = entity.maneuvers == {Maneuver.STRAIGHT}  # on foot: along the road
@@ -206,12 +203,6 @@ def _forced(event: Event) -> bool:
     """
     parent = event.parent
     return event.modal or (parent is not None and parent.name in {"cause", "prevent"})
-
-
-def _owed(event: Event, context: Context) -> bool:
-    """``ought to wait for us``: what it should do, whatever it does."""
-    before = {t.low for t in context.tokens[max(0, event.i - _BEFORE) : event.i]}
-    return event.modal and bool(before & word_list("expected"))
 
 
 def _stands_then(entity: Entity, event: Event) -> bool:

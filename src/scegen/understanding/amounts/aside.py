@@ -36,15 +36,11 @@ class Aside(Teller):
         """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""
         who = self._text.subject_before(number.i)
         around = f"{number.around.before}{number.around.after}"
-        said = [p for p in words()["lane_centre"] if f" {p} " in around]
-        facing = [e for e in who if self._context.oncoming(e)]
-        own = (
-            any(e.ego for e in who) or facing or any("own" in p or "respective" in p for p in said)
-        )
-        if not said or not who or not own:
+        said = any(f" {p} " in around for p in words()["lane_centre"])
+        if not said or not any(e.ego or self._context.oncoming(e) for e in who):
             return False
-        amount = self.signed(number)
-        self._happenings.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], amount))
+        apart = Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], self.signed(number))
+        self._happenings.spacings.append(apart)
         return True
 
     def signed(self, number: Measured) -> Amount:

@@ -59,9 +59,6 @@ def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: li
         context.draft.dangers = [d for d in context.draft.dangers if d is not danger]
         return  # "two obstacles: a pedestrian and a bus"
     for thing in named:
-        again = any(item.kind.value == kind_of(thing) or _general(thing) for item in found)
-        if again and _definite(thing):
-            continue
         for _ in range(_count(thing)):
             item = item_of(thing, text)
             item.blocks, item.blocked = True, _who_reacts(thing, text)
@@ -134,19 +131,10 @@ def kind_of(thing: Thing) -> str:
     return str(thing.head.data["thing"]) if thing.head is not None else "obstacle"
 
 
-def _general(thing: Thing) -> bool:
-    """``the obstacle``: whatever was named."""
-    return kind_of(thing) == ThingKind.OBSTACLE.value
-
-
 def _known(thing: Thing, found: list[Item]) -> Item | None:
     alike = [f for f in found if f.kind.value == kind_of(thing)]
     same = [f for f in alike if f.basis.i == thing.i]
-    return same[0] if same else alike[-1] if alike and _definite(thing) else None
-
-
-def _definite(thing: Thing) -> bool:
-    return any((m.cat, m.value) == ("det", "def") for m in thing.mods)
+    return same[0] if same else alike[-1] if alike else None
 
 
 def _count(thing: Thing) -> int:

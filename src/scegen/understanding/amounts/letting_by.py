@@ -133,8 +133,6 @@ def _moves_again(stop: Doing, later: list[Doing], text: Sentences) -> bool:
     """``stops and then turns left``, ``stops …, then drives on``."""
     if any(a.kind is ActKind.SET_OFF for a in later[:1]):
         return False  # it is told how
-    if any(a.when is not None and a.when.act is stop for a in later[:1]):
-        return True
     for clause in text.scenes:
         event = clause.event
         if stop.entity not in clause.actors or event.i <= stop.i or event.name not in _GOING:

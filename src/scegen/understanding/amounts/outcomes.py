@@ -44,7 +44,7 @@ class Judge(Teller):
             return None
         start = max(self._text.bounds(event.i)[0], event.i - _BEFORE)
         basis = Basis(event.i, event.j)
-        nearly = self._phrase("nearly", start, event.i)
+        nearly = self._text.find(words()["nearly"], start, event.i)
         parent = event.parent
         held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"}
         held_off = held_off and parent is not None and not parent.negated  # "cannot avoid hitting"
@@ -64,7 +64,7 @@ class Judge(Teller):
         lemma = event.lemma
         if event.name == "overlook" and lemma == "miss":
             start = max(0, event.i - _BEFORE)
-            return self._phrase("nearly", start, event.i) is not None
+            return self._text.find(words()["nearly"], start, event.i) is not None
         part = isinstance(event.object, Place) and event.object.kind in {"side", "middle", "front"}
         meets = lemma == "meet" and (event.how("head_on") is not None or part)
         return event.name == "collide" or meets or self._reverses_into(event)
@@ -107,19 +107,14 @@ class Judge(Teller):
         told = event.form == "ing" or (event.form == "base" and not timed)
         return bool(before & {"before", "without"}) and told
 
-    def _phrase(self, name: str, start: int, end: int) -> tuple[int, int] | None:
-        """Where a phrase of a list stands between two tokens."""
-        return self._text.find(words()[name], start, end)
-
     def _of_phrases(self) -> list[Ending]:
         found = []
         for name in ("near_miss", "avoided", "collision"):
-            span = self._phrase(name, 0, len(self._text.tokens))
+            span = self._text.find(words()[name], 0, len(self._text.tokens))
             if span is None:
                 continue
             start = max(self._text.bounds(span[0])[0], span[0] - _BEFORE)
-            vain = any(_in_vain(c.event) for c in self._text.within(start, span[0]))
-            if name == "collision" and self._supposed(start, span[0]) and not vain:
+            if name == "collision" and self._supposed(start, span[0]):
                 continue
             if name == "avoided" and ends_a_quantity(self._text.tokens, span[0]):
                 continue
@@ -133,8 +128,6 @@ class Judge(Teller):
         alike = len({e.kind for e in scene.targets}) == 1 and len(scene.targets) > 1
         if alike and any(e.ego for e in scene.actors):
             return []  # "drives into the tail of a queue": whichever of them is the last
-        if len(who) > 2 and scene.actors and scene.targets:
-            return [scene.actors[0], scene.targets[0]]
         if len(who) == 1:  # "is hit by the front of the ego"
             by = [p.target for p in scene.event.pps if p.value == "by"]
             owners = [m.owner for m in by if isinstance(m, Place) and m.owner is not None]
@@ -172,8 +165,8 @@ class Judge(Teller):
             ending = Ending(OutcomeKind.COLLISION, amount_of(number).basis, who)
             self._happenings.ending = ending
         _, end = self._text.bounds(number.i)
-        left = self._phrase("left_edge", number.j, end)
-        right = self._phrase("right_edge", number.j, end)
+        left = self._text.find(words()["left_edge"], number.j, end)
+        right = self._text.find(words()["right_edge"], number.j, end)
         value, basis = number.quantity.exact, amount_of(number).basis
         edge = left or right
         if edge is not None:
@@ -201,7 +194,7 @@ class Judge(Teller):
         """``with full overlap``: the share that no number tells."""
         ending = self._happenings.ending
         ego = ego_of(self._context)
-        span = self._phrase("full_overlap", 0, len(self._text.tokens))
+        span = self._text.find(words()["full_overlap"], 0, len(self._text.tokens))
         if span is None or ego is None:
             return
         named = [e for e in ending.between if e is not ego] if ending is not None else []
@@ -211,10 +204,3 @@ class Judge(Teller):
             amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
             apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT)
             self._happenings.spacings.append(apart)
-
-
-def _in_vain(event: Event) -> bool:
-    """``cannot avoid hitting him``, ``fails to prevent it``: it happens all the same."""
-    denied = event.negated or event.unable
-    failed = event.parent is not None and event.parent.name == "fail"
-    return event.name in {"avoid", "prevent"} and (denied or failed)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from scegen.scenario.vocabulary import Approach, ParticipantKind
+from scegen.scenario.vocabulary import Approach
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.chunks import Mention, Place, Word
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.draft import Entity
 from scegen.understanding.frames import Measured
 from scegen.understanding.semantics.context import Context
 
@@ -110,19 +110,8 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     first = subject[0] if subject else named[0] if named else ego_of(context)
     if first is None:
         return None
-    other = counterpart(first, context, near) or _unnamed(first, context)
+    other = counterpart(first, context, near)
     return (first, other) if other is not None and other is not first else None
-
-
-def _unnamed(entity: Entity, context: Context) -> Entity | None:
-    """``the preceding car brakes; the gap is 30 m``: to the one that is not named."""
-    along = context.placed(entity, Approach.AHEAD) or context.placed(entity, Approach.BEHIND)
-    if entity.ego or not along or len(context.draft.entities) > 1:
-        return None
-    ego = context.draft.add(ParticipantKind.CAR, Basis(reason="seen from a car that is not named"))
-    ego.ego = True
-    ego.named_by.add("ego")
-    return ego
 
 
 def _bracketed(number: Measured, text: Sentences) -> Entity | None:

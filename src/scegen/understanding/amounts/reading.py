@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind
@@ -17,17 +16,16 @@ from scegen.understanding.amounts.outcomes import Judge
 from scegen.understanding.amounts.placed import MEASURES, Spacer
 from scegen.understanding.amounts.releasing import Releaser
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.amounts.sizes import SIZES, owns, size_of
+from scegen.understanding.amounts.sizes import SIZES, size_of
 from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.struck import Struck
 from scegen.understanding.amounts.timing import Clock
 from scegen.understanding.chunks import Chunk
-from scegen.understanding.frames import AmountFrame, Measured, Numbers, amounts
+from scegen.understanding.frames import Measured, Numbers
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import Quantity
 
-_UNSAID = "a length that nothing says what it is of"
 _HARD_MPS2 = 3.5
 """Below this nobody calls braking hard (UN R152: 5 m/s² in an emergency)."""
 
@@ -48,7 +46,6 @@ def read_amounts(
     judge = Judge(text, context, found)
     judge.read()
     measured = [_measured(q, numbers, text) for q in numbers.quantities]
-    measured = [_of_who_is_there(n, text, context) for n in measured]
     for number in (n for n in measured if n.frame.role == "speed"):
         if not held(number, text, context, found):
             _note(number, context)
@@ -86,24 +83,6 @@ def _measured(quantity: Quantity, numbers: Numbers, text: Sentences) -> Measured
     if event is None:
         return numbers.measured(quantity)
     return numbers.measured(quantity, event.name, None if event.perfect else event.i)
-
-
-def _of_who_is_there(number: Measured, text: Sentences, context: Context) -> Measured:
-    """A bare length: how large the noun is before which it stands, or how far one is ahead.
-
-    ``a 12 m bus``; ``the car ahead (25 m, 60 km/h)``.
-    """
-    frame = number.frame
-    named = frame.role in SIZES or (frame.role == "other" and frame.instead != _UNSAID)
-    if frame.dimension == "length" and not named and owns(number, text.chunks) is not None:
-        return replace(number, frame=AmountFrame("length", "long", instead=_UNSAID))
-    if frame.instead != _UNSAID:
-        return number
-    who = text.adjacent(number.i)
-    along = (Approach.AHEAD, Approach.BEHIND)
-    there = [e for e in who if not e.ego and any(context.placed(e, a) for a in along)]
-    gap = next(f for f in amounts() if (f.dimension, f.role) == ("length", "gap"))
-    return replace(number, frame=gap) if there else number
 
 
 def _note(number: Measured, context: Context) -> None:

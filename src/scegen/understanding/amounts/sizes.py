@@ -55,7 +55,7 @@ def named_beside(number: Measured, text: Sentences) -> NounPhrase | None:
     Of a noun and the place where that is said to be ("the truck in the left lane, which is 12 m
     long") it is the noun; but the lane may be so wide.
     """
-    within = owns(number, text.chunks) or _of_the_next(number, text)
+    within = owns(number, text.chunks)
     if within is not None:
         return within
     start, _ = text.bounds(number.i)
@@ -70,12 +70,6 @@ def named_beside(number: Measured, text: Sentences) -> NounPhrase | None:
         if isinstance(chunk, Event) or lane:
             return None
     return None
-
-
-def _of_the_next(number: Measured, text: Sentences) -> NounPhrase | None:
-    """``a 2.5 m wide and 12 m long bus``: of that in whose phrase the next number stands."""
-    joined = text.low(number.j + 1, number.j + 2) == " and "
-    return _around(number.j + 2, text.chunks) if joined else None
 
 
 def owns(number: Measured, chunks: Sequence[Chunk]) -> NounPhrase | None:

@@ -28,7 +28,7 @@ class Struck(Teller):
         start, end = self._text.bounds(i)
         ego = ego_of(self._context)
         for place in self._text.places(start, end, {"side", "front", "flank"}):
-            if self._is_portion(place) or self._text.tokens[place.i - 2].low == "overlap":
+            if self._text.tokens[place.i - 2].low == "overlap":
                 continue
             corner = "front" in place.dirs and bool({"left", "right"} & set(place.dirs))
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
@@ -71,11 +71,6 @@ class Struck(Teller):
         named = [c for c in self._text.chunks if isinstance(c, Place | Thing) and c.i < of]
         ends = (p for p in named if p.j in {of - 1, of} and {"left", "right"} & set(p.dirs))
         return next(ends, None)
-
-    def _is_portion(self, place: Place) -> bool:
-        """Whether it is the side of a part that is named behind it."""
-        following = self._text.places(place.j, place.j + _REACH, {"side", "front"})
-        return any(self._portion(other) is place for other in following if "front" in other.dirs)
 
     def settle(self) -> None:
         """What half of the front is touched, by the numbers if any: by whom it is narrow, where."""

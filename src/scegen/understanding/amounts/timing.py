@@ -232,7 +232,7 @@ class Clock(Teller):
             mine = [a for a in acts[:n] if a.entity is doing.entity and a.i != doing.i]
             if phrase is not None and (before.always or before.amounts or doing.always):
                 doing.when = Trigger("after", basis, act=before)
-            elif mine and mine[-1].always and doing.always and not self._at_once(mine[-1], doing):
+            elif mine and mine[-1].always and doing.always:
                 reason = "what one does in turn happens in the order of the text"
                 doing.when = Trigger("after", Basis(basis.i, basis.j, reason), act=mine[-1])
 
@@ -243,10 +243,6 @@ class Clock(Teller):
         if not isinstance(opens, Word) or self._text.tokens[start].low != "before":
             return doing.i
         return stop if doing.i < self._clause_end(opens, start, stop) else doing.i
-
-    def _at_once(self, one: Doing, other: Doing) -> bool:
-        between = self._text.low(one.i, other.i + 6)
-        return any(f" {w} " in between for w in ("while", "simultaneously", "same time"))
 
     def _then(self, before: Doing, doing: Doing) -> tuple[int, int] | None:
         start = max(before.basis.j or before.i, self._text.bounds(doing.i)[0])

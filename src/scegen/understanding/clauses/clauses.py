@@ -164,7 +164,7 @@ class ClauseReader:
             state.candidate.mods.append(word.term)
         elif before_event or (word.cat == "manner" and isinstance(following, Mention)):
             state.ahead.append(word.term)  # "Suddenly a van …"
-        elif self.events and not state.mentions:
+        elif self.events and not state.mentions and word.cat != "quantity":
             self.events[-1].mods.append(word.term)
 
     def _denied_way(self, word: Word) -> bool:

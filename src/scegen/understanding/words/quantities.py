@@ -20,6 +20,7 @@ _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "ne
 _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
                     "approx", "circa", "ca"})  # fmt: skip
 _LONGEST_UNIT = 4
+_TEN = 10
 _SPREAD = 0.1
 """How far "about" reaches to either side, and how far "over" reaches, as a share."""
 
@@ -100,7 +101,7 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
         return None if opened else _build(tokens, i, end, values, dimension)
     joiner = j < len(tokens) and tokens[j].low in _RANGE_WORDS
     second = _second_number(tokens, j + 1 if joiner else j)
-    named = i > 0 and tokens[i - 1].low == "lane"  # "in lane 2 65 ft ahead"
+    named = i > 0 and tokens[i - 1].low == "lane" and first.value < _TEN  # "in lane 2 65 ft ahead"
     if second is not None and (joiner or (tokens[i].kind == "number" and not named)):
         value, dimension, end, name = second
         return _build(tokens, i, end, [_si(first.value, dimension, name), value], dimension)
