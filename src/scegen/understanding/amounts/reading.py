@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind
@@ -16,12 +17,12 @@ from scegen.understanding.amounts.outcomes import Judge
 from scegen.understanding.amounts.placed import MEASURES, Spacer
 from scegen.understanding.amounts.releasing import Releaser
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.amounts.sizes import SIZES, size_of
+from scegen.understanding.amounts.sizes import SIZES, owns, size_of
 from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.struck import Struck
 from scegen.understanding.amounts.timing import Clock
 from scegen.understanding.chunks import Chunk
-from scegen.understanding.frames import Measured, Numbers
+from scegen.understanding.frames import AmountFrame, Measured, Numbers
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import Quantity
@@ -45,7 +46,7 @@ def read_amounts(
     found = Happenings(acts=acts_in(text, context))
     judge = Judge(text, context, found)
     judge.read()
-    measured = [_measured(q, numbers, text) for q in numbers.quantities]
+    measured = [_of_a_size(_measured(q, numbers, text), text) for q in numbers.quantities]
     for number in (n for n in measured if n.frame.role == "speed"):
         if not held(number, text, context, found):
             _note(number, context)
@@ -83,6 +84,14 @@ def _measured(quantity: Quantity, numbers: Numbers, text: Sentences) -> Measured
     if event is None:
         return numbers.measured(quantity)
     return numbers.measured(quantity, event.name, None if event.perfect else event.i)
+
+
+def _of_a_size(number: Measured, text: Sentences) -> Measured:
+    """``a 12 m bus``: how large the noun is before which a length stands."""
+    known = number.frame.role in SIZES or (number.frame.role == "other" and number.frame.next)
+    if known or number.frame.dimension != "length" or owns(number, text.chunks) is None:
+        return number
+    return replace(number, frame=AmountFrame("length", "long"))
 
 
 def _note(number: Measured, context: Context) -> None:

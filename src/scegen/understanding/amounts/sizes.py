@@ -56,6 +56,8 @@ def named_beside(number: Measured, text: Sentences) -> NounPhrase | None:
     long") it is the noun; but the lane may be so wide.
     """
     within = owns(number, text.chunks)
+    if within is None and text.low(number.j + 1, number.j + 2) == " and ":
+        within = _around(number.j + 2, text.chunks)  # "a 2.5 m wide and 12 m long bus"
     if within is not None:
         return within
     start, _ = text.bounds(number.i)
