@@ -398,3 +398,15 @@ def test_one_beside_the_lanes_and_a_thing_may_be_who_it_ends_with(describe, kind
         more = {"outcome": {"kind": kind, "between": ["ego", other]}, "objects": [thing]}
         ego = {"id": "ego", "role": "ego"}
         assert enumerate_scenarios(describe("straight", 2, [ego, parked], more=more)).scenarios
+
+
+@pytest.mark.parametrize(("approach", "entry"), [("left", 0), ("right", 1)])
+def test_who_comes_out_backwards_faces_away_from_the_road(describe, approach, entry):
+    """At a T, from the arm that ends there: its left is on the other side."""
+    ego = {"id": "ego", "role": "ego", "entries": [2]}
+    car = {"id": "car", "maneuvers": ["straight"], "approaches": [approach]}
+    danger = {"kind": "reversing", "by": ["ego"], "to": ["car"]}
+    found = enumerate_scenarios(describe("t", 3, [ego, car], [danger])).scenarios
+    out = [s for s in found if s.assignment("ego").reverses == "out_of_arm"]
+    assert out
+    assert {s.assignment("car").entry for s in out} == {entry}

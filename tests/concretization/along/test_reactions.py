@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from roads import AHEAD, BEHIND, STAY, ego, kmh, one, road
-from told import act, apart
+from told import act, apart, as_soon_as
 
 from scegen.concretization.along.laying import lay
 from scegen.concretization.along.reactions import REACTION_S, contacts
@@ -92,3 +92,16 @@ def test_who_brakes_behind_one_that_is_no_slower_falls_back_and_does_not_stop(ot
     story = laid(road([ego(80), *lead], acts=[act("b", "ego", "brake")]))
     (step,) = story.ego.steps
     assert step.target_mps * 3.6 == pytest.approx(ends)
+
+
+@pytest.mark.parametrize("gap", [60, 40, 25, 15])
+def test_who_brakes_where_it_is_said_does_so_as_hard_as_it_needs(gap):
+    """From 50 km/h, however far away it begins: it ends near what stands there."""
+    said = road(
+        [ego(50), one("van", "van", AHEAD, maneuvers=STAY)],
+        acts=[act("b", "ego", "brake", when=as_soon_as("ego", "van", "gap_m", gap))],
+    )
+    story = laid(said)
+    (step,) = story.ego.steps
+    assert step.rate_mps2 == pytest.approx((50 / 3.6) ** 2 / 2 / gap, rel=0.1)
+    assert 0.3 < least_m(story, "ego", "van") < 1.2

@@ -15,6 +15,8 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import (
     BRAKING,
     CHANGES_MPS,
+    CLOSEST_M,
+    SLOWING,
     answering_rates_mps2,
     falls_back,
 )
@@ -24,6 +26,7 @@ from scegen.concretization.braking import (
     apart_by,
     brake_late,
     had_ahead,
+    last_that,
     touch_s,
 )
 from scegen.concretization.limits import REACTION_S
@@ -38,6 +41,7 @@ _TIMES_S = np.arange(0.0, _LATEST_S, STEP_S)
 _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _ROUNDING = 1e-6
+_SOFTEST_MPS2 = 0.5
 _KEEPS_M = 0.75 * STANDS_BEHIND_M
 """Who follows keeps this free; simulators step, and bends are not as long in every lane."""
 
@@ -46,6 +50,7 @@ def react(story: Story) -> list[tuple[str, str]]:
     """Let everybody brake who would run into somebody; returns those who touch all the same."""
     for runner in story.runners.values():
         _set_aside_loose(story, runner)
+        _brake_as_hard_as_needed(story, runner)
     return answer_each(partial(_unwanted, story), partial(_brake_for, story), len(story.runners))
 
 
@@ -123,6 +128,36 @@ def _set_aside_loose(story: Story, who: Runner) -> None:
         break
     if step not in who.steps and not any(s.act == step.act for s in who.steps):
         who.steps = [_eased(story, who, s) if s is step else s for s in kept]
+
+
+def _brake_as_hard_as_needed(story: Story, who: Runner) -> None:
+    """Of one whose braking begins as is said, but not how hard: to come near what is ahead."""
+    ends = {a.when.act for a in story.acts if isinstance(a.when, AfterAct)}
+    for step in who.steps:
+        act = story.act(step.act) if step.act is not None else None
+        if act is None or act.kind not in SLOWING or act.id in ends or story.is_loose(act.id):
+            continue
+        if any(each is not None for each in (act.rate_mps2, act.duration_s, act.distance_m)):
+            continue
+        before, rest = who.steps, [s for s in who.steps if s is not step]
+        who.steps = rest
+        ahead = [c for c in contacts(story) if c.who == who.id]
+        who.steps = before
+        if step.hazard is not None or not ahead or story.contact_wanted(*min(ahead)[1:]):
+            continue
+        contact = min(ahead)
+
+        def leaves(rate: float) -> bool:
+            who.steps = [*rest, replace(step, rate_mps2=rate)]  # noqa: B023
+            return apart_by(story, contact, _TIMES_S, CLOSEST_M)  # noqa: B023
+
+        hardest = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
+        if leaves(hardest):
+            leaves(last_that(leaves, hardest, _SOFTEST_MPS2))
+            story.ends_s[act.id] = who.profile.settles_s(step.begins_s)
+        else:
+            who.steps = before
+        return
 
 
 def _eased(story: Story, who: Runner, step: SpeedChange) -> SpeedChange:
