@@ -72,7 +72,6 @@ _OWN = {
     "the truck sticks to the ego's bumper": "A truck drives behind the ego. It sticks to the ego's "
     "bumper.",
     "a lost wheel": "A lost wheel lies on the road ahead of the ego.",
-    "drifts into the ego's lane": "A car in the left lane drifts into the ego's lane.",
     "turns left as soon as the ego is near": "An oncoming car turns left at a crossroads when the "
     "ego is 20 m away.",
     "a van enters from the right 2 s after the ego": "At a crossroads a van enters from the right "
@@ -118,7 +117,6 @@ _OPEN = {
     "a deer in the lane": "who reads makes it a participant, which may run",
     "a tree trunk at the kerb": "a trunk lies, unless more is said",
     "brakes with 4 m/s2 to a standstill": "braking to no speed at all is the same act",
-    "drifts into the ego's lane": "to drift is to swerve",
     "pulls out to overtake the truck": "read as the maneuver, without an act",
     "hit head-on": "the side of the body that is struck",
     "hit from behind": "the side of the body that is struck",

@@ -17,9 +17,9 @@ class ActKind(Word):
 
     BRAKE = (
         "brake",
-        "slows down, to a speed that may be given",
+        "slows down, to a speed that may be given; so does who reacts, if no more is said",
         "`stop`, which ends at rest",
-        "brakes with 6 m/s2 to 20 km/h; reacts, of which no more is said",
+        "brakes with 6 m/s2 to 20 km/h",
     )
     ACCELERATE = "accelerate", "gains speed", "`set_off`, from rest", "accelerates to 80 km/h"
     STOP = (

@@ -189,7 +189,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "brakes later than it should, or is said to notice, react or stop too late",
             "`hard_braking`, whose danger is for those behind; `failure_to_yield`, where it takes "
             "another's way at a junction; a distance alone",
-            "distracted, the driver brakes late behind the bus; skids with locked wheels into it",
+            "distracted, the driver brakes late behind the bus",
         ),
         causes=(Party.EGO, Party.FOLLOWER, Party.OTHER),
         suffers=(Party.LEADER, Party.CROSSING, *_EGO_OR_OTHERS),

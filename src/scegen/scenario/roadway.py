@@ -23,9 +23,9 @@ class Carriageway(Word):
     )
     DIVIDED = (
         "divided",
-        "a median parts the two directions, and nobody crosses it",
+        "a median parts the two directions, and nobody crosses it; so with ramps",
         "`one_way`, which has no other direction",
-        "a motorway; a road with ramps; a dual carriageway",
+        "a motorway; a dual carriageway",
     )
     ONE_WAY = (
         "one_way",
