@@ -1,6 +1,6 @@
 """Lanes called by number, and changes of lane that force others to react."""
 
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.reader import read
 
 
@@ -8,6 +8,12 @@ def test_another_number_is_the_next_lane() -> None:
     scenario = read("The ego drives in lane 1 while a bus drives in lane 2 of the motorway.")
     bus = next(p for p in scenario.participants if p.id == "bus_1")
     assert set(bus.approaches) == {Approach.ADJACENT}
+
+
+def test_moving_out_of_a_numbered_lane_changes_lanes() -> None:
+    scenario = read("The ego is in lane 3; a van in lane 2 of the motorway moves out.")
+    van = next(p for p in scenario.participants if p.id == "van_1")
+    assert set(van.maneuvers) == {Maneuver.LANE_CHANGE}
 
 
 def test_a_change_of_lane_that_forces_others_cuts_in() -> None:

@@ -23,6 +23,7 @@ def where(text):
         ("In the oncoming lane a van approaches the ego.", "van", Approach.OPPOSITE),
         ("On the right, there is a parked van and the ego passes.", "van", Approach.RIGHT),
         ("The ego waits and from the right comes a bus.", "bus", Approach.RIGHT),
+        ("The ego turns left and behind it, a van brakes.", "van", Approach.BEHIND),
         ("The ego moves into the next lane, where a bus drives.", "bus", Approach.ADJACENT),
         ("The ego changes to the left lane; a van in that lane brakes.", "van", Approach.ADJACENT),
         ("The ego passes a bus that is on the left.", "bus", Approach.ADJACENT),

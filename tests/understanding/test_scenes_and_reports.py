@@ -87,6 +87,7 @@ def test_what_the_ego_does(text, expected):
     ("text", "expected"),
     [
         ("A dog runs out, leaving the ego no time to brake.", {"crossing_animal"}),
+        ("A car brakes hard, leaving the van behind it only a second to stop.", {"hard_braking"}),
         ("The ego approaches a fallen tree that blocks its lane.", {"obstacle"}),
         ("The ego overtakes a bus while an oncoming van does not slow down.", {"overtaking"}),
         ("The ego meets a truck travelling at a much lower steady speed.", {"slow_driving"}),
@@ -112,6 +113,7 @@ def test_no_junction_where_none_is():
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
+        ("The ego gets past a bin lorry using the oncoming lane.", {"oncoming_lane"}),
         ("A parked taxi's door is flung open by a passenger as the ego passes.", {"obstacle"}),
         ("A ball rolls onto the street, followed by a boy.", {"obstacle", "crossing_pedestrian"}),
         ("The leading truck's cargo falls onto the carriageway.", {"obstacle"}),
@@ -163,6 +165,7 @@ def test_a_text_without_articles_is_about_its_first_vehicle():
     ("text", "expected"),
     [
         ("A slow convoy of trucks comes up ahead of the ego.", {"slow_driving"}),
+        ("A skateboarder rolls off the kerb in front of the ego.", {"crossing_pedestrian"}),
         ("V2 had slowed down. V1 did not notice and its front struck V2's back.",
          {"delayed_braking"}),
         ("A van overtakes the ego and returns to its lane too soon.", {"overtaking", "cut_in"}),

@@ -12,7 +12,7 @@ from scegen.understanding.chunks import (
     Word,
 )
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import GOVERNING
+from scegen.understanding.phrases.lookahead import GOVERNING, finite_follows
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
 _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
@@ -107,10 +107,20 @@ def attach(prep: Prep, state: State) -> None:
     if described is not None:
         described.pps.append(prep)
         prep.predicate = "aux:be" in state.between and "rel" not in state.between
+    elif _put_in(prep, state) and state.candidate is not None:
+        state.candidate.pps.append(prep)
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _put_in(prep: Prep, state: State) -> bool:
+    """``…, while the ego, with green, goes on``: of who is named before the comma."""
+    who = state.candidate
+    fresh = who is not None and not state.candidate_done and state.anchor is who
+    fresh = fresh and not any(who in e.subject for e in state.events)
+    return fresh and prep.value == "with" and state.between == {","}
 
 
 def _does_it(event: Event) -> bool:
@@ -196,13 +206,14 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     comma = _is(chunks, m, ",")
     m = _behind_participle(chunks, m + 1) if comma else m
+    spoken = comma and not begins and _speaks(chunks, m)
     if _word_of(chunks, m, frozenset({"aux", "copy"})):
         m += 1
     elif m < len(chunks) and not (comma and not begins):
         m += _stands_before_subject(chunks[m])
-    if m >= len(chunks) or (comma and not begins):
+    if m >= len(chunks) or (comma and not begins and not spoken):
         return False
-    return isinstance(chunks[m], Mention)
+    return isinstance(chunks[m], Mention) and not _possessor(chunks[m])
 
 
 def _behind_participle(chunks: list[Chunk], m: int) -> int:
@@ -218,6 +229,16 @@ def _behind_participle(chunks: list[Chunk], m: int) -> int:
     opens = [c for c in inside if not isinstance(c, Word) or c.cat in GOVERNING][:1]
     participle = opens == events and bool(events) and events[0].form in {"ed", "ing"}
     return m + len(inside) if participle else m
+
+
+def _speaks(chunks: list[Chunk], m: int) -> bool:
+    """Whether a participant with a verb of its own stands here."""
+    here = chunks[m] if m < len(chunks) else None
+    return isinstance(here, Mention) and finite_follows(chunks, m)
+
+
+def _possessor(chunk: Chunk) -> bool:
+    return isinstance(chunk, Mention) and chunk.possessor
 
 
 def _stands_before_subject(chunk: Chunk) -> bool:

@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Place, Prep
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 
 _LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
+
+
+def facing(mention: Mention, prep: Prep) -> bool:
+    """``oncoming traffic in the target lane``: it comes from the front, whatever the lane.
+
+    Args:
+        mention: a noun.
+        prep: a phrase after it.
+    """
+    lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
+    return lane and "opposite" in mention.dirs
 
 
 def own_lane(event: Event, prep: Prep) -> bool:

@@ -14,6 +14,7 @@ from scegen.understanding.clauses import relatives, subjects
 from scegen.understanding.clauses.attachment import preposition, release
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.absolutes import absolute
 from scegen.understanding.phrases.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -73,7 +74,7 @@ class ClauseReader:
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
             attached = self._denied_way(word) or self._heading_of_a_noun(word, k)
-            if not attached:
+            if not (attached or self._in_brackets_after(word, k)):
                 self._adverb(word, k)
         elif word.value == "either" and state.prep is not None:
             return  # "from either the left or the right"
@@ -186,6 +187,19 @@ class ClauseReader:
             return True
         return False
 
+    def _in_brackets_after(self, word: Word, k: int) -> bool:
+        """``the path of a van (45 km/h)``: the van's."""
+        who, mark = self._chunks[k - 2 : k] if k > 1 else (None, None)
+        bracket = isinstance(mark, Word) and mark.value == "("
+        if word.cat != "quantity" or not bracket or not isinstance(who, Mention):
+            return False
+        beside = self._chunks[k - 3] if k > 2 else None
+        if isinstance(beside, Word) and beside.cat == "locus":
+            return False  # "the van in front of us (70 km/h)"
+        release(self._state)
+        who.mods.append(word.term)
+        return True
+
     def _clause_start(self) -> bool:
         """The candidate is new: words after it belong to it and not to the verb before."""
         state = self._state
@@ -219,6 +233,8 @@ class ClauseReader:
             return False
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
             return event.form == "ing" and not self._state.between
+        if absolute(event, k, self._chunks):
+            return True
         view = view_of(self._chunks[max(0, k - 3) : k])
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.clauses.late_braking import late_braking
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.phrases.predicates import complete
@@ -46,7 +47,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
-    return complete(chunks, found, tokens)
+    return complete(chunks, late_braking(chunks, found, tokens), tokens)
 
 
 def _further(mention: Mention, chunks: list[Chunk], k: int, verb: Event) -> bool:

@@ -15,7 +15,7 @@ from scegen.understanding.clauses.phrases import (
     whose,
 )
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import finite_follows
+from scegen.understanding.phrases.lookahead import copula_follows, finite_follows
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
@@ -51,6 +51,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     whole = partitive_before(k, chunks)
     if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
         mention.same_as = whole
+        _resume(whole, state)
         return
     if further_ones(mention, k, chunks, state):
         mention.pronoun = "further"
@@ -69,6 +70,16 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     state.anchor = mention
     state.between = set()
     state.last_pp = None
+
+
+def _resume(part: Mention, state: State) -> None:
+    """``four cars, one of them a taxi, meet``: the four meet, not the one."""
+    before = next((m for m in reversed(state.mentions) if m.i < part.i), None)
+    if before is None or state.candidate is not part:
+        return
+    state.candidate = state.anchor = before
+    state.candidate_done = any(before in e.subject for e in state.events)
+    state.between = set()
 
 
 def _undergo(verb: Event, mention: Mention) -> None:
@@ -95,7 +106,7 @@ def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
     if _waits_for_subject(verb, k, chunks) or _goes_on_with(verb, k, chunks, state):
         return False
     tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
-    reported = tells and finite_follows(chunks, k)
+    reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
     return verb.object is None and not reported
 
 
@@ -113,7 +124,7 @@ def _goes_on_with(verb: Event, k: int, chunks: list[Chunk], state: State) -> boo
 def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
     placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
-    follows = finite_follows(chunks, k)
+    follows = finite_follows(chunks, k) or copula_follows(chunks, k)
     return placed and verb.i < chunks[k - 1].i and follows
 
 
@@ -238,6 +249,21 @@ def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     return owned or any(m.cat == "possessive" for m in side.mods)
 
 
+def _left_to(noun: NounPhrase, state: State) -> bool:
+    """``leaving the ego little time to brake``: nobody leaves, and it does not brake."""
+    verb = state.events[-1] if state.events else None
+    if verb is None or verb.name not in {"leave", "cause", "inert"} or not isinstance(noun, Thing):
+        return False
+    whom = verb.object
+    granted = isinstance(whom, Mention) and (
+        whom is state.anchor or any(p.target is state.anchor for p in whom.pps)
+    )
+    if not granted or noun.kind != "noun":
+        return False
+    verb.name, verb.control = "inert", "object"
+    return True
+
+
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
     """A place or thing: what a preposition or verb governs.
 
@@ -264,7 +290,7 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
             attach(state.prep, state)
         state.prep = None
         return
-    if also_from(noun, state):
+    if also_from(noun, state) or _left_to(noun, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and anchor.object is None

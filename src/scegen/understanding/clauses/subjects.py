@@ -22,6 +22,7 @@ PASSIVE = frozenset(
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
+_MOVING = frozenset({"enter", "lane_change", "cross", "move", "merge", "swerve", "sharp_turn"})
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
@@ -74,7 +75,8 @@ def _link(event: Event, state: State) -> None:
         event.passive = event.name in _DESCRIBING & PASSIVE
         return
     if event.form == "ed" and event.name in PASSIVE:
-        event.passive = "aux:be" in state.between
+        reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
+        event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
     if event.finite and event.subject:
         state.main = event.subject
         waits = "rel" in state.between and event.subject[-1] is state.candidate
@@ -126,6 +128,12 @@ def _blocked(event: Event, state: State) -> bool:
         return False
     event.passive, event.object = True, anchor
     return True
+
+
+def _bare_participle(event: Event, state: State) -> bool:
+    """``the car hit by a truck`` has no auxiliary, but it is not the end of its clause either."""
+    anchor = state.anchor
+    return isinstance(anchor, Mention) and anchor is not state.candidate and not event.finite
 
 
 def _clause(event: Event, state: State) -> None:
@@ -256,6 +264,9 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
         return
+    if last is not None and last.object is anchor and _by_doing(event, last, anchor):
+        event.subject = last.subject  # "overtakes a bus using the oncoming lane"
+        return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         depend(event, last, "ing")
     granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
@@ -265,6 +276,14 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
     event.subject = chain(anchor)
+
+
+def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
+    """Whether a participle says how somebody is passed, and not what the one passed does."""
+    if event.form != "ing" or last.name not in {"overtake", "bypass", "pass", "avoid"}:
+        return False
+    parked = any(m.cat == "state" for m in passed.mods)
+    return event.name == "use" or (parked and event.name in _MOVING)
 
 
 def _resumes(event: Event, anchor: Mention, state: State) -> bool:

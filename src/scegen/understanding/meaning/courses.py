@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Mention, Place, Prep
-from scegen.understanding.draft import Basis
+from scegen.understanding.draft import Basis, Danger
 from scegen.understanding.semantics.context import Clause, Context
 
 
@@ -30,6 +31,13 @@ def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
             continue
         for entity in clause.drivers:
             entity.circulates = entity.circulates or clause.words
+    context.draft.dangers[:] = [d for d in context.draft.dangers if not _comes_first(d)]
+
+
+def _comes_first(danger: Danger) -> bool:
+    """Who goes round already owes no way to those who come in, however close it passes them."""
+    yields = danger.kind is HazardKind.FAILURE_TO_YIELD
+    return yields and bool(danger.by) and all(e.circulates for e in danger.by)
 
 
 def _inside(prep: Prep, context: Context) -> bool:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "lose_control", "obey", "breach"})
 _BREACHES = frozenset({"obey", "breach", "stop", "yield"})
+_SIDEWAYS = frozenset({"move", "enter", "swerve", "walk", "return", "dash", "merge", "cut_in",
+                       "lane_change", "sharp_turn", "speed", "accelerate", "turn",
+                       "leave"})  # fmt: skip
 _LONGEST = 10
 
 
@@ -54,7 +57,19 @@ def _who(doing: Event, told: list[Event]) -> list[Mention]:
     finite = [e for e in told if e.finite]
     if doing.name == "lose_control":
         return (finite or told)[0].subject if told else []
+    goal = next((e for e in told if e.name in _SIDEWAYS and _leads_into(e)), None)
+    if goal is not None:
+        return goal.subject
     return others[0].subject if others and doing.name == "cut_in" else []
+
+
+def _leads_into(event: Event) -> bool:
+    """``moves into the lane of the bus``, ``encroaches on the bus``."""
+    lanes = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "in"})]
+    into = any(isinstance(c, Place) and c.kind in {"lane", "path"} for c in lanes)
+    onto = event.name == "enter" and isinstance(event.object, Mention)
+    ahead = any(p.word.cat == "locus" and p.value in {"ahead", "between"} for p in event.pps)
+    return into or onto or ahead
 
 
 def _is_ego(event: Event) -> bool:

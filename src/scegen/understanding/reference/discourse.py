@@ -7,7 +7,7 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.groups import of_both, vehicle_around
+from scegen.understanding.reference.groups import Group, of_both, opened, vehicle_around
 from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.reference.pronouns import Pronouns, picked
 from scegen.understanding.reference.reference import (
@@ -23,6 +23,7 @@ from scegen.understanding.reference.roster import Roster
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
+_MOST = 20
 _A_PAIR = 2
 _ALONG = {"front": "ahead", "rear": "behind"}
 
@@ -85,7 +86,7 @@ class Discourse:
         if (known := self._of_two(mention) or self._at_the_wheel(mention)) != []:
             found = known
         elif mention.pronoun is not None:
-            found = self._pronouns.resolve(mention, exclude)
+            found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
             one = of_both(reading, loci_of(mention), self._roster.groups, self._draft.entities)
@@ -145,6 +146,19 @@ class Discourse:
         indefinite = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
         return mention.possessor and indefinite and bool(after & {"width", "length", "widths"})
 
+    def _we(self, mention: Mention) -> list[Entity]:
+        """``three of us``: the ego and two more."""
+        whole = mention.whole
+        if mention.pronoun != "count" or whole is None or not any(e.ego for e in whole.entities):
+            return []
+        count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
+        ego = self._ego(ParticipantKind.CAR, basis)
+        further = range(min(count, _MOST) - 1)
+        others = [self._roster.new(ParticipantKind.CAR, basis) for _ in further]
+        if others:
+            self._roster.groups.append(Group(others, vague=False, unnamed=True))
+        return [ego, *others]
+
     def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         basis = Basis(mention.i, mention.j)
         if reading.ego and not reading.plural:
@@ -164,6 +178,9 @@ class Discourse:
             out = mention.walks and not mention.drives and still
             afoot = ParticipantKind.PEDESTRIAN  # "the driver of the stalled van steps out"
             return [self._roster.new(afoot, basis)] if out else vehicle
+        parked = opened(reading, mention, self._draft.entities)
+        if parked:
+            return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
@@ -236,6 +253,10 @@ class Discourse:
             return self._other_ones(reading, mention, exclude)
         if reading.plural:
             return self._known_plural(reading, mention)
+        if det == "def" and not reading.driver:
+            told = self._roster.told_what(reading, Basis(mention.i, mention.j))
+            if told:
+                return told
         if det == "other":
             if not self._draft.entities and not reading.plural:
                 self.observer(mention.i, mention.j)
@@ -246,7 +267,8 @@ class Discourse:
         if det in {"another", "ordinal"}:
             return self._another(reading, exclude)
         if det in {"one", "indef"}:
-            return self._member(reading, mention, exclude)
+            member = self._member(reading, mention, exclude)
+            return member or self._roster.from_title(reading, mention)
         return self._definite(reading, mention, exclude)
 
     def _other_ones(

@@ -34,6 +34,20 @@ class Group:
         return [e for e in self.members if not e.claimed]
 
 
+def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[Entity]:
+    """``parked cars … a driver opens his door``: the driver stands for one of them.
+
+    Args:
+        reading: what the words say.
+        mention: who opens a door.
+        entities: everybody so far.
+    """
+    aboard = mention.head is not None and bool(mention.head.data.get("aboard"))
+    if not mention.seated or not (reading.driver or aboard):
+        return []
+    return [e for e in entities if e.parked][-1:]
+
+
 def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
     """``someone in a van``: people in or on a vehicle stand for it."""
     afoot = reading.kind in ON_FOOT or mention.goes_by is not None

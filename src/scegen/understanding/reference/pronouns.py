@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.everybody import everybody
@@ -195,7 +195,7 @@ class Pronouns:
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return picked(claimed) if which in {"one", "count"} and not mention.sides else claimed
-        if definite and not mention.sides and pointed:
+        if definite and not mention.sides and (pointed or _placed(mention)):
             others = [e for e in self.roster.recent if not e.ego and e not in exclude]
             if others:
                 return others[-1:]  # "another waits in the stem; the one in the stem …"
@@ -215,3 +215,7 @@ def picked(entities: list[Entity]) -> list[Entity]:
     for entity in entities:
         entity.some = entity.claimed = True
     return entities
+
+
+def _placed(mention: Mention) -> bool:
+    return any(isinstance(p.target, Place) for p in mention.pps)

@@ -9,6 +9,7 @@ from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.road.junctions import JunctionReading
 
 _FEWEST = 3
+_BY_ARMS = {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}
 
 
 def share_arms(chunks: list[Chunk], events: list[Event]) -> list[tuple[Mention, list[Mention]]]:

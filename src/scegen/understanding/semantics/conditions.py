@@ -21,6 +21,7 @@ from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics import along, owed, patterns, ways
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.numbered_lanes import leaves_it
 from scegen.understanding.semantics.rewriting import passes_round
 from scegen.understanding.semantics.values import alike
 from scegen.understanding.semantics.who import entity, who
@@ -39,6 +40,7 @@ FACTS: dict[str, Test] = {
     "unable": lambda clause, _: clause.event.unable,
     "sudden": lambda clause, _: clause.sudden is not None,
     "premodifier": lambda clause, _: clause.event.premod_of is not None,
+    "subject": lambda clause, _: bool(clause.event.subject),
     "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
     "directed": lambda clause, _: bool(clause.event.dirs),
     "crossing": lambda _, context: context.junction.crossing,
@@ -65,6 +67,7 @@ FACTS: dict[str, Test] = {
     **along.FACTS,
     **owed.FACTS,
     "passes_round": passes_round,
+    "leaves_its_number": lambda clause, c: leaves_it(clause.event, clause.drivers, c.tokens),
 }
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.tokens import Token
@@ -80,6 +81,21 @@ def _counted_from(j: int, tokens: list[Token]) -> str:
     """``the third lane from the right``."""
     after = [t.low for t in tokens[j : j + _FROM_SIDE]]
     return after[-1] if after[:2] == ["from", "the"] and after[-1] in {"left", "right"} else EITHER
+
+
+def leaves_it(event: Event, entities: list[Entity], tokens: list[Token]) -> bool:
+    """``a lorry in lane 1 moves out``: into the next one.
+
+    Args:
+        event: a movement.
+        entities: who moves.
+        tokens: the tokens of the text.
+    """
+    aside = event.j < len(tokens) and tokens[event.j].low in word_list("sideways")
+    out_of = any(p.value == "from" and _number(p.target, tokens) for p in event.pps)
+    aside = aside or (out_of and tokens[event.j].low == "in")  # "moves in from lane 2"
+    known = bool(entities) and all(e.lane is not None for e in entities)
+    return event.name == "move" and aside and known and event.object is None
 
 
 def beside(draft: Draft, ego: Entity) -> None:

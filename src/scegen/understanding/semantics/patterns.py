@@ -34,6 +34,7 @@ _FILTERS: dict[str, NounTest] = {
     "other": lambda n, _: any(m.value == "other" for m in n.mods),
     "unprotected": lambda n, _: any(m.value == "unprotected" for m in n.mods),
     "ranked": lambda n, _: n.head is not None and "ranked" in n.head.data,
+    "compound": lambda n, _: n.head is not None and n.head.j - n.head.i > 1,
     "gap": lambda n, _: n.head is not None and "gap" in n.head.data,
     "leads_off": lambda n, _: n.head is not None and n.head.data.get("auxiliary") == "off_ramp",
     "plural": lambda n, _: n.head is not None and n.head.form == "s",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place, Thing
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
@@ -71,6 +71,16 @@ def beside_somebody(j: int, tokens: list[Token]) -> bool:
         tokens: the tokens of the text.
     """
     return j < len(tokens) and tokens[j].low == "of"
+
+
+def side_to_side(event: Event) -> bool:
+    """``from left to right``: across the way of whoever sees it.
+
+    Args:
+        event: a verb of motion.
+    """
+    goals = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
+    return any(_OTHER.get(d) in _came_from(event) for goal in goals for d in goal.dirs)
 
 
 def _came_from(event: Event) -> set[str]:
@@ -277,6 +287,32 @@ def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     return not sideways and any(context.oncoming(e) and not e.ego for e in clause.drivers)
 
 
+def across_somebody(clause: Clause, context: Context) -> bool:
+    """``turned left right across me``: across my way."""
+    return all(context.oncoming(e) for e in clause.drivers) and any(
+        context.tokens[p.word.i].low == "across"
+        and isinstance(p.target, Mention)
+        and any(e.moving_vehicle for e in p.target.entities)
+        for p in clause.event.pps
+    )
+
+
+def stays_there(clause: Clause, context: Context) -> bool:
+    """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
+
+    Args:
+        clause: somebody stops.
+        context: the scenario in the making.
+    """
+    told = bool(clause.event.pps) or clause.event.object is not None
+    named = [p.target for m in clause.event.subject for p in m.pps if p.value in {"in", "from"}]
+    aside = any(isinstance(p, Place) and p.kind == "access" for p in named)
+    across = context.draft.access is not None and all(
+        context.comes_across(e) for e in clause.actors
+    )
+    return not told and (aside or across)
+
+
 def onto_the_road(event: Event) -> bool:
     """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
     places = [event.object, *(p.target for p in event.pps)]
@@ -335,11 +371,14 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "no_arrow": lambda _, c: without_arrow(c),
     "turns_across": turns_across,
     "set_across": set_across,
+    "across_somebody": across_somebody,
     "against_lane": _against_lane,
     "head_on": lambda clause, c: head_on(clause, into_lane(clause.event), c),
     "out_of_a_side": _out_of_a_side,
+    "stays_there": stays_there,
     "onto_the_road": lambda clause, _: onto_the_road(clause.event),
     "only_signalled": lambda clause, c: only_signalled(clause.event, c),
+    "side_to_side": lambda clause, _: side_to_side(clause.event),
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),
     "leads_aside": lambda clause, c: bool(_SIDEWAYS & set(directions(clause.event, c.tokens))),
     "leads_through": lambda clause, c: through(clause.event, c) is not None,

@@ -20,6 +20,7 @@ from scegen.understanding.semantics.patterns import people, phrases
 Who: TypeAlias = Callable[[Clause, Context], list[Entity]]
 EntityTest: TypeAlias = Callable[[Entity, Context], bool]
 _PART = re.compile(r"[+-][\w.|]+")
+_SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
 def _unplaced(e: Entity, context: Context) -> bool:
@@ -37,6 +38,17 @@ def _aloof(e: Entity, context: Context) -> bool:
     return not any(e in {p.entity, p.reference} for p in context.draft.placements)
 
 
+def _in_front(e: Entity, context: Context) -> bool:
+    return any(
+        p.entity is e and p.reference is None and p.approaches == {Approach.AHEAD}
+        for p in context.draft.placements
+    )
+
+
+def _slow(e: Entity, context: Context) -> bool:
+    return any(d.kind in _SLOWER and e in d.by for d in context.draft.dangers)
+
+
 ENTITY: dict[str, EntityTest] = {
     "ego": lambda e, _: e.ego,
     "vehicle": lambda e, _: e.is_vehicle,
@@ -51,6 +63,7 @@ ENTITY: dict[str, EntityTest] = {
     "headed": lambda e, _: e.heading is not None,
     "pulls_out": lambda e, _: e.pulls_out,
     "walks_up": lambda e, _: e.walks_up,
+    "unmoved": lambda e, _: e.moves is None,
     "opposite": lambda e, _: "opposite" in e.dirs,
     "oncoming": lambda e, c: c.oncoming(e),
     "ahead": lambda e, c: c.placed(e, Approach.AHEAD),
@@ -62,9 +75,11 @@ ENTITY: dict[str, EntityTest] = {
     "across": lambda e, c: c.comes_across(e),
     "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
     "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},
+    "in_front": _in_front,
     "aloof": _aloof,
     "unplaced": _unplaced,
     "unseen": _unseen,
+    "slow": _slow,
 }
 
 

@@ -114,6 +114,56 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
     return value in {"collide", "lose_control"} and noun is not None and noun.has("place")
 
 
+def in_front(tokens: list[Token], match: Match) -> bool:
+    """Whether "in" at the end of a verb belongs to "in front of" as well.
+
+    Args:
+        tokens: the tokens of the text.
+        match: the verb.
+    """
+    after = [t.low for t in tokens[match.j : match.j + 2]]
+    return tokens[match.j - 1].low == "in" and after == ["front", "of"]
+
+
+def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
+    """``forces it back into its lane``: an adverb, although "back into" is a verb.
+
+    Such a verb would need a plural subject, an auxiliary or "to" before it.
+
+    Args:
+        tokens: the tokens of the text.
+        terms: the terms before it.
+        i: index of a token.
+    """
+    if tokens[i].low != "back" or not terms:
+        return False
+    previous = terms[-1]
+    single = previous.cat == "actor" and previous.form == "base"
+    single = single or (previous.cat == "pronoun" and previous.value in {"it", "him"})
+    let = len(terms) > 1 and any(
+        tokens[t.i].forms[-1][0] in word_list("letting") for t in terms[-4:-1] if t.cat == "verb"
+    )
+    return single and not let
+
+
+def measured(tokens: list[Token], terms: list[Term], noun: Term) -> bool:
+    """``the car two vehicles ahead``: how far, not who.
+
+    Args:
+        tokens: the tokens of the text.
+        terms: the terms before the noun.
+        noun: a term.
+    """
+    if noun.cat != "actor" or noun.form != "s" or len(terms) < 2 or noun.j >= len(tokens):
+        return False
+    counted, before = terms[-1].cat == "num", terms[-2]
+    where = longest_match(tokens, noun.j)
+    along = where is not None and where.has("locus")
+    placed = before.cat == "actor" and before.form == "base"
+    placed = placed or (before.cat, before.value) == ("aux", "be")
+    return counted and along and placed
+
+
 def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
 
@@ -145,6 +195,22 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
+def and_moves(token: Token, previous: Term, tokens: list[Token]) -> bool:
+    """``…, strides over the road``, ``and vaults onto it``: a verb of motion in no lexicon.
+
+    Args:
+        token: a word that no phrase of the lexicon holds.
+        previous: the term before it.
+        tokens: the tokens of the text.
+    """
+    if not token.low.endswith(("s", "ed")) or token.low.endswith(("ss", "us", "ings")):
+        return False
+    k = tokens.index(token)
+    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
+    joined = previous.cat in {"conj", "rel", "manner"} or previous.value == ","
+    return joined and after in word_list("particles_across")
+
+
 def a_drive(tokens: list[Token], i: int) -> bool:
     """``backs out of a drive``: where a house is reached from the road.
 
@@ -155,33 +221,6 @@ def a_drive(tokens: list[Token], i: int) -> bool:
     whose, before = (tokens[k].low if k >= 0 else "" for k in (i - 1, i - 2))
     owned = whose in {"a", "the", "his", "her", "my", "our", "its", "their"}
     return tokens[i].low == "drive" and owned and before in {"of", "from", "into", "onto"}
-
-
-def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> bool:
-    """``a van in the left lane changes lanes``: no lane changes in the plural.
-
-    Args:
-        tokens: the tokens of the text.
-        match: a phrase.
-        previous: the term before it.
-    """
-    sided = previous is not None and previous.cat in {"dir", "det", "compass"}
-    if not sided or match.form != "s":
-        return False
-    if not match.has("verb") or match.get("verb").value != "lane_change":
-        return False
-    after = tokens[match.j].low if match.j < len(tokens) else ""
-    return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
-
-
-def suffix_form(token: Token) -> str | None:
-    """The inflection that the ending of an unknown word shows.
-
-    Args:
-        token: the word.
-    """
-    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
-    return next((form for ending, form in endings if token.low.endswith(ending)), None)
 
 
 def no_way(tokens: list[Token], i: int, match: Match) -> bool:
@@ -203,6 +242,23 @@ def no_way(tokens: list[Token], i: int, match: Match) -> bool:
     return rules or turns
 
 
+def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> bool:
+    """``a van in the left lane changes lanes``: no lane changes in the plural.
+
+    Args:
+        tokens: the tokens of the text.
+        match: a phrase.
+        previous: the term before it.
+    """
+    sided = previous is not None and previous.cat in {"dir", "det", "compass"}
+    if not sided or match.form != "s":
+        return False
+    if not match.has("verb") or match.get("verb").value != "lane_change":
+        return False
+    after = tokens[match.j].low if match.j < len(tokens) else ""
+    return tokens[match.j - 1].low == "changes" and after in {"lane", "lanes", "to", "into", "onto"}
+
+
 def of_so_much(tokens: list[Token], match: Match) -> bool:
     """``at speeds of 10 to 80 km/h``: how fast is said by the number alone.
 
@@ -214,3 +270,13 @@ def of_so_much(tokens: list[Token], match: Match) -> bool:
     after = tokens[match.j].low if match.j < len(tokens) else ""
     bare = match.j >= 2 and words[0] == "at" and words[1] in {"speed", "speeds"}
     return bare and after in word_list("measuring")
+
+
+def suffix_form(token: Token) -> str | None:
+    """The inflection that the ending of an unknown word shows.
+
+    Args:
+        token: the word.
+    """
+    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
+    return next((form for ending, form in endings if token.low.endswith(ending)), None)

@@ -9,6 +9,7 @@ from scegen.understanding.words.lane_numbers import number_of_a_lane
 from scegen.understanding.words.noun_turns import names_a_turn
 from scegen.understanding.words.other_classes import other_class
 from scegen.understanding.words.paces import doing
+from scegen.understanding.words.particles import measured
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
@@ -33,6 +34,9 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     term = _in_place_of_a_noun(term, terms, tokens)
     if _does_not(tokens, term):
         term = replace(term, cat="aux", value="do")
+    if terms and measured(tokens, terms, term):
+        number = terms.pop()  # "the car two vehicles ahead"
+        term = Term("quantity", "other", number.i, term.j, data={"quantity": None})
     if names_a_turn(term, terms, tokens):
         term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
     term = _near_or_far(term, tokens)
@@ -55,7 +59,7 @@ _NEAR_OR_FAR = {"near": "near", "nearer": "near", "far": "far", "farther": "far"
 def _of_lights_and_times(term: Term, tokens: list[Token]) -> Term:
     if _changes_colour(tokens, term) or _comes_down(tokens, term):
         return replace(term, value="inert", data={})
-    return term
+    return Term("inert", "noun", term.i, term.j) if _moment(tokens, term) else term
 
 
 def _changes_colour(tokens: list[Token], term: Term) -> bool:
@@ -114,6 +118,15 @@ def _gets(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     by = "by" in [t.low for t in tokens[term.j : term.j + 2]]
     by = by or (term.value == "collide" and (term.form == "ed" or tokens[term.i].low == "hit"))
     return get and terms[-1].j - terms[-1].i == 1 and term.cat == "verb" and by
+
+
+def _moment(tokens: list[Token], term: Term) -> bool:
+    """``only a second to stop``, ``half a second later``: a time, nobody."""
+    if [t.low for t in tokens[term.i : term.j]] != ["a", "second"]:
+        return False
+    before = tokens[term.i - 1].low if term.i else ""
+    after = tokens[term.j].low if term.j < len(tokens) else ""
+    return before in word_list("short") or after in {"later", "ago", "before", "after"}
 
 
 def _has_done(tokens: list[Token], term: Term) -> bool:

@@ -15,16 +15,20 @@ from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
     a_drive,
     after_a_phrase,
+    and_moves,
+    in_front,
     just_right,
     lane_then_verb,
     no_way,
     nothing_shed,
     of_so_much,
     over_a_place,
+    sends_back,
     suffix_form,
     then_a_noun,
     then_a_side,
 )
+from scegen.understanding.words.passages import from_side_to_side
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.retagging import retag
 from scegen.understanding.words.somebodys import around_somebody
@@ -76,6 +80,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
+    if and_moves(token, previous, tokens):
+        return suffix_form(token)
     return None
 
 
@@ -125,6 +131,8 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
+        if term.cat == "verb" and sends_back(tokens, terms, i):
+            term = Term("manner", "mild", i, i + 1)
         held = around_somebody(tokens, term)
         if held is not None:
             term, tail, end = held
@@ -132,7 +140,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    crossed = _crossings(gather(terms, tokens), tokens)
+    crossed = _crossings(gather(from_side_to_side(terms), tokens), tokens)
     return with_articles(name_letters(crossed, tokens), tokens)
 
 
@@ -240,6 +248,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
         match = longest_match(tokens[:cut_at], i)
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens[: match.j - 1], i)
+    if match and match.only("verb") and in_front(tokens, match):
+        match = replace(match, j=match.j + 2)  # "forces its way in front of"
     if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
         match = longest_match(tokens[: match.j - 1], i) or match
     if match and lane_then_verb(tokens, match, previous):
