@@ -6,6 +6,7 @@ from scegen.understanding.chunks import (
     Chunk,
     Event,
     Mention,
+    NounPhrase,
     Place,
     Prep,
     Thing,
@@ -89,6 +90,9 @@ def attach(prep: Prep, state: State) -> None:
     if prep.fronted:
         state.fronted += [] if counted else [prep]
         return
+    part = prep.on_mention
+    if part is not None and part.whole is not None and part.whole.j == prep.word.i:
+        prep.on_mention = part.whole  # "one of the two cars ahead": both are
     holders = [m for m in (prep.on_mention, state.candidate) if m is not None]
     if any(_names_it_again(prep.target, m) for m in holders):
         state.fronted.append(prep)
@@ -273,6 +277,13 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1
+    owned = chunks[m] if m < len(chunks) else None
+    if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
+        m += 1  # "behind the ego's bumper"
+    aside = isinstance(target, Place) and target.kind == "access" and _is(chunks, m, "in")
+    side = chunks[m + 1] if aside and m + 1 < len(chunks) else None
+    if isinstance(side, Place) and side.kind == "side":
+        m += 2  # "from a driveway on the left a van …"
     if _side_after(chunks, m):
         m += 2  # "behind a van on the right a man …"
     while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):

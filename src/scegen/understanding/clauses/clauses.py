@@ -161,6 +161,8 @@ class ClauseReader:
             state.ahead.append(word.term)
         elif state.events and not self._clause_start():
             state.events[-1].mods.append(word.term)
+            if isinstance(following, Word) and following.value == "or":
+                state.between.discard("or")
         elif state.candidate is not None:
             state.candidate.mods.append(word.term)
         elif before_event or (word.cat == "manner" and isinstance(following, Mention)):

@@ -91,5 +91,7 @@ def _as_finite(first: Event, second: Event) -> bool:
 def _agree(verb: Event, subject: list[Mention]) -> bool:
     """``must wait until two trucks have passed and then turns``: no plural turns."""
     plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
+    if verb.form == "s" and any(m.head is not None and m.head.data.get("me") for m in subject):
+        return False  # "fails to see that we stop and rams our rear"
     numbered = any((m.label or "").startswith("#") for m in subject)
     return verb.form != "s" or numbered or not plural

@@ -23,6 +23,9 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     listed = "and" in state.between or "or" in state.between or state.between == {","}
     if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
+    joint = chunks[k - 1]
+    if isinstance(joint, Word) and "next" in joint.term.data and finite_follows(chunks, k):
+        return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     waiting = anchor is state.candidate and not state.candidate_done
@@ -51,6 +54,8 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
 def _is_somewhere(who: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
     since = [c for c in chunks[:k] if c.i >= who.j]
+    if any(isinstance(c, Event) or (isinstance(c, Word) and c.cat == "rel") for c in since):
+        return False
     return any(isinstance(c, Word) and (c.cat, c.value) == ("aux", "be") for c in since)
 
 

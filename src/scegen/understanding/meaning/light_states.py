@@ -162,6 +162,8 @@ def _before(chunks: list[Chunk], k: int) -> Mention | None:
     for chunk in reversed(chunks[:k]):
         if isinstance(chunk, Mention):
             return chunk
+        if isinstance(chunk, Place) and chunk.owner is not None:
+            return chunk.owner
         if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in {".", ";"}):
             return None
     return None

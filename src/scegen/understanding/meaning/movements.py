@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, Maneuver
-from scegen.understanding.chunks import Event, Place, Thing
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.meaning.lane_moves import apply
 from scegen.understanding.semantics import ways
@@ -100,8 +100,14 @@ def _same_way(clause: Clause, context: Context) -> list[Entity]:
 
 
 def pull_around(clause: Clause, context: Context) -> None:
-    """``pulls out`` onto a road to one side: a turn."""
+    """``pulls out around a parked van``: past it; onto a road to one side, a turn."""
     say("movements.onto_a_road", clause, context)
+    for prep in clause.event.pps:
+        around = context.tokens[prep.word.i].low in {"around", "round", "past"}
+        passed = prep.target.entities if isinstance(prep.target, Mention) else []
+        if around and passed:
+            overtake(Clause(clause.event, clause.actors, list(passed)), context)
+            return
 
 
 def _changes_lane(event: Event) -> bool:

@@ -60,9 +60,11 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Ego: left turn.``, ``Hard-braking coach: 0.55 g from 26 m/s``: of who is named before."""
     who = title[0] if title and (len(title) == 1 or _goes_on(title, rest)) else None
-    return (
-        isinstance(who, Mention) and bool(who.heads and rest) and not isinstance(rest[0], Mention)
-    )
+    if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
+        return False
+    if isinstance(rest[0], Word) and rest[0].cat == "quantity":
+        return True  # "Lead car: 100 km/h, ego …"
+    return True
 
 
 def _goes_on(title: list[Chunk], rest: list[Chunk]) -> bool:
@@ -189,6 +191,12 @@ def _of_kind(mention: Mention, kind: str) -> bool:
 
 
 def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
+    first = title[0] if len(title) == 1 else None
+    told = rest[0] if rest else None
+    if isinstance(first, Mention) and isinstance(told, Event) and told.dirs:
+        return False  # "Truck: left turn."
+    if isinstance(first, Mention) and any(h.data.get("ego") for h in first.heads):
+        return False  # "Ego: left turn."
     spoken = any(_finite(c) for c in title) or any(
         isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title
     )

@@ -46,6 +46,10 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found += [_who(chunk, found), replace(chunk, mods=[], form="s", nominal=False)]
             k += 1
             continue
+        if _opens_one(chunks[k : k + 2], tokens):
+            found.append(Event("door", chunk.i, chunks[k + 1].j, "s", lemma="open"))
+            k += 2
+            continue
         after = k + 1 + 2 * len(owned[::2])
         verb = _behind_participle(chunks, after, tokens) if owned else after
         described = chunks[after:verb]
@@ -91,6 +95,13 @@ def _behind_participle(chunks: list[Chunk], k: int, tokens: list[Token]) -> int:
         if _opens(chunks[m].i, tokens) is not None and tokens[chunks[m].i].low != "open":
             return m
     return k
+
+
+def _opens_one(two: list[Chunk], tokens: list[Token]) -> bool:
+    """``opens its left door``, ``opens the driver's door``."""
+    verb, door = [*two, None, None][:2]
+    opens = isinstance(verb, Event) and tokens[verb.i].low.startswith("open")
+    return opens and isinstance(door, Thing) and door.kind == "door"
 
 
 def _called(door: Event, before: list[Chunk]) -> bool:

@@ -30,7 +30,7 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
     found = [*events, *courses_said(chunks, events, tokens)]
     _titled(chunks, events)
     entitle(chunks, events)
-    _by_the_other(chunks, events)
+    _by_the_other(chunks, events, tokens)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
@@ -63,7 +63,7 @@ def _titled(chunks: list[Chunk], events: list[Event]) -> None:
         doing.subject = [who]
 
 
-def _by_the_other(chunks: list[Chunk], events: list[Event]) -> None:
+def _by_the_other(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``Cut-in from the left, the ego at 80 km/h, a van …``: done by who is not the ego."""
     for event in events:
         if not event.nominal or event.subject or event.parent or event.name not in _UNSAFE:
@@ -74,6 +74,11 @@ def _by_the_other(chunks: list[Chunk], events: list[Event]) -> None:
         others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > event.i]
         egos = [c for c in others if any(h.data.get("ego") for h in c.heads)]
         others = [c for c in others if c not in egos]
+        led = [c for c in others if "ahead" in c.dirs]
+        acts = any(e is not event and e.subject and not e.nominal for e in events)
+        if opens and led and "out" in {t.low for t in tokens[event.i : event.j]}:
+            event.subject = [] if acts else led[:1]  # "Cut-out: lead 60 km/h, ego 80 km/h"
+            continue
         if opens and others and not (told and any(c.mods for c in others if _premod(c, event))):
             event.subject = others[:1]
 

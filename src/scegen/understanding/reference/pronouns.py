@@ -47,10 +47,14 @@ class Pronouns:
             return self._single(mention, exclude)
         if which == "they" and not mention.walks and all(e.ego for e in self.draft.entities):
             return self._new_driver(mention)
+        if which == "neither" and self.tokens[mention.i].low == "none":
+            return everybody(mention, self.draft)
         if which in {"they", "both", "all", "neither"}:
             return self._together(mention, exclude)
         if which == "other":
             rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
+            if len(self.roster.subject) > 1 and not rest:
+                return []  # "neither can see past the other": of those just spoken of
             return rest or [self.roster.new(ParticipantKind.CAR, basis)]
         if which == "ordinal":
             found = self._ordinal(mention)

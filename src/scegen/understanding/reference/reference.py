@@ -18,6 +18,8 @@ def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> boo
     possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
     whose = possessed and mention.mods[0].value == "its"
     riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
+    if mention.goes_by is ParticipantKind.PEDESTRIAN:
+        return False  # "its driver walks along the road"
     return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
 
 

@@ -105,6 +105,8 @@ class Roster:
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
         for group in reversed(self.groups):
+            if group.vague and group.dirs - reading.dirs:
+                continue  # "across oncoming traffic": others than those with a name
             nameless = [
                 e
                 for e in group.free

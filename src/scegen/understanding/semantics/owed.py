@@ -64,6 +64,8 @@ def _has_to_wait(clause: Clause, context: Context) -> bool:
     parent = event.parent
     onto = parent is not None and parent.name in {"enter", "pull_out", "cross", "move"}
     onto = onto and any(p.value == "into" for p in (parent.pps if parent else []))
+    if event.link == "ing" and (onto or (parent is not None and parent.name == "pull_out")):
+        return True  # "rides onto the road without stopping"
     awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in event.pps)
     joins = junction.crossing or context.draft.access is not None or junction.control is not None
     return (event.link == "ing" or (awaited and event.name == "wait")) and joins

@@ -230,6 +230,8 @@ def across_the_road(event: Event, context: Context) -> bool:
         onto = word == "across" or (prep.value == "into" and place is not None)
         if onto and isinstance(place, Place) and place.kind in _WAY:
             return place.kind == "path" or word == "across"
+        if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
+            return True
     return not any(d.value in DIRECTIONS for d in event.dirs)
 
 
