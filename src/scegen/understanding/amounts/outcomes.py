@@ -9,7 +9,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.struck import Struck
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import counterpart, ego_of
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
@@ -40,23 +40,31 @@ class Judge(Teller):
 
     def _of_verb(self, scene: Clause) -> Ending | None:
         event = scene.event
+        if self._met_in_vain(event):
+            return Ending(OutcomeKind.COLLISION, Basis(event.i, event.j), self._between(scene))
         if event.premod_of is not None or not self._meets(scene):
             return None
         start = max(self._text.bounds(event.i)[0], event.i - _BEFORE)
-        basis = Basis(event.i, event.j)
         nearly = self._text.find(words()["nearly"], start, event.i)
         parent = event.parent
-        held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"}
-        held_off = held_off and parent is not None and not parent.negated  # "cannot avoid hitting"
+        vain = parent is not None and _in_vain(parent)
+        basis = Basis(parent.i if vain and parent is not None else event.i, event.j)
+        held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
         if nearly is not None:
             kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
         elif event.negated or held_off or self._before_it(event) or self._of_nobody(event):
             kind = OutcomeKind.AVOIDED
-        elif event.modal or self._supposed(start, event.i):
+        elif event.modal or (self._supposed(start, event.i) and not vain):
             return None
         else:
             kind = OutcomeKind.COLLISION
         return Ending(kind, basis, self._between(scene))
+
+    def _met_in_vain(self, event: Event) -> bool:
+        """``cannot avoid a collision``."""
+        what = event.object
+        named = isinstance(what, Thing) and self._text.tokens[what.j - 1].low in words()["impacts"]
+        return named and _in_vain(event)
 
     def _meets(self, scene: Clause) -> bool:
         """Verbs of contact; "meets head-on"; "just misses"; "reverses into it"."""
@@ -114,7 +122,8 @@ class Judge(Teller):
             if span is None:
                 continue
             start = max(self._text.bounds(span[0])[0], span[0] - _BEFORE)
-            if name == "collision" and self._supposed(start, span[0]):
+            vain = any(_in_vain(c.event) for c in self._text.within(start, span[0]))
+            if name == "collision" and self._supposed(start, span[0]) and not vain:
                 continue
             if name == "avoided" and ends_a_quantity(self._text.tokens, span[0]):
                 continue
@@ -204,3 +213,8 @@ class Judge(Teller):
             amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
             apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT)
             self._happenings.spacings.append(apart)
+
+
+def _in_vain(event: Event) -> bool:
+    """``cannot avoid hitting him``: it happens all the same."""
+    return event.name in {"avoid", "prevent"} and (event.negated or event.unable)
