@@ -178,3 +178,9 @@ def test_a_stop_that_somebody_waits_at_is_built():
     scenario = read(text)
     assert Strip.BUS_STOP in scenario.junction.strips
     assert scenario.participant("pedestrian_1").approaches == {Approach.RIGHT}
+
+
+def test_a_cyclist_who_crosses_out_of_a_side_street_has_no_arm_to_come_in_by():
+    text = "A cyclist shoots out of the side street on the left; the ego, going straight on, "
+    cyclist = _who(text + "nearly hits him.", "bicycle_1")
+    assert (cyclist.maneuvers, cyclist.entries) == ({Maneuver.CROSS}, frozenset())

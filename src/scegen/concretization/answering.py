@@ -153,20 +153,32 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
         who.deeds, who.course_ = before, None
         return False
     if waits or own is None:
-        _go_on(who, leaves, waits)
+        _go_on(who, leaves, waits, _most_mps(scene, moments, contact))
     if own is None:
         reason = f"brakes for {contact.other}, as a driver who sees it does"
         scene.note(f"{who.id}.rate_mps2", found[1], reason)
     return True
 
 
-def _go_on(who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedChange]) -> None:
+def _most_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
+    """How fast one goes on that has braked for another: no faster than that one, if it follows."""
+    who, times = scene.drives[contact.who], _times(moments)[-1:]
+    if contact.other not in scene.drives:
+        return who.cruise_mps
+    (own, _), (other, speed) = (moments.track(name, times) for name in contact[1:])
+    follows = float((own.cos * other.cos + own.sin * other.sin)[0]) > _ALONG
+    return min(who.cruise_mps, float(speed[0])) if follows else who.cruise_mps
+
+
+def _go_on(
+    who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedChange], most_mps: float
+) -> None:
     """Drive on as soon as that is free, by its own act if that is said; else stay as slow."""
     if not said and any(mark.act is not None for mark in who.deeds):
         return
     kept = who.deeds
     rate = who.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
-    usual = SpeedChange(who.cruise_mps, rate, s_m=kept[-1].s_m, sort=Sort.ACT)
+    usual = SpeedChange(most_mps, rate, s_m=kept[-1].s_m, sort=Sort.ACT)
     for then in _GOES_ON_S:
         on = replace(next(iter(said), usual), then_s=then)
         who.deeds, who.course_ = [*kept, on], None

@@ -19,8 +19,8 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.vocabulary import JunctionKind
 
-IN_TRAFFIC = (0.8, 0.6, 0.45)
-SHARES = (*IN_TRAFFIC, 0.3, 0.0, 0.15)
+IN_TRAFFIC = (0.6, 0.45)
+SHARES = (*IN_TRAFFIC, 0.3, 0.15, 0.0)
 """Speeds while waiting, as shares of the planned one: the most natural first. Without a junction
 nobody crawls or stands for the ego."""
 _DT_S = 0.01

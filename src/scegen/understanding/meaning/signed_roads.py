@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import Chunk, Mention, Place, Prep, Word
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
@@ -99,6 +99,8 @@ def settle_roads(draft: Draft, junction: Junction) -> None:
     for entity in draft.entities:
         if entity.on_minor is None or entity.entries or not entity.moving_vehicle:
             continue
+        if Maneuver.CROSS in entity.maneuvers:
+            continue  # a cyclist who crosses a road has none of its arms to come in by
         on_minor, basis = entity.on_minor
         arms = minor if on_minor else frozenset(range(junction.arms)) - minor
         entity.entries, entity.entry_basis = set(arms), basis
