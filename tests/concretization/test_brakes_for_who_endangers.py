@@ -64,3 +64,14 @@ def test_who_backs_out_of_a_bay_comes_from_beside_at_the_speed_that_is_said():
     concrete = first(functional)
     assert concrete.participant("car_1").motion.reversal.side == "right"
     assert not missed(functional, concrete) & {"speed.car_1", "approach.car_1"}
+
+
+def test_who_takes_anothers_way_does_not_brake_for_it_and_keeps_the_speed_that_is_said():
+    text = (
+        "At a junction with five arms a car from the right goes straight on at 50 km/h and does "
+        "not yield to the ego, which turns left."
+    )
+    functional = read(text)
+    car = next(p for p in first(functional).participants if p.id == "car_1")
+    assert car.speed_mps == pytest.approx(50 * KMH, abs=1e-3)
+    assert all(phase.target_speed_mps >= car.speed_mps - 1e-3 for phase in car.speed_program)

@@ -84,18 +84,22 @@ def _contacts(scene: Setup, moments: Moments) -> Iterator[Contact]:
 
 def _runs_in(scene: Setup, moments: Moments, contact: Contact) -> bool:
     ahead, along = had_ahead(moments, contact)
-    stays = contact.other not in scene.drives or _comes_back(scene, contact.other)
-    return ahead and (stays or along > _ALONG or _gets_away(scene, contact))
+    if contact.other not in scene.drives or _comes_back(scene, contact.other):
+        return ahead
+    in_line = same_arm(scene.drives[contact.who], scene.drives[contact.other])
+    follows = in_line or not _endangers(scene, contact.who, contact.other)
+    return ahead and ((along > _ALONG and follows) or _gets_away(scene, contact))
+
+
+def _endangers(scene: Setup, by: str, to: str) -> bool:
+    return any(by in h.by and to in h.to for h in scene.hazards)
 
 
 def _gets_away(scene: Setup, contact: Contact) -> bool:
     """Whether one is said not to touch who endangers it, and so does something about it."""
     outcome = scene.functional.outcome
-    return (
-        outcome is not None
-        and outcome.kind is OutcomeKind.AVOIDED
-        and any(contact.other in h.by and contact.who in h.to for h in scene.hazards)
-    )
+    avoided = outcome is not None and outcome.kind is OutcomeKind.AVOIDED
+    return avoided and _endangers(scene, contact.other, contact.who)
 
 
 def _comes_back(scene: Setup, name: str) -> bool:

@@ -219,8 +219,10 @@ def _then_again(doing: Doing, text: Sentences) -> Doing | None:
     then = text.find(words()["then"], doing.i + 1, text.bounds(doing.i)[1])
     if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1]):
         return None
+    if text.tokens[then[1] - 1].low == "again":
+        return None  # "slows to 42 km/h, again at 1 m/s²"
     if not (_changed(text, doing.i, then[0]) and _changed(text, then[1] + 1, then[1] + 2)):
-        return None  # "brakes 1.2 s later with 7 m/s²", "picks up speed again at 1.5 m/s²"
+        return None  # "brakes 1.2 s later with 7 m/s²"
     again = Doing(doing.kind, doing.entity, Basis(*then), then[1], always=True)
     _to_standstill(again, text)
     return again
