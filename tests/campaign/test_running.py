@@ -329,13 +329,15 @@ def test_kill_9_at_any_moment_loses_nothing(started, order_file, tmp_path):
     assert len(keys) == len(set(keys)) == int(out.split()[0])
 
 
-def worker_of(pid):
-    """A worker process of a process, by its name; None if there is none."""
-    for task in Path(f"/proc/{pid}/task").glob("*/children"):
-        for child in task.read_text().split():
-            if b"LokyProcess" in Path(f"/proc/{child}/cmdline").read_bytes():
-                return int(child)
-    return None
+def workers_of(pid):
+    """The worker processes of a process, by their name."""
+    children = [
+        int(child)
+        for task in Path(f"/proc/{pid}/task").glob("*/children")
+        for child in task.read_text().split()
+    ]
+    lines = {child: Path(f"/proc/{child}/cmdline") for child in children}
+    return {c for c, line in lines.items() if line.exists() and b"LokyProcess" in line.read_bytes()}
 
 
 @pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="looks for workers in /proc")
@@ -343,7 +345,9 @@ def test_a_dying_worker_and_ctrl_c_lose_nothing(started, order_file, tmp_path):
     folder = tmp_path / "c"
     process = started(order_file, "-o", folder, "--workers", "2")
     until(lambda: batch_count(folder) >= 1, process)
-    os.kill(worker_of(process.pid), signal.SIGKILL)
+    before = workers_of(process.pid)
+    os.kill(min(before), signal.SIGKILL)  # others come once that has been noticed
+    until(lambda: workers_of(process.pid) and not workers_of(process.pid) & before, process)
     known = batch_count(folder)
     until(lambda: batch_count(folder) > known + 1, process)
     os.killpg(process.pid, signal.SIGINT)
