@@ -41,6 +41,15 @@ def test_facts_are_judged_on_what_is_played(judged):
     assert said.tally([right, wrong]) == {"others": (1, 2)}
 
 
+def test_wrong_is_told_apart_by_whether_anything_was_said_of_it(judged):
+    plain, loose = "The ego follows a van.", "The ego follows a zorbling van in a flurb."
+    for text, unsaid in ((plain, True), (loose, False)):
+        (row,) = said.run([said.Record("a", text, {"others": 3})], judged)
+        assert not row.right
+        assert row.unsaid == unsaid, row.left_out
+    assert "zorbling" in row.to_data()["left_out"]
+
+
 def test_without_esmini_our_own_simulation_plays(judged, monkeypatch):
     monkeypatch.setattr(recording, "esmini", lambda: None)
     (row,) = _rows(judged, {"others": 1})

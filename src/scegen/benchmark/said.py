@@ -53,7 +53,8 @@ class Fact:
 class Row:
     """One description: its facts, who played it, or why nothing could be judged.
 
-    ``missed`` are the statements of which the program itself says that they do not hold.
+    ``missed`` are the statements of which the program itself says that they do not hold,
+    ``left_out`` the words of which it says that no field expresses them.
     """
 
     record: Record
@@ -61,11 +62,17 @@ class Row:
     player: Player | None = None
     problem: str | None = None
     missed: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
 
     @property
     def right(self) -> bool:
         """Whether every fact holds."""
         return self.problem is None and all(fact.holds for fact in self.facts)
+
+    @property
+    def unsaid(self) -> bool:
+        """Whether it runs otherwise than said and the program says nothing of it at all."""
+        return not (self.right or self.problem or self.missed or self.left_out)
 
     def to_data(self) -> dict[str, Any]:
         """As data that JSON can hold."""
@@ -76,6 +83,7 @@ class Row:
             "player": self.player,
             "problem": self.problem,
             "missed": list(self.missed),
+            "left_out": list(self.left_out),
             "facts": [
                 {"fact": f.name, "expected": f.expected, "measured": f.measured, "holds": f.holds}
                 for f in self.facts
@@ -151,7 +159,8 @@ def run(
 def _row(item: Record, judge: Judge, seed: int, folder: Path) -> Row:
     try:
         options = Options(seed=seed, depth=CheckDepth.NONE)
-        made = generate(read(item.text), folder / "made", options)
+        functional = read(item.text)
+        made = generate(functional, folder / "made", options)
         scenario = _first(made) / SCENARIO_FILE
         concrete = load_any(scenario.with_name("concrete.yaml"))
         if not isinstance(concrete, ConcreteScenario):
@@ -163,7 +172,8 @@ def _row(item: Record, judge: Judge, seed: int, folder: Path) -> Row:
     except ScegenError as error:
         return Row(item, problem=error.render())
     missed = tuple(claim.statement for claim in made.proofs[concrete.name].missed)
-    return Row(item, facts, recorded.player, missed=missed)
+    left_out = tuple(phrase.text for phrase in functional.unsupported)
+    return Row(item, facts, recorded.player, missed=missed, left_out=left_out)
 
 
 def _judged(judge: Judge, facts: dict[str, Any], played: Path) -> tuple[Fact, ...]:

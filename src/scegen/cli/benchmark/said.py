@@ -51,6 +51,7 @@ def said(
             {
                 "right": right,
                 "sentences": len(rows),
+                "unsaid": sum(row.unsaid for row in rows),
                 "facts": {name: {"right": r, "asked": n} for name, (r, n) in facts.items()},
                 "rows": [row.to_data() for row in rows],
             }
@@ -62,12 +63,14 @@ def said(
         players = ", ".join(sorted({row.player for row in rows if row.player}))
         result(f"every fact right: {right} of {len(rows)} sentences; played by {players or '-'}")
     if right < len(rows):
-        say(f"{len(rows) - right} sentences run otherwise than said")
+        wrong, unsaid = len(rows) - right, sum(row.unsaid for row in rows)
+        say(f"{wrong} sentences run otherwise than said, {unsaid} of them without a word about it")
         raise typer.Exit(1)
 
 
 def _tell(row: Row) -> None:
     known = f", {len(row.missed)} statements known not to hold" if row.missed else ""
+    known += f", {len(row.left_out)} phrases known to be left out" if row.left_out else ""
     if row.right:
         result(f"right  {row.record.id}{known}")
         return
