@@ -13,6 +13,7 @@ from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
+from scegen.understanding.semantics.contact import goal_of_contact, touched
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import ends_a_quantity
 
@@ -25,9 +26,9 @@ class Judge(Teller):
     """Reads the outcome."""
 
     def read(self) -> None:
-        """The outcome, as verbs tell it, or nouns where none does."""
+        """The outcome, as verbs and nouns tell it."""
         endings = [e for s in self._text.scenes if (e := self._of_verb(s)) is not None]
-        endings += self._of_phrases()
+        endings += [*self._of_nouns(), *self._of_phrases()]
         for kind in (OutcomeKind.COLLISION, OutcomeKind.NEAR_MISS, OutcomeKind.AVOIDED):
             told = [e for e in endings if e.kind is kind]
             if told:
@@ -42,7 +43,7 @@ class Judge(Teller):
         event = scene.event
         if self._met_in_vain(event):
             return Ending(OutcomeKind.COLLISION, Basis(event.i, event.j), self._between(scene))
-        if event.premod_of is not None or not self._meets(scene):
+        if event.premod_of is not None or self._bare(event) or not self._meets(scene):
             return None
         start = max(self._text.bounds(event.i)[0], event.i - _BEFORE)
         nearly = self._text.find(words()["nearly"], start, event.i)
@@ -60,6 +61,11 @@ class Judge(Teller):
             kind = OutcomeKind.COLLISION
         return Ending(kind, basis, self._between(scene))
 
+    def _bare(self, event: Event) -> bool:
+        """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
+        alone = event.i > 0 and self._text.tokens[event.i - 1].kind == "punct"
+        return alone and event.form == "base" and event.lemma in words()["impacts"]
+
     def _met_in_vain(self, event: Event) -> bool:
         """``cannot avoid a collision``."""
         what = event.object
@@ -67,7 +73,7 @@ class Judge(Teller):
         return named and _in_vain(event)
 
     def _meets(self, scene: Clause) -> bool:
-        """Verbs of contact; "meets head-on"; "just misses"; "reverses into it"."""
+        """Verbs of contact; "meets head-on"; "just misses"; "slides into it"."""
         event = scene.event
         lemma = event.lemma
         if event.name == "overlook" and lemma == "miss":
@@ -75,13 +81,8 @@ class Judge(Teller):
             return self._text.find(words()["nearly"], start, event.i) is not None
         part = isinstance(event.object, Place) and event.object.kind in {"side", "middle", "front"}
         meets = lemma == "meet" and (event.how("head_on") is not None or part)
-        return event.name == "collide" or meets or self._reverses_into(event)
-
-    def _reverses_into(self, event: Event) -> bool:
-        """``backs into the ego``: it itself, not its way."""
-        whom = [p.target for p in event.pps if p.value == "into"]
-        whom += [event.object] if self._text.tokens[event.j - 1].low == "into" else []
-        return event.name == "reverse" and any(isinstance(m, Mention) for m in whom)
+        into = goal_of_contact(scene, self._context) is not None
+        return event.name == "collide" or meets or into
 
     def _supposed(self, start: int, end: int) -> bool:
         """``could hit``, ``to avoid hitting``: not that it happens."""
@@ -119,21 +120,75 @@ class Judge(Teller):
         found = []
         for name in ("near_miss", "avoided", "collision"):
             span = self._text.find(words()[name], 0, len(self._text.tokens))
-            if span is None:
-                continue
-            start = max(self._text.bounds(span[0])[0], span[0] - _BEFORE)
-            vain = any(_in_vain(c.event) for c in self._text.within(start, span[0]))
-            if name == "collision" and self._supposed(start, span[0]) and not vain:
-                continue
-            if name == "avoided" and ends_a_quantity(self._text.tokens, span[0]):
-                continue
-            who = self._around(span[0], None)
-            found.append(Ending(OutcomeKind(name), Basis(*span), who))
+            if span is not None:
+                found.append(Ending(OutcomeKind(name), Basis(*span), self._around(span[0], None)))
         return found
+
+    def _of_nouns(self) -> list[Ending]:
+        """``no crash``, ``until impact``, ``a collision is avoided``: by the words that govern it.
+
+        What is denied of something else denies no contact: "neither brakes; collision".
+        """
+        tokens = self._text.tokens
+        found = []
+        for k in (k for k, t in enumerate(tokens) if t.low in words()["impacts"]):
+            begin = k
+            while begin and tokens[begin - 1].low in words()["before_impacts"]:
+                begin -= 1
+            after = tokens[k + 1].low if k + 1 < len(tokens) else ""
+            done = [s.event for s in self._text.scenes if s.event.i <= k < s.event.j]
+            near = tokens[max(0, k - 1)].low == "near" or tokens[max(0, k - 2)].low == "near"
+            compound = after in words()["of_impacts"] and not near
+            if compound or any(not (e.nominal or self._bare(e)) for e in done):
+                continue
+            kind = self._governed(begin, k)
+            if kind is not None:
+                i = begin - (begin > 0 and tokens[begin - 1].low in words()["none"])
+                found.append(Ending(kind, Basis(i, k + 1), self._around(k, None)))
+        return found
+
+    def _governed(self, begin: int, k: int) -> OutcomeKind | None:
+        """What a noun of contact tells of the end; None if it does not say that there is one."""
+        tokens = self._text.tokens
+        start, end = self._text.bounds(k)
+        opens = (m for m in range(begin, start, -1) if tokens[m - 1].low in words()["joints"])
+        start = max(next(opens, start), begin - _BEFORE)
+        prevented = [
+            s.event
+            for s in self._text.within(start, min(end, k + _BEFORE))
+            if s.event.name in {"avoid", "prevent"}
+        ]
+        vain = any(_in_vain(e) for e in prevented)
+        governor = tokens[begin - 1].low if begin > start else ""
+        before, after = self._text.low(start, begin), self._text.low(k + 1, min(end, k + _BEFORE))
+        near = any(f" {w} " in before + after for w in words()["nearly"])
+        near = near or tokens[max(0, k - 1)].low == "near" or " near " in self._text.low(begin, k)
+        if governor in words()["none"] and not vain:
+            return None if near else OutcomeKind.AVOIDED
+        if near:
+            return OutcomeKind.NEAR_MISS
+        if tokens[k].low == "miss" or (governor == "to" and not self._leads_to(begin)):
+            return None
+        if prevented and not vain:
+            managed = any(f" {w} " in before for w in words()["managed"])
+            supposed = self._supposed(start, begin) and not managed
+            return None if supposed else OutcomeKind.AVOIDED
+        if any(f" {w} " in before for w in words()["supposed"] if w != "to") and not vain:
+            return None
+        if governor == "before" and not ends_a_quantity(tokens, begin - 1):
+            told = self._text.within(self._text.bounds(k)[0], k)
+            stops = tokens[k].low == "contact" or (bool(told) and told[-1].event.name == "stop")
+            return OutcomeKind.AVOIDED if stops else OutcomeKind.COLLISION
+        return OutcomeKind.COLLISION
+
+    def _leads_to(self, begin: int) -> bool:
+        """``leads to a collision``, ``up to the impact``: no time to one, nothing intended."""
+        return self._text.tokens[max(0, begin - 2)].low in words()["leading"]
 
     def _between(self, scene: Clause) -> list[Entity]:
         """Who touches whom: by the verb, by whose part is named, by who is named around."""
-        who = [*scene.actors, *scene.targets]
+        into = goal_of_contact(scene, self._context)
+        who = [*scene.actors, *(scene.targets or touched(into))]
         alike = len({e.kind for e in scene.targets}) == 1 and len(scene.targets) > 1
         if alike and any(e.ego for e in scene.actors):
             return []  # "drives into the tail of a queue": whichever of them is the last

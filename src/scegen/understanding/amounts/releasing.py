@@ -17,7 +17,7 @@ JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sig
 _LINES = JUNCTION | {"crosswalk"}
 _SHORT = frozenset({"before", "short", "from", "away", "off", "of", "in", "ahead", "prior"})
 _SOON = 14
-_ASIDE = frozenset({"side", "direction", "lane", "front"})
+_ASIDE = frozenset({"side", "flank", "direction", "lane", "front"})
 
 
 class Releaser(Teller):

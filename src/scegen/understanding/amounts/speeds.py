@@ -32,8 +32,9 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     quantity = number.quantity
     change = _from_to(number, text, found)
     taken = [e for e in context.draft.entities if _at(e.speed_basis, span)]
-    for entity in [e for e in taken if e.stands is not None and not e.ego and e.sets_off < 0]:
+    for entity in [e for e in taken if _stays(e, quantity.value)]:
         entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
+    taken = [e for e in taken if e.speed is not None]
     if change is not None:
         for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = quantity.parts[0], Basis(*span)
@@ -48,9 +49,9 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     if hits is not None and any(e.speed not in (None, quantity.value) for e in hits.actors):
         return False  # "drives 50 km/h … and hits it at 30 km/h": as fast as it then is
     afoot = _afoot(number, context) if not taken else []
-    whose = afoot or [e for e in _whose(number, text, context) if e not in taken]
-    near = text.adjacent(number.i - 1)  # "runs across in front of the ego at 50 km/h"
-    whose = [e for e in whose if quantity.value.low <= _fastest_mps(e, near)]
+    whose = afoot or _able(
+        number, [e for e in _whose(number, text, context) if e not in taken], text
+    )
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
@@ -69,6 +70,29 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
             found.further.append(("speed_mps", entity, Basis(*span)))
         taken.append(entity)
     return bool(taken)
+
+
+def _able(number: Measured, whose: list[Entity], text: Sentences) -> list[Entity]:
+    """Those who can be so fast; if all of them stand, who comes to them."""
+    speed = number.quantity.value
+    near = text.adjacent(number.i - 1)  # "runs across in front of the ego at 50 km/h"
+    able = [e for e in whose if speed.low <= _fastest_mps(e, near)]
+    stand = bool(able) and all(_stays(e, speed) for e in able)
+    return _who_comes(able, number, text) if stand else able
+
+
+def _stays(entity: Entity, speed: Interval) -> bool:
+    """Whether it stands all the time, so that no speed can be its own."""
+    stands = entity.still or entity.held is not None
+    return stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
+
+
+def _who_comes(standing: list[Entity], number: Measured, text: Sentences) -> list[Entity]:
+    """``ran into a car parked there, at 30 km/h``: who does something to those who stand."""
+    start, _ = text.bounds(number.i)
+    before = [s for s in text.within(start, number.i) if any(not e.still for e in s.actors)]
+    to_them = [s for s in before if set(standing) & set(s.targets)] or before
+    return [e for s in to_them[-1:] for e in s.actors if e.speed is None and not e.still]
 
 
 def _fastest_mps(entity: Entity, near: list[Entity]) -> float:

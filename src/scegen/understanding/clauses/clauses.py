@@ -288,8 +288,7 @@ class ClauseReader:
         if by_follows(self._chunks, k):
             subjects.before_by(event, state)
         negated = any(word.startswith("neg:") for word in state.between)
-        lacking = state.prep is not None and state.prep.value == "without"
-        event.negated = negated or lacking or event.negated
+        event.negated = negated or self._lacking(event) or event.negated
         event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
         denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
         event.unable = event.unable or (denied and "aux:can" in state.between)
@@ -304,6 +303,13 @@ class ClauseReader:
         state.anchor = event
         state.between = set()
         state.last_pp = None
+
+    def _lacking(self, event: Event) -> bool:
+        """``without braking``, ``without either driver braking``."""
+        who = self._state.anchor if event.form == "ing" else None
+        by = who.prep.value if isinstance(who, Mention) and who.prep is not None else ""
+        own = self._state.prep.value if self._state.prep is not None else ""
+        return "without" in {by, own}
 
 
 def _blocks(chunk: Chunk) -> bool:

@@ -19,7 +19,7 @@ from scegen.understanding.phrases.lookahead import copula_follows, finite_follow
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
-_OWNED = frozenset({"side", "lane", "path", "right_of_way"})
+_OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
 _INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})

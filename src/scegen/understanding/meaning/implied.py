@@ -178,7 +178,7 @@ def _placed(entity: Entity, observer: Entity, context: Context) -> bool:
     across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.AHEAD, Approach.BEHIND}
     return any(
         (p.entity is entity and p.reference in {None, observer})
-        or (p.entity is observer and p.reference is entity)
+        or (p.entity is observer and (p.reference is entity or (entity.ego and not p.reference)))
         for p in context.draft.placements
         if p.approaches & across
     )

@@ -31,6 +31,7 @@ _MODIFIERS = frozenset(
 _MAX_MODS = 10
 _SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
+_VEHICLES = frozenset({"car", "van", "truck", "bus", "motorcycle", "bicycle"})
 _OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
@@ -68,7 +69,9 @@ class Chunker:
             self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
-            if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
+            if self._chunks and (
+                getattr(self._chunks[-1], "cat", "") == "unknown" or self._met_first(k)
+            ):
                 return self._of_a_stranger(k)
             if not self._owns(k):
                 self._chunks.append(Word(term))
@@ -84,10 +87,23 @@ class Chunker:
 
     def _of_a_stranger(self, k: int) -> int:
         """``the vicar's van``: a van, whoever the vicar is."""
+        if isinstance(self._chunks[-1], Mention):
+            self._chunks.pop()
         while self._chunks and getattr(self._chunks[-1], "cat", "") in _OF_OWNERS:
             self._chunks.pop()
         self._terms[k] = replace(self._terms[k], cat="det", value="indef")
         return self._noun_phrase(k) or k + 1
+
+    def _met_first(self, k: int) -> bool:
+        """``my neighbour's car``: somebody of whom nothing is told but whose it is."""
+        *before, who = self._chunks
+        follows = self._term(k + 1)
+        owned = follows is not None and follows.cat == "actor" and follows.value in _VEHICLES
+        if not owned or not isinstance(who, Mention) or who.head is None or who.pronoun:
+            return False
+        told = any(c.head is not None and c.head.value == "pedestrian" for c in before
+                   if isinstance(c, Mention))  # fmt: skip
+        return who.head.value == "pedestrian" and not told
 
     def _breach(self, term: Term) -> Event:
         """``red light violation``: a noun of a doing with what it is done to before it."""
@@ -104,9 +120,15 @@ class Chunker:
         that = self._tokens[term.i].low == "that" and follows is not None and follows.value == "of"
         if not (mine or that):
             return False
-        last = next((c for c in reversed(self._chunks) if isinstance(c, Place)), None)
+        named = (c for c in reversed(self._chunks) if _owned(c, mine=mine))
+        last = next(named, None)
+        if isinstance(last, Mention):  # "his car hits mine"
+            data = {"ego": True, "me": True}
+            head = Term("actor", "ego", term.i, term.j, data=data)
+            self._chunks.append(Mention(term.i, term.j, [], head, heads=[head]))
+            return True
         mods = [replace(term, value="first_person")] if mine else []
-        kind = last.kind if last is not None else "lane"
+        kind = last.kind if isinstance(last, Place) else "lane"
         self._chunks.append(Place(term.i, term.j, mods, None, None, kind=kind))
         return True
 
@@ -320,3 +342,12 @@ class Chunker:
             self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
             return m + 1 + (end is not head)
         return m + 1
+
+
+def _owned(chunk: Chunk, *, mine: bool) -> bool:
+    """What "that" or "mine" may be: a lane, even one that only a verb names, or a vehicle."""
+    head = chunk.head if isinstance(chunk, Mention) else None
+    vehicle = head is not None and head.value in _VEHICLES
+    left = isinstance(chunk, Event) and chunk.name == "lane_change"
+    place = isinstance(chunk, Place) and not (mine and chunk.kind == "flank")
+    return place or left or (mine and vehicle)

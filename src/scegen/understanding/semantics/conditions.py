@@ -20,6 +20,7 @@ from typing import TypeAlias
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics import along, owed, patterns, ways
+from scegen.understanding.semantics.contact import goal_of_contact
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.numbered_lanes import leaves_it
 from scegen.understanding.semantics.rewriting import passes_round
@@ -67,6 +68,7 @@ FACTS: dict[str, Test] = {
     **along.FACTS,
     **owed.FACTS,
     "passes_round": passes_round,
+    "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
     "leaves_its_number": lambda clause, c: leaves_it(clause.event, clause.drivers, c.tokens),
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.particles import a_drive
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
@@ -21,6 +22,8 @@ def other_class(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """
     if (term.cat, term.value) == ("verb", "collide") and _a_part(term, terms, tokens):
         return Term("dir", "rear", term.i, term.j)
+    if tokens[term.i].low in word_list("films") and _filmed(term, terms):
+        return Term("inert", "noun", term.i, term.j)
     if (term.cat, term.value) == ("manner", "close") and _how_measured(term, terms, tokens):
         return replace(term, value="mild")
     if _changes_from(term, tokens):
@@ -51,6 +54,12 @@ def _a_part(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     """``its rear end``: a part of a vehicle."""
     owned = bool(terms) and terms[-1].cat in {"det", "possessive"}
     return owned and [t.low for t in tokens[term.i : term.j]] == ["rear", "end"]
+
+
+def _filmed(term: Term, terms: list[Term]) -> bool:
+    """``the clip shows``, ``Clip: …``: a piece of film, no contact."""
+    opened = not terms or terms[-1].cat == "det" or terms[-1].value == "noun"
+    return term.cat == "verb" and term.form == "base" and opened
 
 
 def _how_measured(term: Term, terms: list[Term], tokens: list[Token]) -> bool:

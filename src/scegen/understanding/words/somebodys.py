@@ -34,7 +34,7 @@ def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | 
         return None
     its = replace(tokens[end], text="its", low="its", kind="word", forms=(("its", "base"),))
     owned = longest_match(tokens, end + 1) if end + 1 < len(tokens) else None
-    if owned is None or owned.has("place"):
+    if owned is None or (owned.has("place") and owned.get("place").value != "flank"):
         return None  # "leaves the van's lane" reads as it stands
     for opening in range(term.i + 1, end - 1):
         if tokens[opening].low not in word_list("whose"):

@@ -1,0 +1,61 @@
+"""Motion that ends at somebody: "rolls into the ego's front", "slides into a parked car"."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Mention, NounPhrase, Place
+from scegen.understanding.draft import Entity
+from scegen.understanding.semantics.context import Clause, Context
+
+_BODY = frozenset({"side", "flank"})
+_MOTION = frozenset({"move", "walk", "speed", "enter", "reverse", "turn", "sharp_turn", "swerve",
+                     "lose_control", "pull_out", "accelerate", "brake", "slow", "dash", "cross",
+                     "lane_change", "pull_over", "return"})  # fmt: skip
+
+_NOBODY = frozenset({"nobody", "neither"})
+_ROADWARDS = frozenset({"turn", "sharp_turn", "pull_out"})
+"""What is done into a road, so that "it" may be one."""
+
+
+def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
+    """Whom, or whose part, somebody moves into: themselves, not their way or their lane.
+
+    Args:
+        clause: what happens.
+        context: the scenario in the making.
+    """
+    event, tokens = clause.event, context.tokens
+    if event.name not in _MOTION or event.nominal:
+        return None
+    goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low == "into"]
+    goals += [event.object] if tokens[event.j - 1].low == "into" else []
+    return next((g for g in goals if isinstance(g, NounPhrase) and _touched(g, clause)), None)
+
+
+def _touched(goal: NounPhrase, clause: Clause) -> bool:
+    if isinstance(goal, Mention):
+        mass = clause.event.lemma not in {"run", "drive"}  # "pulls out into the traffic"
+        mass = mass and any("mass" in h.data for h in goal.heads)
+        road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
+        free = not (mass or road or goal.possessor)
+        nobody = goal.negated or goal.pronoun in _NOBODY
+        return free and (nobody or (bool(goal.entities) and not _own(goal, clause)))
+    if not isinstance(goal, Place) or goal.kind not in _BODY:
+        return False
+    end = bool({"front", "rear"} & set(goal.dirs))
+    owned = goal.owner is not None or any(m.cat == "possessive" for m in goal.mods)
+    named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
+    return end or (owned and named)
+
+
+def _own(goal: Mention, clause: Clause) -> bool:
+    return any(e in clause.actors for e in goal.entities)
+
+
+def touched(goal: NounPhrase | None) -> list[Entity]:
+    """Who it is that is touched.
+
+    Args:
+        goal: whom, or whose part, somebody moves into.
+    """
+    whom = goal if isinstance(goal, Mention) else goal.owner if goal is not None else None
+    return list(whom.entities) if whom is not None else []
