@@ -114,6 +114,11 @@ class Mention(NounPhrase):
     sides: frozenset[str] = frozenset()
     entities: list[Any] = field(default_factory=list)
 
+    @property
+    def is_ego(self) -> bool:
+        """Whether it names the vehicle under test."""
+        return any(h.data.get("ego") for h in self.heads)
+
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):

@@ -100,7 +100,8 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     if pronoun and scene is not None and scene.event.name == "follow":
         by_verb = True  # "follows a car 30 m behind it", "follows a truck 25 m in front of it"
     if by_verb and scene is not None and scene.actors and scene.targets:
-        return scene.actors[0], scene.targets[0]
+        told = [e for e in scene.actors if subject == [e]]  # "one 15 m and the other 40 m behind"
+        return (told or scene.actors)[0], scene.targets[0]
     subject = [e for e in subject if e not in named]
     if not subject and scene is not None:
         subject = [e for e in scene.actors if e not in named]

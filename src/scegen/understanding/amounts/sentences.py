@@ -256,6 +256,7 @@ class Sentences:
             k += 1  # "26.7 m (1.6 s) behind a car"
             while k < len(self.chunks) and getattr(self.chunks[k], "cat", "") == "quantity":
                 k += 1
+        k = self._shared(k)
         word = self.chunks[k] if k < len(self.chunks) else None
         if not isinstance(word, Word):
             return None
@@ -269,6 +270,20 @@ class Sentences:
             if isinstance(chunk, Event) or chunk.cat == "conj" or chunk.value in {",", ";", "."}:
                 break  # "80 m ahead and a car …": ahead of nobody that is named
         return word, None
+
+    def _shared(self, k: int) -> int:
+        """``a van 60 m and a bus 75 m ahead of the ego``: the phrase after both holds for each."""
+        joint, *rest = [*self.chunks[k : k + 4], None]
+        rest = rest[isinstance(rest[0], Mention) :]
+        measure, locus = (*rest, None, None)[:2]
+        both = isinstance(joint, Word) and joint.value in {"and", "or"}
+        told = isinstance(measure, Word) and measure.cat == "quantity"
+        placed = isinstance(locus, Word) and locus.cat == "locus"
+        return (
+            next(m for m, c in enumerate(self.chunks) if c is locus)
+            if both and told and placed
+            else k
+        )
 
     def named(self, noun: NounPhrase | None) -> list[Entity]:
         """Whom a noun means, or whose part it is ("the ego's front")."""

@@ -102,7 +102,8 @@ def attach(prep: Prep, state: State) -> None:
     if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
         # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
         # side of its own: "turns in front of a car from the left"
-        prep.on_mention = whom if _does_it(state.events[-1]) and _from_a_side(prep) else None
+        own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
+        prep.on_mention = whom if own else None
     if head is not None:
         prep.on_mention = head
     if prep.on_mention is not None:
@@ -125,11 +126,6 @@ def _put_in(prep: Prep, state: State) -> bool:
     fresh = who is not None and not state.candidate_done and state.anchor is who
     fresh = fresh and not any(who in e.subject for e in state.events)
     return fresh and prep.value == "with" and state.between == {","}
-
-
-def _does_it(event: Event) -> bool:
-    """Whether it is the ego that does it."""
-    return any(h.data.get("ego") for m in event.subject for h in m.heads)
 
 
 def _from_a_side(prep: Prep) -> bool:
@@ -157,7 +153,7 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
     inner, lane = prep.on_mention, prep.target
     if inner is None or not isinstance(lane, Place):
         return None
-    ego = any(h.data.get("ego") for h in inner.heads) or inner.pronoun in {"it", "him"}
+    ego = inner.is_ego or inner.pronoun in {"it", "him"}
     if lane.kind != "lane" and not (ego and lane.kind == "side"):
         return None
     placed = [p.target for e in state.events[-1:] for p in e.pps]

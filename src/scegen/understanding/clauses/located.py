@@ -25,10 +25,7 @@ def as_the_ego_sees(mention: Mention) -> bool:
     """
     return all(
         p.word.cat == "locus"
-        and (
-            p.target is None
-            or (isinstance(p.target, Mention) and any(h.data.get("ego") for h in p.target.heads))
-        )
+        and (p.target is None or (isinstance(p.target, Mention) and p.target.is_ego))
         for p in mention.pps
     )
 

@@ -144,7 +144,7 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     if who is None or state.candidate_done or state.anchor is not who:
         return False
     bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
-    bare = bare or any(h.data.get("ego") for h in mention.heads)  # "the truck is the ego"
+    bare = bare or mention.is_ego  # "the truck is the ego"
     named = (mention.label or "").startswith("#")
     if "aux:be" not in state.between or mention.pronoun or named or not bare:
         return False
@@ -153,15 +153,11 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     return not finite_follows(chunks, k)
 
 
-def _ego(mention: Mention) -> bool:
-    return any(h.data.get("ego") for h in mention.heads)
-
-
 def _start_clause(mention: Mention, state: State) -> None:
     mention.denied = "neg:not" in state.between
     exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
-    others = any(e.finite and e.subject and not _ego(e.subject[-1]) for e in state.events)
-    if "sub" in state.between and others and _ego(mention):
+    others = any(e.finite and e.subject and not e.subject[-1].is_ego for e in state.events)
+    if "sub" in state.between and others and mention.is_ego:
         state.trailing.append(mention)
     state.candidate, state.dependent = mention, "sub" in state.between
     state.candidate_done = exists  # "there is a van": that is all of its clause

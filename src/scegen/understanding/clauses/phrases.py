@@ -47,7 +47,7 @@ def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
     role, noun = state.candidate, chunks[k]
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    bare = noun.mods[0].value == "indef" or any(h.data.get("ego") for h in noun.heads)
+    bare = noun.mods[0].value == "indef" or noun.is_ego
     after = chunks[k + 1 : k + 9]
     ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
     if not bare or ends is None or ends + 1 >= len(after):
@@ -108,7 +108,7 @@ def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
     who, joint, copula = before[-_RELATIVE:]
     relative = isinstance(joint, Word) and joint.cat == "rel"
     said = isinstance(copula, Word) and (copula.cat, copula.value) == ("aux", "be")
-    single = noun.mods[0].value == "indef" or any(h.data.get("ego") for h in noun.heads)
+    single = noun.mods[0].value == "indef" or noun.is_ego
     return who if relative and said and single and isinstance(who, Mention) else None
 
 

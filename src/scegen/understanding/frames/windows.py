@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.understanding.frames.loader import AmountFrame, amounts
+from scegen.understanding.words.terms import longest_match
 from scegen.understanding.words.tokens import Token
 
 _REACH = 9
+_BETWEEN = 3
 _JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "where", "because"})
 _HEADS = frozenset({"collision", "gap", "distance", "headway", "ttc", "spacing", "overlap"})
 """Nouns of a measure: a clause between one and its number says when."""
@@ -92,7 +94,19 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     if bracketed and j < len(tokens) and tokens[j].low == ")":
         return window(tokens, ends[i - 1], j + 1, {})  # "26.7 m (1.6 s) behind": as the first
     aside = tokens[j : j + 1] and tokens[j].low == "," and _opens_aside(tokens, i)
-    return Window(_before(tokens, i, ends), _after(tokens, j + bool(aside)))
+    return Window(_before(tokens, i, ends), _after(tokens, _shared(tokens, j, ends) + bool(aside)))
+
+
+def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:
+    """``a van 60 m and a bus 75 m ahead``: where what holds for both of two numbers follows."""
+    named = longest_match(tokens, j + 1) if j + 1 < len(tokens) else None
+    if tokens[j : j + 1] and tokens[j].low in {"and", "or"} and not (named and named.has("verb")):
+        for end, begin in ends.items():
+            between = {t.low for t in tokens[j + 1 : begin]}
+            alike = tokens[end - 1].low == tokens[j - 1].low and 0 <= begin - j - 1 <= _BETWEEN
+            if alike and not between & (_CLOSE | _JOINTS | {"of"}):
+                return end
+    return j
 
 
 def _opens_aside(tokens: list[Token], i: int) -> bool:

@@ -69,7 +69,7 @@ def _note(
 def _meets(entity: Entity, road: Place, context: Context) -> None:
     """``the road that the truck turns into``: who crosses it meets the truck."""
     kinds = [h.value for h in road.user.heads] if road.user is not None else []
-    ego = any(h.data.get("ego") for h in road.user.heads) if road.user is not None else False
+    ego = road.user is not None and road.user.is_ego
     users = [e for e in context.draft.entities if e.kind.value in kinds and e.moving_vehicle]
     for danger in context.draft.dangers if len(users) == 1 and not ego else []:
         if danger.kind in _OVER_THE_ROAD and danger.by == [entity] and not danger.to:

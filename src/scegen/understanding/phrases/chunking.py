@@ -69,9 +69,7 @@ class Chunker:
             self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
-            if self._chunks and (
-                getattr(self._chunks[-1], "cat", "") == "unknown" or self._met_first(k)
-            ):
+            if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
                 return self._of_a_stranger(k)
             if not self._owns(k):
                 self._chunks.append(Word(term))
@@ -87,23 +85,10 @@ class Chunker:
 
     def _of_a_stranger(self, k: int) -> int:
         """``the vicar's van``: a van, whoever the vicar is."""
-        if isinstance(self._chunks[-1], Mention):
-            self._chunks.pop()
         while self._chunks and getattr(self._chunks[-1], "cat", "") in _OF_OWNERS:
             self._chunks.pop()
         self._terms[k] = replace(self._terms[k], cat="det", value="indef")
         return self._noun_phrase(k) or k + 1
-
-    def _met_first(self, k: int) -> bool:
-        """``my neighbour's car``: somebody of whom nothing is told but whose it is."""
-        *before, who = self._chunks
-        follows = self._term(k + 1)
-        owned = follows is not None and follows.cat == "actor" and follows.value in _VEHICLES
-        if not owned or not isinstance(who, Mention) or who.head is None or who.pronoun:
-            return False
-        told = any(c.head is not None and c.head.value == "pedestrian" for c in before
-                   if isinstance(c, Mention))  # fmt: skip
-        return who.head.value == "pedestrian" and not told
 
     def _breach(self, term: Term) -> Event:
         """``red light violation``: a noun of a doing with what it is done to before it."""
@@ -338,7 +323,7 @@ class Chunker:
                 return m + 2
         else:
             kind = head.cat if head.cat == "view" else head.value
-            end = compound_end(head, self._term(m + 1))
+            end = compound_end(head, self._term(m + 1), self._chunks)
             self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
             return m + 1 + (end is not head)
         return m + 1

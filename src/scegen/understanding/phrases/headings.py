@@ -95,7 +95,7 @@ def _is_title(title: list[Chunk], rest: list[Chunk]) -> bool:
 def _in_general(mention: Mention, title: list[Chunk]) -> bool:
     """``Control loss without prior vehicle action``, ``Vehicle failure``: no vehicle of its own."""
     bare = mention.head is not None and not (mention.mods or mention.label)
-    bare = bare and not any(h.data.get("ego") for h in mention.heads)
+    bare = bare and not mention.is_ego
     after = title[title.index(mention) + 1 :][:1]
     compound = bool(after) and (
         isinstance(after[0], Thing) or (isinstance(after[0], Event) and after[0].form == "base")
@@ -123,13 +123,13 @@ def _resume(title: list[Chunk], rest: list[Chunk]) -> None:
     named = mentions[0]
     generic = named.head is not None and named.head.value == "car" and not named.label
     role = any(h.data.get("label") == "adversary" for h in first.heads)
-    if generic and role and not any(h.data.get("ego") for h in named.heads):
+    if generic and role and not named.is_ego:
         first.same_as = named
 
 
 def _type_of(mention: Mention, title: list[Chunk], named: list[Mention]) -> bool:
     """``Overtaking truck. … a lorry …``, ``Lead vehicle stopped. A van …``: a kind of situation."""
-    if mention.head is None or any(h.data.get("ego") for h in mention.heads) or mention.prep:
+    if mention.head is None or mention.is_ego or mention.prep:
         return False
     described = any(m.cat in {"verb", "state", "manner"} for m in mention.mods)
     described = described or any(isinstance(c, Event) for c in title)
@@ -138,7 +138,7 @@ def _type_of(mention: Mention, title: list[Chunk], named: list[Mention]) -> bool
         for c in title
     )
     sided = any(isinstance(c, Word) and c.value in {"left", "right"} for c in title)
-    ego = any(h.data.get("ego") for n in named for h in n.heads)
+    ego = any(n.is_ego for n in named)
     fresh = [n for n in named if n.mods and n.mods[0].value == "indef"]
     alike = [n for n in fresh if _of_kind(n, mention.head.value)]
     generic = mention.head.value == "car" and not mention.label
@@ -148,7 +148,7 @@ def _type_of(mention: Mention, title: list[Chunk], named: list[Mention]) -> bool
 
 def _stands_for(named: Mention, mention: Mention) -> bool:
     generic = mention.head is not None and mention.head.value == "car"
-    ego = any(h.data.get("ego") for h in named.heads)
+    ego = named.is_ego
     return (generic and ego) or (mention.head is not None and _of_kind(named, mention.head.value))
 
 
@@ -162,7 +162,7 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
         kind = mention.head.value if mention.head is not None else ""
         alone = sum(m.head is not None and m.head.value == kind for m in mentions) == 1
         told = title[title.index(mention) + 1 :][:1]
-        described = bool(told) and isinstance(told[0], Event)
+        described = (bool(told) and isinstance(told[0], Event)) or bool(mention.dirs)
         same = next((c for c in rest if isinstance(c, Mention) and _of_kind(c, kind)), None)
         if alone and described and same is not None and kind in _SPECIFIC:
             same.same_as = mention
@@ -173,7 +173,7 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
 
 
 def _names_ego(chunks: list[Chunk]) -> bool:
-    return any(h.data.get("ego") for c in chunks if isinstance(c, Mention) for h in c.heads)
+    return any(c.is_ego for c in chunks if isinstance(c, Mention))
 
 
 def _pass_on(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> None:
@@ -181,7 +181,7 @@ def _pass_on(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> None:
     words = [*mention.mods, *(c.term for c in title if isinstance(c, Word))]
     told = [m for m in words if (m.cat, m.value) in _QUALITIES or m.cat == "state"]
     others = [c for c in rest if isinstance(c, Mention) and c.pronoun is None and c.heads]
-    others = [c for c in others if not any(h.data.get("ego") for h in c.heads)]
+    others = [c for c in others if not c.is_ego]
     for other in others[:1] if told else []:
         other.mods = [*other.mods, *told]
 
@@ -195,7 +195,7 @@ def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
     told = rest[0] if rest else None
     if isinstance(first, Mention) and isinstance(told, Event) and told.dirs:
         return False  # "Truck: left turn."
-    if isinstance(first, Mention) and any(h.data.get("ego") for h in first.heads):
+    if isinstance(first, Mention) and first.is_ego:
         return False  # "Ego: left turn."
     spoken = any(_finite(c) for c in title) or any(
         isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Mention, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING
 from scegen.understanding.words.terms import Term
 
+_GENERIC = frozenset({"car", "driver", "adversary"})
 _ENDS = frozenset({",", ".", ";", ")"})
 
 
 def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with every second name of somebody in brackets of its own."""
-    _counted_after(chunks)
+    _announced(chunks)
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
@@ -25,17 +27,44 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
     return found
 
 
-def _counted_after(chunks: list[Chunk]) -> None:
-    """``oncoming traffic: three cars come``: who the traffic is."""
-    for who, mark, again in zip(chunks, chunks[1:], chunks[2:], strict=False):
-        colon = isinstance(mark, Word) and mark.value == ":"
-        if not (colon and isinstance(who, Mention) and isinstance(again, Mention)):
+def _announced(chunks: list[Chunk]) -> None:
+    """``oncoming traffic: three cars come``, ``several targets, both …: a van and a bus …``.
+
+    Whoever a heading names without a number are those told after its colon, and nobody besides.
+    """
+    begin = 0
+    for k, mark in enumerate(chunks):
+        if not isinstance(mark, Word) or mark.value not in BOUNDARIES:
             continue
-        number = again.mod("num")
-        mass = who.head is not None and "mass" in who.head.data and who.mod("num") is None
-        if mass and number is not None and again.head is not None:
+        named = [c for c in chunks[begin:k] if isinstance(c, Mention) and c.heads and not c.is_ego]
+        begin, who = k + 1, named[0] if named else None
+        if mark.value != ":" or who is None or who.head is None or who.mod("num") is not None:
+            continue
+        again = chunks[k + 1] if k + 1 < len(chunks) else None
+        number = again.mod("num") if isinstance(again, Mention) else None
+        mass = "mass" in who.head.data
+        told = _listed(chunks, k + 1)
+        if mass and number is not None and isinstance(again, Mention) and again.head is not None:
             who.mods.append(number)
             who.heads, who.head, again.same_as = again.heads, again.head, who
+        elif who.head.form == "s" and who.head.value in _GENERIC and len(told) > 1:
+            count = Term("num", "count", who.i, who.i, data={"number": float(len(told))})
+            who.mods = [count, *(m for m in who.mods if m.cat != "quant")]
+
+
+def _listed(chunks: list[Chunk], k: int) -> list[Mention]:
+    """Who is told one after the other up to the end of a sentence, the ego left out."""
+    end = next((m for m, c in enumerate(chunks[k:], k) if _ends(c)), len(chunks))
+    return [
+        c
+        for before, c in zip(chunks[k - 1 : end - 1], chunks[k:end], strict=True)
+        if isinstance(c, Mention) and c.heads and not c.is_ego
+        if not (isinstance(before, Word) and before.cat in GOVERNING)
+    ]
+
+
+def _ends(chunk: Chunk) -> bool:
+    return isinstance(chunk, Word) and chunk.value in {".", ";"}
 
 
 def _names(chunks: list[Chunk], k: int) -> tuple[list[Mention], int]:
@@ -55,12 +84,12 @@ def _names(chunks: list[Chunk], k: int) -> tuple[list[Mention], int]:
     if isinstance(naming, Word) and naming.cat == "naming" and isinstance(name, Mention):
         ends = any(_is(chunks, k + 3, mark) for mark in _ENDS)
         return ([name], k + 3 + _is(chunks, k + 3, ",")) if ends else ([], k)
-    kind, ego = naming, chunks[k + 3] if k + 3 < len(chunks) else None
+    kind, further = naming, chunks[k + 3] if k + 3 < len(chunks) else None
     both = _is(chunks, k + 2, "and") and _is(chunks, k + 4, ",") and who.label is not None
-    if both and isinstance(kind, Mention) and isinstance(ego, Mention):
+    if both and isinstance(kind, Mention) and isinstance(further, Mention):
         opened = [m.value for m in kind.mods[:1]] == ["indef"]
-        if opened and any(h.data.get("ego") for h in ego.heads):
-            return [kind, ego], k + 5
+        if opened and further.is_ego:
+            return [kind, further], k + 5
     return [], k
 
 
@@ -69,7 +98,7 @@ def _says_who(chunk: Chunk | None) -> bool:
     if not isinstance(chunk, Mention):
         return False
     indefinite = [m.value for m in chunk.mods[:1]] == ["indef"]
-    return indefinite or any(h.data.get("ego") for h in chunk.heads)
+    return indefinite or chunk.is_ego
 
 
 def _is(chunks: list[Chunk], k: int, value: str) -> bool:

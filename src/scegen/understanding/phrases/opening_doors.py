@@ -152,10 +152,6 @@ def _stands(after: list[Chunk]) -> bool:
     return isinstance(verb, Event) and verb.name in {"park", "wait", "locate", "stop", "pull_over"}
 
 
-def _ego(mention: Mention) -> bool:
-    return any("ego" in head.data for head in mention.heads)
-
-
 def _standing(before: list[Chunk]) -> list[Mention]:
     """Who is parked, or stands, of those named; who is parked comes last."""
     named = [
@@ -163,7 +159,7 @@ def _standing(before: list[Chunk]) -> list[Mention]:
         for k, c in enumerate(before)
         if isinstance(c, Mention) and c.head is not None and c.head.form != "s"
     ]
-    named = [(c, parked, after) for c, parked, after in named if not _ego(c)]
+    named = [(c, parked, after) for c, parked, after in named if not c.is_ego]
     standing = [c for c, parked, after in named if not parked and _stands(after)]
     return standing + [c for c, parked, _ in named if parked]
 

@@ -13,7 +13,6 @@ _WAYS = frozenset({"left", "right", "straight"})
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
 _ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or"})
 _AT = frozenset({"in", "from", "into"})
-_UNSAFE = frozenset({"cut_in", "lane_change", "merge", "hard_brake", "swerve", "cut_off"})
 _ITS_OWN = frozenset({"move", "turn", "u_turn", "sharp_turn", "light", "cross", "leave", "use",
                       "lane_change", "merge", "swerve", "try", "pull_out"})  # fmt: skip
 """Verbs that a direction after a comma belongs to."""
@@ -27,10 +26,8 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
         events: its events, left-out verbs filled in; nouns of doings get their subject.
         tokens: the tokens of the text.
     """
+    entitle(chunks, events, tokens)
     found = [*events, *courses_said(chunks, events, tokens)]
-    _titled(chunks, events)
-    entitle(chunks, events)
-    _by_the_other(chunks, events, tokens)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
@@ -39,56 +36,6 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
             if subject:
                 found.append(_going(chunk.term, subject, found))
     return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
-
-
-def _titled(chunks: list[Chunk], events: list[Event]) -> None:
-    """``Right turn on red: the ego has to wait for …``: the title says what the ego does."""
-    end = next(
-        (k for k, c in enumerate(chunks) if isinstance(c, Word) and c.value in {":", "."}), 0
-    )
-    title, rest = chunks[:end], chunks[end + 1 :]
-    doings = [c for c in title if isinstance(c, Event) and (c.dirs or not c.nominal)]
-    doings = [c for c in doings if c.dirs] or doings
-    if len(doings) != 1 or any(isinstance(c, Mention) for c in title):
-        return
-    doing = doings[0]
-    named = doing.nominal or doing.form == "ing"
-    who = next((c for c in rest if isinstance(c, Mention)), None)
-    ego = who is not None and any(h.data.get("ego") for h in who.heads)
-    if doing.subject or not (named and ego and doing.dirs) or who is None:
-        return
-    settled = any(e.i > doing.i and (e.name == "turn" or _ways(e)) for e in events)
-    across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
-    if not settled and not across:
-        doing.subject = [who]
-
-
-def _by_the_other(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
-    """``Cut-in from the left, the ego at 80 km/h, a van …``: done by who is not the ego."""
-    for event in events:
-        if not event.nominal or event.subject or event.parent or event.name not in _UNSAFE:
-            continue
-        before = next((c for c in reversed(chunks) if c.j <= event.i), None)
-        opens = before is None or (isinstance(before, Word) and before.value in BOUNDARIES)
-        told = any(e.name == event.name and e is not event for e in events)
-        others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > event.i]
-        egos = [c for c in others if any(h.data.get("ego") for h in c.heads)]
-        others = [c for c in others if c not in egos]
-        led = [c for c in others if "ahead" in c.dirs]
-        acts = any(e is not event and e.subject and not e.nominal for e in events)
-        if opens and led and "out" in {t.low for t in tokens[event.i : event.j]}:
-            event.subject = [] if acts else led[:1]  # "Cut-out: lead 60 km/h, ego 80 km/h"
-            continue
-        if opens and others and not (told and any(c.mods for c in others if _premod(c, event))):
-            event.subject = others[:1]
-
-
-def _premod(mention: Mention, event: Event) -> bool:
-    return any(m.cat == "verb" and m.value == event.name for m in mention.mods)
-
-
-def _ways(event: Event) -> bool:
-    return any(m.value in _WAYS for m in event.dirs)
 
 
 def _predicative(chunks: list[Chunk], k: int) -> bool:

@@ -185,7 +185,7 @@ def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
 
 
 def _ego(chunk: Chunk) -> bool:
-    return isinstance(chunk, Mention) and any(h.data.get("ego") for h in chunk.heads)
+    return isinstance(chunk, Mention) and chunk.is_ego
 
 
 def _describe(term: Term, chunks: list[Chunk], k: int) -> None:

@@ -1,62 +1,82 @@
-"""Titles that name a doing: "Static cut-in. Out of a queue of vans one moves over …"."""
+"""Doings that a noun names, and nobody does: "Cut-in from the left, ego 100 km/h, a van …".
+
+Whoever the text after the noun says does it, or can be the only one to, is its subject.
+"""
 
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.words.tokens import Token
 
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "lose_control", "obey", "breach"})
 _BREACHES = frozenset({"obey", "breach", "stop", "yield"})
+_UNSAFE = frozenset({"cut_in", "lane_change", "merge", "hard_brake", "swerve", "cut_off"})
 _SIDEWAYS = frozenset({"move", "enter", "swerve", "walk", "return", "dash", "merge", "cut_in",
                        "lane_change", "sharp_turn", "speed", "accelerate", "turn",
                        "leave"})  # fmt: skip
+_WAYS = frozenset({"left", "right", "straight"})
 _LONGEST = 10
 
 
-def entitle(chunks: list[Chunk], events: list[Event]) -> None:
-    """Gives the doing that a title names to the one who does it in the sentence after it.
+def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """Gives a doing that opens a sentence to the one who does it.
 
     Args:
         chunks: the chunks of the text.
-        events: its events, subjects found.
+        events: its events, subjects found; one that says the same again is left out.
+        tokens: its tokens.
     """
     end = next((k for k, c in enumerate(chunks) if _ends(c)), len(chunks))
     title = chunks[:end]
-    if end > _LONGEST or any(isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title):
-        return
-    doings = [e for e in events if _is_doing(e) and any(e is c for c in title)]
-    if len(doings) != 1 or not _of_nobody(doings[0], title):
-        return
-    doing, close = doings[0], chunks[end].i if end < len(chunks) else 0
-    told = [e for e in events if e.i > close and e.subject and not e.nominal]
-    if any(e.name == doing.name for e in told):
-        return
-    who = _who(doing, [e for e in told if e.premod_of is None])
-    if who:
-        doing.subject, doing.nominal = who, True
-
-
-def _is_doing(event: Event) -> bool:
-    """``Loss of control``, ``Failure to stop at a stop sign``."""
-    failed = event.parent is not None and event.parent.name == "fail"
-    return event.name in _DOINGS or (failed and event.name in _BREACHES)
+    open_ones = [e for e in events if not e.subject or all(m.negated for m in e.subject)]
+    for doing in [e for e in open_ones if e.parent is None or e.parent.name == "fail"]:
+        told = [e for e in events if e.i > doing.i and e is not doing and e.subject]
+        again = [e for e in told if e.name == doing.name]
+        alike = next((e for e in again if e.premod_of is not None), None)
+        inside = any(doing is c for c in title)
+        who: list[Mention] = []
+        if alike is not None and doing.nominal and _opens(doing, chunks):
+            events.remove(alike)  # "cut-in vehicle 85 km/h"
+            who = alike.subject
+        elif inside and _whole_title(doing, title, events):
+            after = [e for e in told if not e.nominal and end < len(chunks) and e.i > chunks[end].i]
+            who = [] if any(e in after for e in again) else _who(doing, after)
+        who = who or (_told_next(doing, title, chunks, events) if inside else [])
+        unsafe = doing.nominal and doing.parent is None and doing.name in _UNSAFE
+        if not who and unsafe and _opens(doing, chunks):
+            who = _other(doing, told, chunks, tokens)
+        if who:
+            doing.subject, doing.nominal = who, True
 
 
 def _ends(chunk: Chunk) -> bool:
     return isinstance(chunk, Word) and chunk.value in BOUNDARIES
 
 
-def _of_nobody(doing: Event, title: list[Chunk]) -> bool:
-    """Whether nobody in particular does it: "Vehicle changing lanes", "Loss of control"."""
-    named = [c for c in title if isinstance(c, Mention) and not c.negated]
-    return not named and (not doing.subject or all(m.negated for m in doing.subject))
+def _opens(doing: Event, chunks: list[Chunk]) -> bool:
+    before = next((c for c in reversed(chunks) if c.j <= doing.i), None)
+    return before is None or _ends(before)
+
+
+def _whole_title(doing: Event, title: list[Chunk], events: list[Event]) -> bool:
+    """``Loss of control``, ``Failure to stop at a stop sign``: all that a title says, of nobody."""
+    spoken = any(isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title)
+    named = any(isinstance(c, Mention) and not c.negated for c in title)
+    doings = [e for e in events if _is_doing(e) and any(e is c for c in title)]
+    return doings == [doing] and len(title) <= _LONGEST and not (spoken or named)
+
+
+def _is_doing(event: Event) -> bool:
+    failed = event.parent is not None and event.parent.name == "fail"
+    return event.name in _DOINGS or (failed and event.name in _BREACHES)
 
 
 def _who(doing: Event, told: list[Event]) -> list[Mention]:
-    others = [e for e in told if not _is_ego(e)]
-    finite = [e for e in told if e.finite]
+    told = [e for e in told if e.premod_of is None]
+    others = [e for e in told if not any(m.is_ego for m in e.subject)]
     if doing.name == "lose_control":
-        return (finite or told)[0].subject if told else []
+        return ([e for e in told if e.finite] or told)[0].subject if told else []
     goal = next((e for e in told if e.name in _SIDEWAYS and _leads_into(e)), None)
     if goal is not None:
         return goal.subject
@@ -72,5 +92,31 @@ def _leads_into(event: Event) -> bool:
     return into or onto or ahead
 
 
-def _is_ego(event: Event) -> bool:
-    return any(h.data.get("ego") for m in event.subject for h in m.heads)
+def _told_next(
+    doing: Event, title: list[Chunk], chunks: list[Chunk], events: list[Event]
+) -> list[Mention]:
+    """``Right turn on red: the ego has to wait for …``: the title says what the ego does."""
+    doings = [c for c in title if isinstance(c, Event) and c.dirs]
+    named = doing.nominal or doing.form == "ing"
+    who = next((c for c in chunks[len(title) :] if isinstance(c, Mention)), None)
+    if doings != [doing] or not named or who is None or not who.is_ego:
+        return []
+    turned = any(e.i > doing.i and (e.name == "turn" or _WAYS & {m.value for m in e.dirs})
+                 for e in events)  # fmt: skip
+    across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
+    titled = len(title) < len(chunks) and getattr(chunks[len(title)], "value", "") in {":", "."}
+    alone = not any(isinstance(c, Mention) for c in title)
+    return [who] if titled and alone and not (turned or across) else []
+
+
+def _other(
+    doing: Event, told: list[Event], chunks: list[Chunk], tokens: list[Token]
+) -> list[Mention]:
+    """``Cut-in from the left, the ego at 80 km/h, a van …``: done by who is not the ego."""
+    others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > doing.i]
+    others = [c for c in others if not c.is_ego]
+    led = [c for c in others if "ahead" in c.dirs]
+    if led and "out" in {t.low for t in tokens[doing.i : doing.j]}:
+        acts = any(not e.nominal for e in told)
+        return [] if acts else led[:1]  # "Cut-out: lead 60 km/h, ego 80 km/h"
+    return others[:1]

@@ -129,7 +129,7 @@ def _told_anew(chunks: list[Chunk], k: int, end: int) -> list[Chunk]:
     sided = any(isinstance(c, Word) and c.cat == "dir" for c in clause)
     around = [*chunks[:k], *chunks[end:]]
     turned = any(isinstance(c, Event) and c.name in _TURNING for c in around)
-    known = who.pronoun is not None or any(h.data.get("ego") for h in who.heads)
+    known = who.pronoun is not None or who.is_ego
     turns = any(isinstance(c, Event) and c.name in _TURNING for c in clause)
     if who.pronoun is not None or not (sided or not known or (turns and not turned)):
         return []

@@ -260,9 +260,7 @@ def _along(mention: Mention) -> bool:
             return True
         seen = prep.target is None or (
             isinstance(prep.target, Mention)
-            and (
-                prep.target.pronoun is not None or any(h.data.get("ego") for h in prep.target.heads)
-            )
+            and (prep.target.pronoun is not None or prep.target.is_ego)
         )
         if prep.word.cat == "locus" and prep.value in _ALONG and seen:
             return True

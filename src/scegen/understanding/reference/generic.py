@@ -60,5 +60,5 @@ def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
             return False
         if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
             after = [c for c in chunks if c.i > chunk.i and isinstance(c, Mention) and c.heads]
-            return any(not any(h.data.get("ego") for h in c.heads) for c in after)
+            return any(not c.is_ego for c in after)
     return False

@@ -93,9 +93,12 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
 
 
 def _a_strangers(mention: Mention) -> bool:
-    """``somebody's car``: nobody's that was spoken of."""
+    """``somebody's car``, ``my neighbour's car``: nobody's that takes part."""
     owner = mention.owner
-    return owner is not None and owner.head is not None and "vague" in owner.head.data
+    if owner is None or owner.head is None:
+        return False
+    aside = owner.head.value == "pedestrian" and not owner.entities
+    return aside or "vague" in owner.head.data
 
 
 def _mine(mention: Mention, kind: ParticipantKind) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
@@ -10,6 +12,7 @@ from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import mark_generic
+from scegen.understanding.words.tokens import Token
 
 _CLOSING_IN = frozenset({"avoid"})
 _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
@@ -34,7 +37,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for m in e.subject
         if not aside(e, events) and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
-    subjects |= _said_to_be_there(chunks)
+    subjects = (subjects | _said_to_be_there(chunks)) - _in_reasons(chunks, discourse.tokens)
     acted_on = {id(e.object): e for e in events if e.object is not None}
     everywhere = sides_of(events, chunks)
     beside = _beside(chunks)
@@ -103,6 +106,21 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         waiting = []
     for earlier in (*waiting, *early):
         _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+
+
+def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
+    """``the ego waits because a van comes, so it is late``: "it" is not who the reason is about."""
+    found: set[int] = set()
+    here: list[int] = []
+    for before, chunk in pairwise(chunks):
+        reason = isinstance(before, Word) and (before.cat, before.value) == ("sub", "because")
+        if isinstance(before, Word) and before.value in BOUNDARIES:
+            here = []
+        elif reason and tokens[before.i].low == "so":
+            found |= {*here} if isinstance(chunk, Mention) and chunk.pronoun == "it" else set()
+        elif reason:
+            here.append(id(chunk))
+    return found
 
 
 def _said_to_be_there(chunks: list[Chunk]) -> set[int]:

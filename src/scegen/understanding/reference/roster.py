@@ -142,7 +142,9 @@ class Roster:
 
     def _after_colon(self, reading: Reading, mention: Mention) -> bool:
         """``three vehicles meet: a bus turns, a taxi waits …``: each is one of the three."""
-        return reading.det in {"indef", "one"} and in_list(self.groups, self.tokens, mention)
+        return reading.det in {"indef", "one", "bare"} and in_list(
+            self.groups, self.tokens, mention
+        )
 
     def last_is_ego(self, mention: Mention) -> None:
         """``three cars: the first …, the second …, and the ego``: the one that is left."""

@@ -24,14 +24,21 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
-    if not (_may_describe(previous) and noun_follows(tokens, match.j)):
+    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    measured = following is not None and _with_a_number(match, following, tokens)
+    if not ((measured or _may_describe(previous)) and noun_follows(tokens, match.j)):
         return False
-    following = longest_match(tokens, match.j)
     if previous is None and following is not None and _does_it_to(match, following, tokens):
         return False
     adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
     singular = following is not None and following.has("actor") and following.form == "base"
     return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
+
+
+def _with_a_number(match: Match, noun: Match, tokens: list[Token]) -> bool:
+    """``ego 100 km/h, merging truck 80 km/h``: with no article it is no object, and is measured."""
+    bare = noun.only("actor") and noun.form == "base" and match.form == "ing"
+    return bare and any(t.kind == "number" for t in tokens[noun.j : noun.j + 2])
 
 
 def _does_it_to(match: Match, noun: Match, tokens: list[Token]) -> bool:

@@ -91,13 +91,17 @@ def has_dir(mods: list[Term]) -> bool:
     return any(m.cat == "dir" for m in mods)
 
 
-def compound_end(head: Term, following: Term | None) -> Term:
-    """``a construction area``: the last noun of a compound, the head itself if it is none.
+def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Term:
+    """``a construction area``, ``at test start``: the last noun of a compound, or the head itself.
 
     Args:
         head: a noun for a thing.
         following: the term after it.
+        chunks: the chunks read so far.
     """
+    doing = following is not None and (following.cat, following.form) == ("verb", "base")
+    if following is not None and doing and head.value == "noun" and governed(chunks):
+        return head if head.form == "s" else following  # no singular noun has such a verb
     if head.value != "obstacle" or following is None:
         return head
     return following if (following.cat, following.value) == ("inert", "noun") else head
