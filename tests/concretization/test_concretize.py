@@ -15,7 +15,7 @@ from scegen.road import build_network
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion, Travelled
 from scegen.scenario.parameters import ParameterRange
-from scegen.scenario.vocabulary import HazardKind, JunctionKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Side
 
 LIMIT_MPS = 50 / 3.6
 
@@ -196,6 +196,20 @@ def test_who_cuts_in_changes_ring_lanes_just_ahead(cases):
     assert cutter.motion.ring_lane == 1
     assert [c.lane_after for c in cutter.motion.lane_changes] == [2]
     assert cutter.motion.lane_changes[0].hazard is HazardKind.CUT_IN
+
+
+@pytest.mark.parametrize(("side", "lane"), [(Side.LEFT, 1), (Side.RIGHT, 2)])
+def test_in_a_ring_one_changes_to_the_side_it_is_to(cases, side, lane):
+    """Into the lane of whom it cuts in on, also where that one leaves the ring before it."""
+    functional, logical = cases["ring_cut_in"]
+    moves = {"car_1": {"changes_to": side, "exit": 3, "move": 3}}
+    drives = [d.model_copy(update=moves.get(d.participant, {})) for d in logical.assignments]
+    concrete = concretize(functional, logical.model_copy(update={"assignments": tuple(drives)}))
+    cutter, other = concrete.participant("car_1").motion, concrete.ego.motion
+    assert [c.lane_after for c in cutter.lane_changes] == [lane]
+    assert cutter.ring_lane != lane == other.ring_lane
+    _, traces = run(concrete)
+    assert gap_m(traces, "car_1", "ego") < 8.0
 
 
 def test_who_goes_round_a_blocked_lane_does_not_touch_it(cases):

@@ -36,8 +36,13 @@ def test_from_ahead_leaves_the_side_open(describe):
 
 
 def test_from_the_left_or_ahead_leaves_it_open_too(describe):
-    functional = describe("four_way", 4, [EGO, PED | {"approaches": ["left", "opposite"]}])
+    functional = describe("four_way", 4, [EGO, PED | {"approaches": ["left", "ahead"]}])
     assert len(crossings(functional)) == 4
+
+
+def test_from_the_pavement_opposite_on_the_left_is_from_the_left(describe):
+    functional = describe("four_way", 4, [EGO, PED | {"approaches": ["left", "opposite"]}])
+    assert crossings(functional) == {(0, "left"), (2, "right")}
 
 
 def test_who_turns_round_sees_its_arm_as_it_came(describe):

@@ -1,15 +1,16 @@
 """Cut-in: an abrupt change into another's lane, a short gap before it.
 
 On an arm it comes from the lane beside; in a ring it crosses from the inner lane to the outer one
-just before its exit. Between ways that enter on different arms it is one vehicle turning in
+just before its exit, or from the outer one to the inner, in which it is then that both go. Between ways that enter on different arms it is one vehicle turning in
 front of another: they meet.
 """
 
 from __future__ import annotations
 
+from scegen.concretization.asked import outward
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import close_before, come_into_lane
-from scegen.concretization.hazards.rule import Rule, culprits, pairs, same_arm
+from scegen.concretization.hazards.rule import Rule, pairs, same_arm
 from scegen.concretization.lane_choice import change_lanes, choose_ring_lane, lanes_in, routes_of
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S
 from scegen.concretization.meetings import Meeting, nearest_s_m
@@ -27,13 +28,20 @@ _SAME_LINE_M = 2.0
 
 
 def _prepare(scene: Setup, hazard: Hazard) -> None:
-    """In a ring, start on the inner lane."""
+    """In a ring, who changes outwards starts on the inner lane, else who is cut in on does."""
     if scene.road.kind is not JunctionKind.ROUNDABOUT:
         return
-    for draft in culprits(scene, hazard):
+    for culprit, victim in pairs(scene, hazard):
+        draft = culprit if _outwards(scene, culprit) else victim
         inner = min(routes_of(scene, draft), key=lambda route: route.ring_lane or 0)
         draft.entry_lane = draft.exit_lane = inner.entry_lane
         choose_ring_lane(scene, draft, inner=True)
+
+
+def _outwards(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether it changes from the inner ring lane to the outer one, as towards an exit."""
+    side = draft.drive.changes_to
+    return side is None or outward(scene.functional, side) > 0
 
 
 def _come_in(scene: Setup, hazard: Hazard) -> list[Meeting]:
@@ -64,12 +72,14 @@ def _in_ring(
             where=culprit.id,
             hint="Make the roundabout larger.",
         )
-    piece = usable[-1]
+    theirs = {piece.road.id for piece in victim.laid.stretches}
+    piece = ([p for p in usable if p.road.id in theirs] or usable)[-1]
     room = _room_m(piece)
     length = min(room, change_length_m(culprit.cruise_mps, ABRUPT_LANE_CHANGE_S))
     begin = piece.end_m - _RING_MARGIN_M - length
     end_s = culprit.laid.path_s_m(begin + length)
-    change_lanes(scene, culprit, [(begin, length, scene.road.ring_lanes)], kind)
+    target = scene.road.ring_lanes if _outwards(scene, culprit) else 1
+    change_lanes(scene, culprit, [(begin, length, target)], kind)
     pose = culprit.laid.path.pose(end_s)
     place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
     if apart > _SAME_LINE_M:
