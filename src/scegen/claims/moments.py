@@ -210,7 +210,21 @@ def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
             np.where(run.happens, run.end, chosen.end),
             np.where(run.happens, run.change_mps, chosen.change_mps),
         )
-    return chosen
+    return _to_rest(chosen, view, act.participant) if act.kind is ActKind.STOP else chosen
+
+
+def _to_rest(run: Run, view: View, name: str) -> Run:
+    """A stop, slower and slower: one who slows down for a bend on the way there goes on after."""
+    speed = view.speed_mps(name)
+    after = np.arange(view.steps) >= run.end[:, None]
+    rests = first(after & (speed <= STANDS_MPS))
+    gains = np.diff(speed, axis=1, append=speed[:, -1:]) > CHANGES_MPS2 * view.dt_s
+    stops = (rests < view.steps) & (rests <= first(after & gains))
+    return Run(
+        run.begin,
+        np.where(stops, rests, run.end),
+        np.where(stops, at(speed, run.begin) - at(speed, rests), run.change_mps),
+    )
 
 
 def _alike(runs: list[Run], rate_mps2: float, view: View) -> Run:

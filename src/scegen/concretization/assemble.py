@@ -14,7 +14,7 @@ from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.written import written, written_phase, written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
-from scegen.motion.model import STANDING_MPS, Path
+from scegen.motion.model import STANDING_MPS, Path, Trace
 from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.concrete import (
@@ -28,6 +28,7 @@ from scegen.scenario.concrete import (
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
+_NEAR_M, _CLOSING_MPS = 40.0, 0.5
 _SOONER_S = 0.1
 """By so much sooner may one be at the end of its road in a player that takes other steps."""
 _TURNS_MPS = 0.6
@@ -142,7 +143,7 @@ def _duration_s(scene: Setup, concrete: ConcreteScenario, paths: dict[str, Path]
             return None
         # One who comes to rest in the end is often nearest to another just then.
         ends[name] = float(trace.time_s[done[0]]) + (_AFTER_REST_S - _AFTER_S if stays else 0.0)
-    duration = max(ends.values()) + _AFTER_S
+    duration = _until_past(scene, traces, max(ends.values()) + _AFTER_S)
     for name in scene.drives:
         trace = traces[name]
         stopped = trace.s_m >= paths[name].length_m - 1e-6
@@ -153,6 +154,19 @@ def _duration_s(scene: Setup, concrete: ConcreteScenario, paths: dict[str, Path]
                 speed = float(trace.speed_mps[max(0, int(stopped.argmax()) - 1)])
                 raise NeedsLongerArms(early * max(speed, 5.0) + 5.0, name)
     return round(duration * 20) / 20
+
+
+def _until_past(scene: Setup, traces: Mapping[str, Trace], duration_s: float) -> float:
+    """Until whoever is near the ego by then, and still comes nearer, has come past it."""
+    own, lasts = traces[scene.functional.ego.id], [duration_s]
+    for other in traces.values():
+        apart = np.hypot(own.x_m - other.x_m, own.y_m - other.y_m)
+        steps = np.flatnonzero(own.time_s >= duration_s)[:-1]
+        closing = (apart[steps] - apart[steps + 1]) / np.diff(own.time_s)[steps]
+        if steps.size and apart[steps[0]] < _NEAR_M and closing[0] > _CLOSING_MPS:
+            past = steps[closing <= 0.0]
+            lasts += [float(own.time_s[step]) + _AFTER_REST_S for step in past[:1]]
+    return max(lasts)
 
 
 def _goal_m(scene: Setup, name: str, path: Path) -> float:
