@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 from scegen.scenario.acts import LEAVING, ActKind
+from scegen.scenario.arms import arm_angles_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Standing
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, Side
 
 BLOCKING = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING})
 """Hazards by which a parked vehicle stands in the travelled lane."""
@@ -24,7 +25,7 @@ def standing(
 ) -> Standing:
     """A parked vehicle stands on the arm where the one whom it hinders enters.
 
-    Where its side is not said, one that hides somebody is on that one's side of the road.
+    Where its side is not said, one that hides somebody is on the side that one comes from.
 
     Args:
         functional: the description, understood.
@@ -42,7 +43,7 @@ def standing(
     if len(said) == 1:
         side = Side(next(iter(said)).value)
     else:
-        hidden = _sides(functional, arm, crossed) if hides else set()
+        hidden = _sides(functional, arm, crossed, entry_of.values()) if hides else set()
         side = hidden.pop() if len(hidden) == 1 else kerb
     opens = any(a.kind is ActKind.OPEN_DOOR for a in functional.acts if a.participant == parked.id)
     blocks = any(h.kind in BLOCKING and parked.id in h.by for h in functional.hazards)
@@ -63,13 +64,19 @@ def _is_run_into(functional: FunctionalScenario, parked: Participant) -> bool:
 
 
 def _sides(
-    functional: FunctionalScenario, arm: int, crossed: Collection[tuple[int, Side]]
+    functional: FunctionalScenario,
+    arm: int,
+    crossed: Collection[tuple[int, Side]],
+    entries: Iterable[int],
 ) -> set[Side]:
-    """From where they come who cross the road of an arm, seen by who enters there."""
+    """From where they come who cross the road of an arm, seen by who enters there; else others."""
     plain_road = functional.junction.kind is JunctionKind.STRAIGHT
     other = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
     found = {side for there, side in crossed if there == arm}
-    return found | {other[side] for there, side in crossed if plain_road and there != arm}
+    found |= {other[side] for there, side in crossed if plain_road and there != arm}
+    angles_deg = arm_angles_deg(functional.junction)
+    turns = {turn_name(angles_deg, arm, (entry - arm) % len(angles_deg)) for entry in entries}
+    return found or {Side(turn) for turn in turns & {Maneuver.LEFT, Maneuver.RIGHT}}
 
 
 def _hindered_by(functional: FunctionalScenario, name: str) -> list[str]:

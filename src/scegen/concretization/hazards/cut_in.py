@@ -1,8 +1,8 @@
 """Cut-in: an abrupt change into another's lane, a short gap before it.
 
 On an arm it comes from the lane beside; in a ring it crosses from the inner lane to the outer one
-just before its exit, or from the outer one to the inner, in which it is then that both go. Between ways that enter on different arms it is one vehicle turning in
-front of another: they meet.
+just before its exit, or from the outer one to the inner, in which it is then that both go. Between
+ways that enter on different arms it is one vehicle turning in front of another: they meet.
 """
 
 from __future__ import annotations

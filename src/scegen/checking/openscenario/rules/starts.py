@@ -108,7 +108,7 @@ def _where_asked(
 
 def _further_on(motion: DriveMotion, arms: dict[int, Arm], lanes: list[OnLane]) -> bool:
     """A road without a junction is one road: in the same lane, beyond where its two arms join."""
-    if len(arms) != _ENDS or motion.reversal is not None:
+    if len(arms) != _ENDS or isinstance(motion.reversal, BacksOut):
         return False
     beyond = arms[motion.exit]
     lanes_out = [*beyond.outward, *beyond.strips_out]
