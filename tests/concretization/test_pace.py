@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from roads import AHEAD, ego, one, road
 
-from scegen.concretization.asked import pace_of
+from scegen.concretization.tale import pace_of
 from scegen.enumeration import enumerate_scenarios
 
 

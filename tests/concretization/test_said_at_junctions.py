@@ -220,3 +220,13 @@ def test_who_is_to_hit_another_and_brakes_late_at_most_does_not_brake_by_itself(
     assert not struck.participant("x").speed_program
     spared = first(told("four_way", people, late))
     assert any(p.target_speed_mps == 0.0 for p in spared.participant("x").speed_program)
+
+
+@pytest.mark.parametrize("speed", [12, 25, 40])
+def test_those_who_are_to_collide_have_green_together(speed):
+    people = [ego(speed, ["left"]), other(50, ["opposite"])]
+    hit = {"kind": "collision", "between": ["ego", "x"]}
+    functional = told("four_way", people, outcome=hit, control="signals")
+    concrete = first(functional)
+    assert not concrete.participant("x").speed_program
+    assert not any("outcome" in claim or "light" in claim for claim in missed(functional, concrete))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.concretization.asked import may_endanger, outward, side_of
+from scegen.concretization.tale import may_endanger, outward, side_of
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario

@@ -42,7 +42,12 @@ def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Ac
     moment is not said, begins when the wait is over.
     """
     ruled = {act.id for act in acts if act.kind in LETS_BY and act.into in by_rules}
-    acts = [_by_itself(act, ruled) for act in acts if act.id not in ruled]
+    alone = {"when": None}  # what is set off by no act here
+    acts = [
+        act.model_copy(update=alone) if getattr(act.when, "act", None) in ruled else act
+        for act in acts
+        if act.id not in ruled
+    ]
     found: list[Act] = []
     over: dict[str, AfterAct] = {}
     stands = {act.id: act.duration_s or AS_LONG_AS_NEEDED_S for act in acts if act.kind in LETS_BY}
@@ -70,12 +75,6 @@ def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Ac
             name = f"{act.id}_over"[:40]
             found.append(Act(id=name, participant=act.participant, kind=ActKind.SET_OFF, when=on))
     return tuple(found)
-
-
-def _by_itself(act: Act, without: Collection[str]) -> Act:
-    """The act, set off by nothing where that is told of another act which is none here."""
-    after = isinstance(act.when, AfterAct) and act.when.act in without
-    return act.model_copy(update={"when": None}) if after else act
 
 
 def goes_on_when_free(when: When | None) -> bool:

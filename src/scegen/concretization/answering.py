@@ -9,23 +9,19 @@ from math import inf
 
 import numpy as np
 
-from scegen.concretization.amounts import (
-    BRAKING,
-    CLOSEST_M,
-    answering_rates_mps2,
-    falls_back,
-    goes_on_when_free,
-)
+from scegen.claims.boxes import same_way
+from scegen.concretization.amounts import CLOSEST_M, goes_on_when_free
 from scegen.concretization.braking import (
     Contact,
     answer_each,
+    answer_of,
     apart_by,
     brake_late,
     had_ahead,
     touch_s,
 )
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import same_arm
+from scegen.concretization.hazards.parties import same_arm
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Sort, SpeedChange
@@ -33,7 +29,6 @@ from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
 from scegen.motion.trigger_steps import STEP_S, just_before_step_s
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 8.0
 _ALONG = 0.5
@@ -88,18 +83,15 @@ def _runs_in(scene: Setup, moments: Moments, contact: Contact) -> bool:
         return ahead
     in_line = same_arm(scene.drives[contact.who], scene.drives[contact.other])
     follows = in_line or not _endangers(scene, contact.who, contact.other)
-    return ahead and ((along > _ALONG and follows) or _gets_away(scene, contact))
+    # Who is said not to touch who endangers it does something about it.
+    outcome = scene.functional.outcome
+    avoided = outcome is not None and outcome.kind is OutcomeKind.AVOIDED
+    gets_away = avoided and _endangers(scene, contact.other, contact.who)
+    return ahead and ((along > _ALONG and follows) or gets_away)
 
 
 def _endangers(scene: Setup, by: str, to: str) -> bool:
     return any(by in h.by and to in h.to for h in scene.hazards)
-
-
-def _gets_away(scene: Setup, contact: Contact) -> bool:
-    """Whether one is said not to touch who endangers it, and so does something about it."""
-    outcome = scene.functional.outcome
-    avoided = outcome is not None and outcome.kind is OutcomeKind.AVOIDED
-    return avoided and _endangers(scene, contact.other, contact.who)
 
 
 def _comes_back(scene: Setup, name: str) -> bool:
@@ -126,35 +118,27 @@ def _brake_for(scene: Setup, moments: Moments, contact: Contact) -> bool:
     before = who.deeds
     waits = [m for m in before if m.act is not None and goes_on_when_free(scene.act(m.act).when)]
     rest = [mark for mark in before if mark is not own and mark not in waits]
-    kinds = sorted(scene.kinds_by(who.id) & BRAKING)
-    target, backs = _slowest_mps(scene, moments, contact), _comes_back(scene, contact.other)
-    who.deeds, who.course_ = rest, None
+    slowest = _slowest_mps(scene, moments, contact)
+    who.deeds = rest
     free, late = who.course, moments.offsets_s[who.id]
 
-    said = scene.act(own.act) if own is not None and own.act is not None else None
-    open_end = own is None or (said is not None and falls_back(said))
-    to_mps = target if own is None or open_end else min(own.target_mps, target)
+    thing = any(each.id == contact.other for each in scene.objects)
+    answer, rates = answer_of(scene, contact, own, slowest, who.braking_mps2(inf), thing=thing)
+    there = own is None and _comes_back(scene, contact.other)
 
     def brake(begins_s: float, rate: float) -> None:
         place = free.s_at(just_before_step_s(begins_s) - late)
-        if own is not None:
-            mark = replace(own, s_m=place, target_mps=to_mps, rate_mps2=rate)
-        else:
-            thing = any(each.id == contact.other for each in scene.objects)
-            hazard = next(iter(kinds), HazardKind.OBSTACLE if thing else None)
-            mark = SpeedChange(to_mps, rate, s_m=place, hazard=hazard, sort=Sort.ACT, there=backs)
-        who.deeds, who.course_ = [*rest, mark], None
+        who.deeds = [*rest, replace(answer, s_m=place, rate_mps2=rate, there=there)]
 
     def leaves(room_m: float) -> bool:
         times = _times(moments)
         there = times[times < _parts_s(moments, who.id, contact.other)]
         return apart_by(moments, contact, there, room_m)
 
-    rates = answering_rates_mps2(said, who.braking_mps2(inf), hard=bool(kinds))
     earliest = max(_seen_s(scene, moments, contact.other) + REACTION_S, late, 0.0)
     found = brake_late(leaves, contact.time_s, rates, earliest, brake)
     if found is None:
-        who.deeds, who.course_ = before, None
+        who.deeds = before
         return False
     if waits or own is None:
         _go_on(who, leaves, waits, _most_mps(scene, moments, contact))
@@ -170,7 +154,7 @@ def _most_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
     if contact.other not in scene.drives:
         return who.cruise_mps
     (own, _), (other, speed) = (moments.track(name, times) for name in contact[1:])
-    follows = float((own.cos * other.cos + own.sin * other.sin)[0]) > _ALONG
+    follows = float(same_way(own, other)[0]) > _ALONG
     return min(who.cruise_mps, float(speed[0])) if follows else who.cruise_mps
 
 
@@ -185,10 +169,10 @@ def _go_on(
     usual = SpeedChange(most_mps, rate, s_m=kept[-1].s_m, sort=Sort.ACT)
     for then in _GOES_ON_S:
         on = replace(next(iter(said), usual), then_s=then)
-        who.deeds, who.course_ = [*kept, on], None
+        who.deeds = [*kept, on]
         if leaves(CLOSEST_M - 0.1):
             return
-    who.deeds, who.course_ = kept, None
+    who.deeds = kept
 
 
 def _slowest_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
@@ -198,9 +182,8 @@ def _slowest_mps(scene: Setup, moments: Moments, contact: Contact) -> float:
     since = contact.time_s if scene.sets_off(contact.other) else 0.0
     times = np.arange(since, contact.time_s + _AFTER_S, STEP_S)
     own, other = (moments.track(name, times[-1:])[0] for name in contact[1:])
-    if not same_arm(scene.drives[contact.who], scene.drives[contact.other]) and (
-        float((own.cos * other.cos + own.sin * other.sin)[0]) <= _ALONG
-    ):
+    in_line = same_arm(scene.drives[contact.who], scene.drives[contact.other])
+    if not in_line and float(same_way(own, other)[0]) <= _ALONG:
         return 0.0
     slowest = float(moments.track(contact.other, times)[1].min())
     return slowest if slowest > 0.1 else 0.0

@@ -157,7 +157,6 @@ def _stop_before(scene: Setup, draft: DriveDraft, rest_s: float) -> None:
     _, ends_s = draft.laid.path.backwards[0]
     draft.alone_s_m = (begins, ends_s + _ROOM_M)
     draft.marks.append(SpeedChange(CREEP_MPS, rate, s_m=begins))
-    draft.course_ = None
 
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:

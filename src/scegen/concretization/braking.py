@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 from math import floor, inf
 from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes, seen
-from scegen.concretization.amounts import CLOSEST_M
+from scegen.claims.boxes import Boxes, same_way, seen
+from scegen.concretization.amounts import BRAKING, CLOSEST_M, answering_rates_mps2, falls_back
 from scegen.concretization.boxes import apart
+from scegen.concretization.profile import Sort, SpeedChange
+from scegen.concretization.tale import Tale
 from scegen.motion.model import Array
 from scegen.motion.trigger_steps import STEP_S
+from scegen.scenario.vocabulary import HazardKind
 
 _BEFORE_S = 1.0
 _ROUNDS = 12
@@ -63,8 +67,7 @@ def had_ahead(traffic: Traffic, contact: Contact) -> tuple[bool, float]:
     """Whether one had the other ahead, just before they touch, and the cosine between them."""
     at = np.array([contact.time_s - _BEFORE_S])
     own, other = traffic.track(contact.who, at)[0], traffic.track(contact.other, at)[0]
-    along = own.cos * other.cos + own.sin * other.sin
-    return float(seen(own, other).x[0]) > 0.0, float(along[0])
+    return float(seen(own, other).x[0]) > 0.0, float(same_way(own, other)[0])
 
 
 def apart_by(
@@ -74,6 +77,30 @@ def apart_by(
     (one, speed), (other, _) = (traffic.track(n, times_s) for n in (contact.who, contact.other))
     at_rest = (speed <= 0.0) & comes_on
     return bool(np.all((apart(one, other, room_m) >= room_m) | at_rest))
+
+
+def answer_of(
+    tale: Tale,
+    contact: Contact,
+    own: SpeedChange | None,
+    to_mps: float,
+    most_mps2: float,
+    *,
+    thing: bool,
+) -> tuple[SpeedChange, list[float]]:
+    """The braking of one for another, down to a speed at least, and how hard it may be.
+
+    It is its ``own``, if the text tells of one without saying when.
+    """
+    said = tale.act(own.act) if own is not None and own.act is not None else None
+    kinds = sorted(tale.kinds_by(contact.who) & BRAKING)
+    if own is None:
+        hazard = next(iter(kinds), HazardKind.OBSTACLE if thing else None)
+        own = SpeedChange(to_mps, 0.0, hazard=hazard, sort=Sort.ACT)
+    elif said is None or not falls_back(said):
+        to_mps = min(own.target_mps, to_mps)
+    rates = answering_rates_mps2(said, most_mps2, hard=bool(kinds))
+    return replace(own, target_mps=to_mps, reacts_to=contact.other), rates
 
 
 def brake_late(

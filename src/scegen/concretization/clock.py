@@ -46,8 +46,9 @@ def arrange(scene: Setup, meetings: Sequence[Meeting], begins_s: float) -> dict[
             continue
         free = [n for n in scene.drives if n not in offsets]
         name = min(free, key=lambda n: scene.drives[n].drive.rank)
-        draft = scene.drives[name]
-        offset = _like_the_ego(scene, draft)
+        draft, ego = scene.drives[name], scene.ego
+        # At the junction when the ego is.
+        offset = ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
         offsets[name] = clear_offset(
             draft, offset, _placed(scene, offsets), offsets, begins_s, manners=manners
         )
@@ -59,12 +60,6 @@ def _partners(meetings: Sequence[Meeting], name: str) -> set[str]:
     """Those whom one meets in danger."""
     risky = [m for m in meetings if m.priority < ORDINARY and name in {m.first, m.second}]
     return {other for m in risky for other in (m.first, m.second) if other != name}
-
-
-def _gap_s(scene: Setup, meeting: Meeting) -> float:
-    """How much longer the second of a meeting is on its way there than the first."""
-    first, second = scene.drives[meeting.first], scene.drives[meeting.second]
-    return second.course.time_at(meeting.second_s_m) - first.course.time_at(meeting.first_s_m)
 
 
 def _placed(
@@ -86,7 +81,7 @@ def _arrange_one(
         if known == other:
             continue
         first, second = scene.drives[meeting.first], scene.drives[meeting.second]
-        gap = _gap_s(scene, meeting)
+        gap = second.course.time_at(meeting.second_s_m) - first.course.time_at(meeting.first_s_m)
         if known:
             partner, draft = first, second
             offset = offsets[first.id] + meeting.lag_s - gap
@@ -186,12 +181,6 @@ def headway_s(lead: DriveDraft, follow: DriveDraft, shared_m: float, from_m: flo
     by_time = lead.course.times_at(s) + HEADWAY_S
     by_place = lead.course.times_at(s + bodies)
     return float(np.max(np.maximum(by_time, by_place) - mine))
-
-
-def _like_the_ego(scene: Setup, draft: DriveDraft) -> float:
-    """Arrives at the junction when the ego does."""
-    ego = scene.ego
-    return ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
 
 
 def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:

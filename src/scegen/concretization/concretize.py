@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from math import ceil
 
 import numpy as np
@@ -9,7 +10,6 @@ import numpy as np
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.along.doors import opens
 from scegen.concretization.answering import answer
-from scegen.concretization.asked import as_meant, pace_of
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.deeds import (
@@ -22,20 +22,26 @@ from scegen.concretization.deeds import (
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.hazards.table import ordered_rules
-from scegen.concretization.lights import set_lights, stands_at_red, waits_for_green_s
+from scegen.concretization.hazards.aside import brake_out_of_control, swerve, turn_the_wheel
+from scegen.concretization.hazards.cut_in import come_in, start_inside
+from scegen.concretization.hazards.reversing import (
+    go_back_as_they_come,
+    prepare_to_reverse,
+    reverse,
+)
+from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import Moments
-from scegen.concretization.obstacles import place_obstacles
 from scegen.concretization.occluders import hide
 from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
-from scegen.concretization.stationary import go_round_stationary, place_stationary
+from scegen.concretization.stationary import go_round_stationary, place_obstacles, place_stationary
+from scegen.concretization.tale import as_meant, pace_of
 from scegen.concretization.walkers import place_walkers, program_walkers, stop_in_the_way
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
@@ -43,9 +49,9 @@ from scegen.road import build_network
 from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import AtLight, HazardKind
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
@@ -54,6 +60,15 @@ _SLOWEST_MPS = 1.0
 _AGAIN = 3
 _FAST = frozenset({HazardKind.SPEEDING, HazardKind.SUDDEN_TURN})
 """The dangers of those who go fast through bends."""
+_SHAPES: Mapping[HazardKind, Callable[[Setup, Hazard], list[Meeting]]] = {
+    HazardKind.REVERSING: reverse,
+    HazardKind.SUDDEN_TURN: turn_the_wheel,
+    HazardKind.CUT_IN: come_in,
+    HazardKind.ONCOMING_LANE: swerve,
+    HazardKind.SWERVING: swerve,
+    HazardKind.LOSS_OF_CONTROL: swerve,
+}
+"""What is more than acts, who meets whom and how fast: who leaves its way, in this order."""
 
 
 def concretize(
@@ -115,34 +130,32 @@ def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
 
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
-    rules = ordered_rules(scene.functional.hazards)
     _place(scene)
-    choose_junction_lanes(scene, rules)
-    for rule, hazard in rules:
-        if rule.prepare is not None:
-            rule.prepare(scene, hazard)
+    choose_junction_lanes(scene)
+    for hazard in scene.of_kind(HazardKind.REVERSING):
+        prepare_to_reverse(scene, hazard)
+    for hazard in scene.of_kind(HazardKind.CUT_IN):
+        start_inside(scene, hazard)
     prepare_maneuvers(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
     meetings: list[Meeting] = []
-    for rule, hazard in rules:
-        if rule.shape is not None:
-            meetings += rule.shape(scene, hazard)
+    for kind, shape in _SHAPES.items():
+        for hazard in scene.of_kind(kind):
+            meetings += shape(scene, hazard)
     meetings += shape_maneuvers(scene)
     go_round_stationary(scene)
     place_obstacles(scene)
-    for rule, hazard in rules:
-        if rule.act is not None:
-            rule.act(scene, hazard)
+    for hazard in scene.of_kind(HazardKind.LOSS_OF_CONTROL):
+        brake_out_of_control(scene, hazard)
     stand_in_line(scene)
     meetings += pull_out(scene)
     stop_in_the_way(scene)
-    meetings += conflict_meetings(scene, rules, meetings)
+    meetings += conflict_meetings(scene, meetings)
     moments = _start(scene, meetings)
-    for rule, hazard in rules:
-        if rule.react is not None:
-            rule.react(scene, hazard)
+    for hazard in scene.of_kind(HazardKind.REVERSING):
+        go_back_as_they_come(scene, hazard)
     program_walkers(scene, moments.leaves_s)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
@@ -159,8 +172,9 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
     others = {each.participant for each in scene.logical.drives}
     cruise = _cruise_speed_mps(scene, participant, drive.entry)
-    waits_s = waits_for_green_s(participant)
-    if scene.sets_off(participant.id) or stands_at_red(participant):
+    at_red = stands_at_red(participant)
+    waits_s = STOOD_S if at_red else WAITS_S if participant.light is AtLight.WAITS else None
+    if scene.sets_off(participant.id) or at_red:
         cruise = usual_speed_mps(scene, participant.id)
     fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from itertools import takewhile
 
 from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import happens_s_m, in_line_before
+from scegen.concretization.hazards.parties import happens_s_m, in_line_before, stops_for_walkers
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile, Sort, SpeedChange
@@ -25,6 +26,9 @@ _HOLDS_S = 1.5
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 _MOVES_MPS = 0.1
+_AFTER_WALKER_S = 0.5
+_LATE = 0.5
+"""One who brakes late begins with half of the braking distance left."""
 
 
 def usual_speed_mps(scene: Setup, name: str) -> float:
@@ -51,13 +55,12 @@ def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
         marks = list(marks_of(scene, draft)) or list(_at_red(scene, draft))
         if not marks:
             continue
+        came_s = draft.course.time_at(draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M)
         if scene.sets_off(draft.id):
             draft.stops_at_line = False  # it stands there
         if any(a.kind in GAINING and a.target_speed_mps for a in scene.speed_acts(draft.id)):
             draft.lateral_mps2 = max(draft.lateral_mps2, FAST_LATERAL_MPS2)
-        came_s = draft.course.time_at(draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M)
         draft.deeds = marks
-        draft.course_ = None
         if scene.sets_off(draft.id):
             phase = draft.course.phase_of(marks[1].act or "")
             late[draft.id] += came_s - (phase.begins_s if phase is not None else came_s)
@@ -78,7 +81,6 @@ def stand_in_line(scene: Setup) -> None:
                 place = float(other.course.s_m[-1]) - behind
         begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
         draft.deeds = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
-        draft.course_ = None
 
 
 def lead_in_missing_s(scene: Setup, moments: Moments) -> float:
@@ -103,8 +105,8 @@ def lead_in_missing_s(scene: Setup, moments: Moments) -> float:
 
 def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The marks of one's acts, the first of each chain at place 0."""
-    parked, before = draft.parked_s_m is not None, draft.cruise_mps
-    usual = draft.cruise_mps if parked else usual_speed_mps(scene, draft.id)
+    before = draft.cruise_mps
+    usual = draft.cruise_mps
     own: set[str] = set()
     took_s = 0.0
     if scene.sets_off(draft.id):
@@ -124,7 +126,7 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         if not own and before == 0.0:
             then = STOOD_S
         elif follows_own and isinstance(when, AfterAct):
-            then = _delay_s(when) or _HOLDS_S
+            then = max(_delay_s(scene, draft, when, took_s), 0.0) or _HOLDS_S
             if when.since == "begin":
                 then = max(0.0, then - took_s)
         elif own and when is None:
@@ -153,8 +155,12 @@ def _at_red(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         yield SpeedChange(0.0, rate, sort=Sort.ACT)
 
 
-def _delay_s(when: AfterAct) -> float:
-    return 0.0 if goes_on_when_free(when) else when.delay_s.middle
+def _delay_s(scene: Setup, draft: DriveDraft, when: AfterAct, took_s: float) -> float:
+    """How long one stands; who goes on when nobody is in its way does so when walkers are over."""
+    if not goes_on_when_free(when):
+        return when.delay_s.middle
+    walkers = stops_for_walkers(scene, draft)
+    return 0.0 if walkers is None else walkers[1] - took_s + _AFTER_WALKER_S
 
 
 def is_open(scene: Setup, mark: SpeedChange) -> bool:
@@ -166,12 +172,18 @@ def is_open(scene: Setup, mark: SpeedChange) -> bool:
 
 
 def _place(scene: Setup, draft: DriveDraft) -> None:
-    """Put the first of each chain where its last is done in time for what it is about."""
-    way = _way_m(draft.cruise_mps, draft.deeds)
+    """Put the first of each chain where its last is done in time for what it is about.
+
+    Of who waits for somebody, where it stands.
+    """
+    until = takewhile(lambda mark: not _goes_on_when_free(scene, mark), draft.deeds)
+    way = _way_m(draft.cruise_mps, until)
     first = draft.deeds[0]
     place = first.s_m
     lets_by = _before_walker_m(scene, draft, first) if first.act else None
-    if _stops_at_light(scene, draft) and (first.act is None or is_open(scene, first)):
+    waits = any(a.id == first.act and a.kind is ActKind.WAIT for a in scene.functional.acts)
+    at_line = _stops_at_light(scene, draft) or (waits and not scene.network.plain)
+    if at_line and (first.act is None or is_open(scene, first)):
         line = draft.stop_line_s_m - draft.body.front_m - _BEFORE_LINE_M
         place = line - _way_m(draft.cruise_mps, [first])
     elif lets_by is not None:
@@ -179,7 +191,8 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     elif is_open(scene, first):
         kind = first.hazard or HazardKind.HARD_BRAKING
         act = scene.act(first.act or "").kind
-        place = happens_s_m(scene, draft, kind, act) - way
+        late = _LATE if kind is HazardKind.DELAYED_BRAKING else 1.0
+        place = happens_s_m(scene, draft, kind, act) - late * way
     least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
     if place < least:
         raise NeedsLongerArms(least - place + 5.0, draft.id)
@@ -187,7 +200,6 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
         replace(mark, s_m=place + way) if is_open(scene, mark) else mark for mark in draft.deeds[1:]
     ]
     draft.deeds = [replace(first, s_m=place), *later]
-    draft.course_ = None
 
 
 def _before_walker_m(scene: Setup, draft: DriveDraft, mark: SpeedChange) -> float | None:
@@ -200,7 +212,11 @@ def _before_walker_m(scene: Setup, draft: DriveDraft, mark: SpeedChange) -> floa
     return shared[0].enter_m - _BEFORE_LINE_M if shared else None
 
 
-def _way_m(speed_mps: float, marks: list[SpeedChange]) -> float:
+def _goes_on_when_free(scene: Setup, mark: SpeedChange) -> bool:
+    return mark.act is not None and goes_on_when_free(scene.act(mark.act).when)
+
+
+def _way_m(speed_mps: float, marks: Iterable[SpeedChange]) -> float:
     """The way from the beginning of a chain until its last act is done."""
     profile, ready = Profile(speed_mps), 0.0
     for mark in marks:
@@ -223,4 +239,4 @@ def set_triggers(scene: Setup, moments: Moments) -> None:
                 place = other.course.s_at(own_s) - other.start_m
                 if place > 0.0 and other.course.speed_then(own_s) > _MOVES_MPS:
                     trigger = Travelled(participant=other.id, distance_m=round(place, 3))
-            draft.deeds[1], draft.course_ = replace(mark, trigger=trigger), None
+            draft.deeds[1] = replace(mark, trigger=trigger)

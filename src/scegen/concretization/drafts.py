@@ -37,9 +37,8 @@ class DriveDraft:
     ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
     ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
     the outer end of the entry arm; ``start_m`` where on that path it starts at time 0.
-    ``resume_mps`` is its speed after turns if not ``cruise_mps``, ``grip_mps2`` what the tyres hold
-    on this road. ``halts_s_m`` is where a thing in its way ends it,
-    ``parked_s_m`` where it stood beside the road at first.
+    ``grip_mps2`` is what the tyres hold on this road, ``halts_s_m`` where a thing in its way ends
+    it, ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
     the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits_s`` is how
@@ -58,7 +57,6 @@ class DriveDraft:
     ring_lane: int | None = None
     lateral_mps2: float = LATERAL_MPS2
     stops_at_line: bool = False
-    resume_mps: float | None = None
     lane_changes: list[LaneChange] = field(default_factory=list)
     marks: list[SpeedChange] = field(default_factory=list)
     deeds: list[SpeedChange] = field(default_factory=list)
@@ -73,11 +71,13 @@ class DriveDraft:
     backs_to: str | None = None
     alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
-    course_: Course | None = None
     line_back_m: float = 0.0
     waits_s: float | None = None
     goes_at: AtTime | Travelled | None = None
     lets_by: str | None = None
+    _told: tuple[LaidDrive, tuple[object, ...], Course] | None = field(
+        default=None, init=False, repr=False, compare=False
+    )
 
     def braking_mps2(self, wanted_mps2: float) -> float:
         """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""
@@ -98,11 +98,22 @@ class DriveDraft:
     @property
     def course(self) -> Course:
         """When it is where if it starts at the outer end of its entry arm."""
-        if self.course_ is None:
-            self.course_ = course_of(
-                tuple(self.speed_changes()), self.first_speed(), self.laid.path.length_m
+        told = (
+            *(self.cruise_mps, self.lateral_mps2, self.alone_s_m),
+            *(self.stops_at_line, self.waits_s, self.goes_at),
+            *(tuple(self.marks), tuple(self.deeds)),
+        )
+        known = self._told
+        if known is None or known[0] is not self.laid or known[1] != told:
+            first_mps = CREEP_MPS if self.backs_out else self.cruise_mps
+            changes = tuple(self.speed_changes())
+            known = (
+                self.laid,
+                told,
+                course_of(changes, first_mps, self.laid.path.length_m),
             )
-        return self.course_
+            self._told = known
+        return known[2]
 
     @property
     def junction_s_m(self) -> float:
@@ -177,7 +188,6 @@ class DriveDraft:
         stretches, self.exit_lane = walk_route(network, motion, self.id)
         end_m = stretches[-1].end_m - END_MARGIN_M
         self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
-        self.course_ = None
 
     def take_lane(self, network: RoadNetwork, lane: int) -> None:
         """Enter in another lane."""
@@ -194,36 +204,27 @@ class DriveDraft:
             )
             mark = replace(mark, then=on)
         self.marks.append(mark)
-        self.course_ = None
 
     def road_changes(self) -> list[SpeedChange]:
-        """Slowing down for turns and stop lines, and speeding up after them."""
+        """Slowing down for turns and at stop lines (red, a sign), and speeding up after them."""
+        stop = None
+        if self.stops_at_line or self.waits_s is not None:
+            stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
+            stop = Stop(self.stop_line_s_m - self.body.front_m, stands_s, self.goes_at)
         return turning_changes(
             self.laid,
             self.cruise_mps,
             lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
-            stop=self._stop(),
+            stop=stop,
             slowing_mps2=min(COMFORTABLE_BRAKING_MPS2, self.grip_mps2),
             faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
-            resume_mps=self.cruise_mps if self.resume_mps is None else self.resume_mps,
         )
-
-    def _stop(self) -> Stop | None:
-        """Where it stands at its line, at red or for a sign."""
-        stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
-        if self.waits_s is None and not self.stops_at_line:
-            return None
-        return Stop(self.stop_line_s_m - self.body.front_m, stands_s, self.goes_at)
 
     def speed_changes(self) -> list[SpeedChange]:
         """All marks in the order of the path."""
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in self.road_changes() if not low <= mark.s_m <= high]
         return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
-
-    def first_speed(self) -> float:
-        """The speed at the outer end of the entry arm, or where it comes out."""
-        return CREEP_MPS if self.backs_out else self.cruise_mps
 
     def _in_force_mps(self, s_m: float) -> float:
         """The target speed at a place, dangers apart."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import Rule, event_s_m, pairs, same_arm
+from scegen.concretization.hazards.parties import event_s_m, pairs, same_arm
 from scegen.concretization.limits import (
     APPROACH_S,
     CLOSE_FOLLOWING_S,
@@ -23,14 +23,11 @@ from scegen.concretization.setup import Setup
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
-_SHORT_OF_REST_M = 0.5
 _EARLIER_S = 3.0
 _LEAST_PLACE_M = 20.0
 
 
-def conflict_meetings(
-    scene: Setup, rules: list[tuple[Rule, Hazard]], arranged: list[Meeting]
-) -> list[Meeting]:
+def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
     """Meetings by priority: dangers to or by the ego, between others, then all others' with it.
 
     Where the text names dangers, vehicles without a part in them pass a little after the ego.
@@ -39,10 +36,8 @@ def conflict_meetings(
     meetings: list[Meeting] = []
     involved = {frozenset((m.first, m.second)) for m in arranged}
     named: set[str] = set()
-    for rule, hazard in rules:
+    for hazard in scene.functional.hazards:
         named |= {*hazard.by, *hazard.to}
-        if not rule.meets:
-            continue
         for cause, sufferer in pairs(scene, hazard):
             key = frozenset((cause.id, sufferer.id))
             if key not in involved:
@@ -72,8 +67,9 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         queue = (draft.drive.entry, draft.entry_lane)
         if draft.id == ego or queue in taken:
             continue
-        bystander = bool(scene.functional.hazards) and draft.id not in named
-        priority = BYSTANDER if bystander else ORDINARY
+        collide = scene.contact_wanted(ego, draft.id)
+        bystander = bool(scene.functional.hazards) and draft.id not in named and not collide
+        priority = DANGER if collide else BYSTANDER if bystander else ORDINARY
         lag = PASSING_LAG_S if bystander else 0.0
         point = drives_meet(scene.ego, draft)
         if point is not None and point.opposed:
@@ -91,22 +87,8 @@ def _meeting(
     point = drives_meet(first, second)
     if point is None:
         return []
-    first_s = arrival_s_m(first, point.first_s_m)
-    second_s = arrival_s_m(second, point.second_s_m)
-    return [Meeting(priority, first.id, second.id, first_s, second_s, lag_s, reason)]
-
-
-def arrival_s_m(draft: DriveDraft, meeting_s_m: float) -> float:
-    """Where a drive is when it counts as arrived: at the meeting, or at rest just before it.
-
-    One who brakes to a stop before the meeting is not to be met after going on again.
-    """
-    place = meeting_s_m
-    for mark in draft.marks:
-        if mark.then is not None and mark.target_mps == 0 and mark.s_m < meeting_s_m:
-            rest = mark.s_m + draft.course.speed_at(mark.s_m) ** 2 / (2 * mark.rate_mps2)
-            place = min(place, max(mark.s_m, rest - _SHORT_OF_REST_M))
-    return place
+    places = point.first_s_m, point.second_s_m
+    return [Meeting(priority, first.id, second.id, *places, lag_s, reason)]
 
 
 def _close(
@@ -114,8 +96,7 @@ def _close(
 ) -> Meeting:
     """On one arm: level in neighbouring lanes, close behind each other in one."""
     place = max(5.0, event_s_m(scene, cause, hazard))
-    marks = [mark.s_m for mark in cause.marks if mark.hazard is hazard.kind]
-    place = min([place, *marks])
+    place = min([place, *(mark.s_m for mark in cause.marks if mark.hazard is hazard.kind)])
     if cause.entry_lane != sufferer.entry_lane:
         return Meeting(priority, cause.id, sufferer.id, place, place, 0.0, f"{hazard.kind}: level")
     lead, follow = cause, sufferer
@@ -126,7 +107,7 @@ def _close(
     if hazard.kind is HazardKind.TAILGATING:
         headway_s = sum(TAILGATING_HEADWAY_S) / 2
         if not scene.has_said_speed(follow.id):
-            follow.cruise_mps, follow.course_ = lead.cruise_mps, None
+            follow.cruise_mps = lead.cruise_mps
     if lead.cruise_mps > follow.cruise_mps:
         # They draw apart: nearest where the leader starts, about this far before the junction.
         begins = lead.junction_s_m - lead.cruise_mps * (APPROACH_S + _EARLIER_S)

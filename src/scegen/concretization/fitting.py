@@ -91,10 +91,9 @@ def _give(scene: Setup, moments: Moments, name: str, place: int | None, value: f
     if place is None:
         (moments.offsets_s if name in scene.drives else moments.sets_off_s)[name] = value
         return
-    draft = scene.drives[name]
-    if draft.deeds[place].s_m != value:
-        draft.deeds[place] = replace(draft.deeds[place], s_m=value)
-        draft.course_ = None
+    deeds = scene.drives[name].deeds
+    if deeds[place].s_m != value:
+        deeds[place] = replace(deeds[place], s_m=value)
 
 
 def _missed(scene: Setup, moments: Moments) -> Iterator[float]:
@@ -122,21 +121,23 @@ def _mistimed(scene: Setup, moments: Moments, act: Act, known: set[str]) -> Iter
     elif isinstance(when, AfterDistance | BeforeJunction):
         # How far one has come, or has still to go to the junction; one's own place is fixed.
         name, way_m = when.participant or act.participant, when.distance_m.middle
-        if name in scene.drives and isinstance(when, AfterDistance):
-            yield _PER_M * (moments.gone_m(name, act) - way_m)
-        elif name in scene.drives and when.participant is not None:
-            yield begins_s - moments.before_junction_s(name, way_m)
+        draft = scene.drives.get(name)
+        if draft is None:
+            return
+        course, late = draft.course, moments.offsets_s[name]
+        if isinstance(when, AfterDistance):
+            yield _PER_M * (course.s_at(begins_s - late) - course.s_at(-late) - way_m)
+        elif when.participant is not None:
+            place = draft.junction_s_m - draft.body.front_m - way_m
+            yield begins_s - (late + course.time_at(place))
     elif isinstance(when, AfterAct):
         other = scene.act(when.act)
-        if other.participant in known and not _is_chained(scene, act):
+        own = scene.drives.get(act.participant)
+        marks = own.deeds if own is not None else ()
+        chained = any(mark.act == act.id and mark.then_s is not None for mark in marks)
+        if other.participant in known and not chained:
             since = moments.ends_s(other) if when.since == "end" else moments.begins_s(other)
             yield begins_s - since - (when.delay_s.middle or _THEN_S)
-
-
-def _is_chained(scene: Setup, act: Act) -> bool:
-    draft = scene.drives.get(act.participant)
-    marks = draft.deeds if draft is not None else ()
-    return any(mark.act == act.id and mark.then_s is not None for mark in marks)
 
 
 def conditioned(scene: Setup, name: str) -> bool:

@@ -48,7 +48,7 @@ _STEP_S = 0.25
 _STARTS_S = 1.0
 """Lost time of the first in a queue, 1 to 2 s: FHWA, Signal Timing Manual (2008), 3.3."""
 _LATE_S = 0.3
-_WAITS_S, _STOOD_S = 4.0, 100.0
+WAITS_S, STOOD_S = 4.0, 100.0
 """Who is said to wait for green stands so long; and who stands there when it begins."""
 _LEAST_WAIT_S = 0.5
 _TO_THE_LINE_S = 4.0
@@ -72,8 +72,7 @@ class Lights:
 
     def wait(self, draft: DriveDraft, offset_s: float) -> None:
         """Let a drive so late stand at its line until green: at red, or if that is said."""
-        if draft.waits_s is not None:
-            draft.waits_s, draft.course_ = None, None
+        draft.waits_s = None
         group = self.plan.group_of(draft.drive.entry)
         if draft.id not in self.obeying or group is None:
             return
@@ -84,23 +83,16 @@ class Lights:
         goes += self.delays_s.get(draft.id, _STARTS_S)
         # One that sets off late has stood for longer: it came to rest before green.
         least = self.delays_s[draft.id] + _STARTS_S if draft.id in self.delays_s else _LEAST_WAIT_S
-        draft.waits_s, draft.course_ = least, None
+        draft.waits_s = least
         again = next(phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON)
         longer = goes - (offset_s + again.begins_s)
-        draft.waits_s, draft.course_ = least + max(0.0, longer), None
+        draft.waits_s = least + max(0.0, longer)
 
 
 def stands_at_red(participant: Participant) -> bool:
     """Whether one who waits for green is said to stand there from the start."""
     speed = participant.speed_mps
     return participant.light is AtLight.WAITS and speed is not None and speed.high == 0.0
-
-
-def waits_for_green_s(participant: Participant) -> float | None:
-    """How long one stands at its line who is said to wait there."""
-    if participant.light is not AtLight.WAITS:
-        return None
-    return _STOOD_S if stands_at_red(participant) else _WAITS_S
 
 
 def crosses_s(draft: DriveDraft, offset_s: float) -> float:
@@ -198,7 +190,7 @@ def _wait_as_long(scene: Setup, shown: Sequence[_Shown]) -> None:
             continue
         cycle_s = scene.signals.cycle_s
         early_s = (_late_s(scene.signals, own) + cycle_s / 2) % cycle_s - cycle_s / 2
-        draft.waits_s, draft.course_ = max(draft.waits_s - early_s, _LEAST_WAIT_S), None
+        draft.waits_s = max(draft.waits_s - early_s, _LEAST_WAIT_S)
 
 
 def _late_s(plan: SignalPlan, shown: _Shown) -> float:
@@ -224,7 +216,10 @@ def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:
     amber = amber_s(max(arm.speed_limit_mps for arm in scene.road.arms))
     between = amber + all_red_s(scene.network, phases, amber)
     numbers = sorted(set(phases))
-    crossed = _crossed_arms(scene)
+    # Who crosses goes while nobody comes straight; who turns across has green with it, and yields.
+    kinds = {p.id: p.kind for p in scene.functional.participants}
+    people = (c for c in scene.logical.crossings if kinds[c.participant] not in ANIMALS)
+    crossed = sorted({crossing.arm for crossing in people})
     afoot_s = max((walked_s(scene.network, a) for a in crossed), default=0.0) + LEAST_GREEN_AFOOT_S
     green = max(LEAST_GREEN_S, afoot_s - between) if crossed else LEAST_GREEN_S
     late_s = max(green_delays_s(scene.functional).values(), default=0.0)
@@ -263,16 +258,6 @@ def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:
         groups=tuple(groups),
         working=scene.road.control is Control.SIGNALS,
     )
-
-
-def _crossed_arms(scene: Setup) -> list[int]:
-    """The arms that people cross, where lights stand for them: they go while nobody comes straight.
-
-    Those who turn across have green with them, and give way.
-    """
-    kinds = {p.id: p.kind for p in scene.functional.participants}
-    people = [c for c in scene.logical.crossings if kinds[c.participant] not in ANIMALS]
-    return sorted({crossing.arm for crossing in people})
 
 
 def _worth(plan: SignalPlan, shown: _Shown) -> float:
@@ -315,5 +300,4 @@ def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
         if again is None:
             continue  # it stays
         draft.goes_at = AtTime(time_s=round(max(draft.offset_s + again.begins_s, 0.0), 3))
-        draft.course_ = None
         scene.note(f"{draft.id}.goes_at_s", draft.goes_at.time_s, "its light is green")

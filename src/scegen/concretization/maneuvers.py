@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import come_into_lane
-from scegen.concretization.hazards.rule import same_arm
+from scegen.concretization.hazards.parties import same_arm
 from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
-from scegen.concretization.obstacles import goes_round_a_thing
 from scegen.concretization.passing import be_faster, pass_drive
 from scegen.concretization.setup import Setup
+from scegen.concretization.stationary import goes_round_a_thing
+from scegen.concretization.tale import SIDEWAYS
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
@@ -17,8 +18,7 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 def prepare_maneuvers(scene: Setup) -> None:
     """Make those who change lanes round another faster than it."""
     for draft in scene.drives.values():
-        slower = _passed(scene, draft)
-        if slower is not None:
+        if (slower := _passed(scene, draft)) is not None:
             be_faster(scene, draft, slower)
 
 
@@ -27,7 +27,7 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
     meetings: list[Meeting] = []
     for draft in scene.drives.values():
         passed = _passed(scene, draft)
-        aside = passed is not None or draft.drive.maneuver in _SIDEWAYS
+        aside = passed is not None or draft.drive.maneuver in SIDEWAYS
         if draft.lane_changes or not aside:
             continue
         if passed is not None:
@@ -43,9 +43,6 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
     return [*meetings, *_side_by_side(scene, meetings)]
 
 
-_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
-
-
 def _goes(scene: Setup, draft: DriveDraft) -> Maneuver:
     """What it does beside its turn: who overtakes as a danger does so, too."""
     overtakes = HazardKind.OVERTAKING in scene.kinds_by(draft.id)
@@ -57,7 +54,7 @@ def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
 
     The one that the text calls slow, else the nearest.
     """
-    if _goes(scene, draft) not in _SIDEWAYS:
+    if _goes(scene, draft) not in SIDEWAYS:
         return None
     ahead = [
         other

@@ -12,20 +12,19 @@ from itertools import combinations
 
 from scegen.concretization.abreast import abreast, is_outward, lanes_abreast
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import Rule, pairs
+from scegen.concretization.hazards.parties import pairs
 from scegen.concretization.lane_choice import choose_lanes, routes_of
 from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.motion.paths import END_MARGIN_M
 from scegen.scenario.concrete import LaneChange
-from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import ConflictKind
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 
 _MEETS = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
-_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _BEHIND_JUNCTION_M = 2.0
 _AS_IT_WAS, _EGO_AS_IT_WAS = 0.1, 0.15
 
@@ -46,14 +45,14 @@ class Lanes:
     def give(self, draft: DriveDraft) -> None:
         """Let it have them; it is to be laid anew."""
         draft.entry_lane, draft.ring_lane, draft.exit_lane = self.entry, self.ring, self.exit
-        draft.laid_ = draft.course_ = None
+        draft.laid_ = None
 
 
 Choice = Mapping[str, Lanes]
 LaneWish = Wish[Lanes]
 
 
-def choose_junction_lanes(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) -> None:
+def choose_junction_lanes(scene: Setup) -> None:
     """Give every drive its lanes.
 
     Of those who are to meet, dangers count first, then the ego's conflicts; those of others only
@@ -68,7 +67,7 @@ def choose_junction_lanes(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) ->
     _, before = least_broken(options, placed)
     for name in _bound(scene, placed):
         options[name] = [before[name]]
-    meetings = [] if scene.blocked else [*_meetings(scene, rules)]
+    meetings = [] if scene.blocked else [*_meetings(scene)]
     possible = [wish for wish in meetings if wish.can_be_met(options)]
     if any(wish.weight >= USUAL for wish in possible):
         possible = [wish for wish in possible if wish.weight >= USUAL]
@@ -145,7 +144,7 @@ def _in(name: str, allowed: frozenset[int]) -> Callable[[Choice], bool]:
 def _bound(scene: Setup, placed: Sequence[LaneWish]) -> set[str]:
     """Those whose lanes follow from something else than whom they meet."""
     bound = {name for wish in placed for name in wish.who}
-    sideways = {d.drive.entry for d in scene.drives.values() if d.drive.maneuver in _SIDEWAYS}
+    sideways = {d.drive.entry for d in scene.drives.values() if d.drive.maneuver in SIDEWAYS}
     return bound | {d.id for d in scene.drives.values() if d.drive.entry in sideways}
 
 
@@ -154,7 +153,7 @@ def _stays(scene: Setup, name: str, own: Lanes) -> LaneWish:
     return Wish((name,), weight, lambda lanes: lanes[name] == own, f"{name} keeps its lanes")
 
 
-def _meetings(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) -> Iterator[LaneWish]:
+def _meetings(scene: Setup) -> Iterator[LaneWish]:
     """Who is to meet, the most important first."""
     ways: dict[tuple[str, Lanes], DriveDraft] = {}
     known: dict[tuple[tuple[str, Lanes], ...], bool] = {}
@@ -168,8 +167,8 @@ def _meetings(scene: Setup, rules: Sequence[tuple[Rule, Hazard]]) -> Iterator[La
             known[key] = ways_touch(ways[key[0]], ways[key[1]])
         return known[key]
 
-    for rule, hazard in rules:
-        for cause, sufferer in pairs(scene, hazard) if rule.meets else ():
+    for hazard in scene.functional.hazards:
+        for cause, sufferer in pairs(scene, hazard):
             if cause.drive.entry != sufferer.drive.entry:
                 who = (cause.id, sufferer.id)
                 yield Wish(who, LIKELY, lambda lanes, who=who: meet(lanes, who), "they meet")  # type: ignore[misc]

@@ -8,7 +8,6 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.boxes import box_on, missing_m
-from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous
@@ -79,24 +78,13 @@ class Moments:
         """When one who stands at first sets off: as is said, or to meet whom it is to meet."""
         if name in self.sets_off_s:
             return self.sets_off_s[name]
-        if self._partners[name] is None:
-            return 1.0
-        return self._arrives_s(name) - self._walks_s(name)
-
-    def _arrives_s(self, name: str) -> float:
-        """When whom it meets is where they meet."""
-        draft, place, _ = self._rendezvous(name)
-        return self.offsets_s[draft.id] + draft.course.time_at(place)
-
-    def _walks_s(self, name: str) -> float:
-        walk = self.scene.walks[name]
-        return walk.runs_s(self._rendezvous(name)[2])
-
-    def _rendezvous(self, name: str) -> tuple[DriveDraft, float, float]:
         found = self._partners[name]
         if found is None:
-            raise KeyError(name)
-        return found[0], *rendezvous(self.scene, found[0], self.scene.walks[name], found[1])
+            return 1.0
+        draft, point = found
+        walk = self.scene.walks[name]
+        place, way_m = rendezvous(self.scene, draft, walk, point)
+        return self.offsets_s[draft.id] + draft.course.time_at(place) - walk.runs_s(way_m)
 
     def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
         """The boxes of somebody over time, and its speeds."""
@@ -118,17 +106,6 @@ class Moments:
             return box_on(stand.path, stand.body, still), still
         thing = next(thing for thing in scene.objects if thing.id == name)
         return box_on(object_path(thing), thing.body, still), still
-
-    def gone_m(self, name: str, act: Act) -> float:
-        """How far one who drives has gone from the start of the scenario until an act begins."""
-        course, late = self.scene.drives[name].course, self.offsets_s[name]
-        return course.s_at(self.begins_s(act) - late) - course.s_at(-late)
-
-    def before_junction_s(self, name: str, far_m: float) -> float:
-        """When the front of one who drives is so far before the junction."""
-        draft = self.scene.drives[name]
-        place = draft.junction_s_m - draft.body.front_m - far_m
-        return self.offsets_s[name] + draft.course.time_at(place)
 
     def missing_m(self, said: Spacing | WhenMeasure, time_s: float) -> float:
         """How much longer the free length between two is than is said (m)."""

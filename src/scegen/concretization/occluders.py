@@ -17,8 +17,15 @@ from numpy.typing import NDArray
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.ground import outlines, taken_ground
-from scegen.concretization.objects import caused_by_nobody, causes_it, free_name, made_of, shape_of
-from scegen.concretization.things import SCREEN, Shape
+from scegen.concretization.things import (
+    SCREEN,
+    Shape,
+    caused_by_nobody,
+    causes_it,
+    free_name,
+    made_of,
+    shape_of,
+)
 from scegen.motion.batch.playing import play
 from scegen.motion.model import Array, Trace
 from scegen.motion.paths import build_paths

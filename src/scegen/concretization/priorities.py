@@ -10,7 +10,6 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from scegen.concretization.courses import Course
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
@@ -47,25 +46,21 @@ Placed = tuple[DriveDraft, float]
 class Waits:
     """Who waits at its line for how long and for whom, to go back to."""
 
-    _before: tuple[tuple[DriveDraft, float | None, str | None, Course | None], ...]
+    _before: tuple[tuple[DriveDraft, float | None, str | None], ...]
 
     @classmethod
     def of(cls, drafts: Iterable[DriveDraft]) -> Waits:
         """As it is now."""
-        return cls(tuple((d, d.waits_s, d.lets_by, d.course_) for d in drafts))
+        return cls(tuple((d, d.waits_s, d.lets_by) for d in drafts))
 
     def restore(self) -> None:
         """As it was."""
-        for draft, waits_s, lets_by, course in self._before:
-            draft.waits_s, draft.lets_by, draft.course_ = waits_s, lets_by, course
+        for draft, waits_s, lets_by in self._before:
+            draft.waits_s, draft.lets_by = waits_s, lets_by
 
     def changed(self) -> list[DriveDraft]:
         """Those who wait otherwise than then."""
-        return [
-            d
-            for d, waits_s, lets_by, _ in self._before
-            if (d.waits_s, d.lets_by) != (waits_s, lets_by)
-        ]
+        return [d for d, *before in self._before if [d.waits_s, d.lets_by] != before]
 
 
 @dataclass(frozen=True)
@@ -183,7 +178,6 @@ def set_gaps(scene: Setup) -> None:
             draft.goes_at = Travelled(participant=other.id, distance_m=way_m)
         else:
             draft.goes_at = AtTime(time_s=round(goes_s, 3))
-        draft.course_ = None
         scene.note(f"{draft.id}.goes_s", goes_s, f"{other.id} has passed, who has right of way")
 
 
@@ -194,36 +188,32 @@ def _going_on(draft: DriveDraft) -> SpeedChange:
 def _lets_by(late: DriveDraft, late_s: float, other: DriveDraft, other_s: float) -> bool:
     """Let one wait until another is before it, and gone as it comes; whether it can."""
     waited_s, served = late.waits_s, late.lets_by
-    late.waits_s, late.course_ = STOPS_FOR_S, None
+    late.waits_s = STOPS_FOR_S
     again = _going_on(late).begins_s
     stops = next(phase for phase in late.course.phases if phase.target_mps == 0.0)
     rests_s = again - STOPS_FOR_S
     # One that would still come too soon waits until the other is gone.
     early = served != other.id
-    free_s = _free_s(late, again, other, other_s) if early else _gone_s(late, other, other_s)
+    free_s = _free_s(late, again if early else None, other, other_s)
     wait_s = max(free_s - late_s - rests_s, stops.begins_s + _BRAKES_S - rests_s)
     if late.stops_at_line:
         wait_s = max(wait_s, STOPS_FOR_S)
-    late.waits_s, late.course_, late.lets_by = wait_s, None, other.id
+    late.waits_s, late.lets_by = wait_s, other.id
     return (waited_s is None or wait_s > waited_s + _MORE_S) and wait_s < _LONGEST_S
 
 
-def _free_s(late: DriveDraft, again_s: float, other: DriveDraft, other_s: float) -> float:
-    """When one may go on: the other is before it, and a little gone as it comes."""
+def _free_s(late: DriveDraft, again_s: float | None, other: DriveDraft, other_s: float) -> float:
+    """When one may go on: the other is before it, and a little gone as it comes.
+
+    If it does not go on at some time anyway, only as the other has left all that they share.
+    """
     soonest = -inf
     for ground in grounds(late.laid.path, late.body, other.laid.path, other.body):
         comes = other_s + other.course.time_at(ground.other_enters_m)
         gone = other_s + other.course.time_at(_left_m(ground, other))
-        needs = max(late.course.time_at(ground.enter_m) - again_s, 0.0)
-        soonest = max(soonest, comes, gone + _AFTER_S - needs)
+        needs = 0.0 if again_s is None else late.course.time_at(ground.enter_m) - again_s
+        soonest = max(soonest, comes, gone + _AFTER_S - max(needs, 0.0))
     return soonest
-
-
-def _gone_s(late: DriveDraft, other: DriveDraft, other_s: float) -> float:
-    """When another has left all the ground that it shares with one, and a moment more."""
-    shared = grounds(late.laid.path, late.body, other.laid.path, other.body)
-    places = [_left_m(ground, other) for ground in shared]
-    return max((other_s + other.course.time_at(p) for p in places), default=-inf) + _AFTER_S
 
 
 def _left_m(ground: Ground, other: DriveDraft) -> float:

@@ -17,6 +17,7 @@ from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import towards_junction
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
+from scegen.road.model import Route
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import HazardKind, Maneuver
@@ -62,13 +63,15 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     road = scene.network.arm_road(entry)
     start = road.length_m - stand.motion.from_junction_m
     lane = scene.road.arms[entry].lanes_in
-    exits = [
-        (abs(_bend_rad(scene, entry, pair[1], lane)), pair[1])
-        for pair, routes in scene.network.routes.items()
-        if pair[0] == entry and any(route.entry_lane == lane for route in routes)
-    ]
-    exit_ = min(exits)[1]
-    route = next(r for r in scene.network.routes[entry, exit_] if r.entry_lane == lane)
+    heading_rad = road.line.end.heading_rad
+
+    def bend_rad(route: Route) -> float:
+        last = scene.network.arm_road(route.exit).line.end.heading_rad
+        return abs((last - heading_rad) % (2 * pi) - pi)
+
+    routes = (route for found in scene.network.routes.values() for route in found)
+    ways = (route for route in routes if (route.entry, route.entry_lane) == (entry, lane))
+    route = min(ways, key=lambda way: (bend_rad(way), way.exit))
     own = scene.kinds_by(name)
     draft = DriveDraft(
         id=name,
@@ -77,8 +80,8 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
         drive=Drive(
             participant=name,
             entry=entry,
-            move=(exit_ - entry) % len(scene.road.arms),
-            exit=exit_,
+            move=(route.exit - entry) % len(scene.road.arms),
+            exit=route.exit,
             turn=Maneuver.STRAIGHT,
             maneuver=Maneuver.STRAIGHT,
         ),
@@ -99,16 +102,8 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     draft.lay(scene.network)
     draft.parked_s_m = draft.laid.path_s_m(start)
     draft.deeds = list(marks_of(scene, draft))
-    draft.course_ = None
     scene.note(f"{name}.start_m", start, "is parked, and pulls out")
     return draft
-
-
-def _bend_rad(scene: Setup, entry: int, exit_: int, lane: int) -> float:
-    route = next(r for r in scene.network.routes[entry, exit_] if r.entry_lane == lane)
-    first = scene.network.arm_road(entry).line.end.heading_rad
-    last = scene.network.arm_road(route.exit).line.end.heading_rad
-    return (last - first) % (2 * pi) - pi
 
 
 def _meets(scene: Setup, draft: DriveDraft) -> list[Meeting]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from scegen.concretization.limits import LATERAL_MPS2
+from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.turning_ways import lanes_to_turn_back, with_turns
 from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.road import build_network, plan_road
-from scegen.road.model import RoadNetwork
 from scegen.road.ring_layout import MAX_RING_RADIUS_M, lay_out_ring
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import has_crosswalk
@@ -16,7 +16,7 @@ from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.logical import Drive, LogicalScenario, Standing
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 FIRST_ARM_M = 100.0
 _PER_FURTHER_DRIVE_M, _FEW_DRIVES = 35.0, 3
@@ -25,7 +25,6 @@ LONGEST_ARM_M = 1500.0
 _RING_CHANGE_ROOM_M = 16.0
 _SPARE = 1.05
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
-_SIDE_BY_SIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _SIDE_BY_SIDE_HAZARDS = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING})
 
 _SWERVING_HAZARDS = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
@@ -41,12 +40,13 @@ def plan(
     kinds = {hazard.kind for hazard in functional.hazards}
     limit = round(implied_limit_mps(functional), 6)
     turning_back = [drive for drive in logical.drives if drive.entry == drive.exit]
+    crossed = {crossing.arm for crossing in logical.crossings}
     parameters = plan_road(
         functional.junction.model_copy(update={"speed_limit_mps": limit}),
         arm_length_m=arm_length_m,
         min_lanes=least_lanes
         or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
-        crosswalks=_crosswalks(functional, logical),
+        crosswalks=frozenset(arm for arm in crossed if has_crosswalk(functional.junction, arm)),
         parking_lanes=frozenset(s.arm for s in standing_in_bays(functional, logical)),
         u_turns=frozenset(drive.entry for drive in turning_back),
     )
@@ -72,12 +72,6 @@ def standing_in_bays(functional: FunctionalScenario, logical: LogicalScenario) -
     ]
 
 
-def _crosswalks(functional: FunctionalScenario, logical: LogicalScenario) -> frozenset[int]:
-    """Where somebody crosses at a junction."""
-    crossed = {crossing.arm for crossing in logical.crossings}
-    return frozenset(arm for arm in crossed if has_crosswalk(functional.junction, arm))
-
-
 def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     """Two lanes per direction where somebody drives beside, changes lanes or overtakes.
 
@@ -90,7 +84,7 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     entries = [drive.entry for drive in drives]
     kinds = {hazard.kind for hazard in functional.hazards}
     beside = any(drive.beside for drive in drives)
-    sideways = any(drive.maneuver in _SIDE_BY_SIDE and _among(drive, drives) for drive in drives)
+    sideways = any(drive.maneuver in SIDEWAYS and _among(drive, drives) for drive in drives)
     plain = functional.junction.kind is JunctionKind.STRAIGHT
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
     together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
@@ -114,7 +108,8 @@ def _with_wide_ring(parameters: RoadParameters) -> RoadParameters:
             network = build_network(wide)
         except RoadInfeasibleError:
             continue
-        if min(_ring_lengths_m(network), default=0.0) >= _RING_CHANGE_ROOM_M:
+        ring_m = (road.length_m for road in network.roads if is_ring(road))
+        if min(ring_m, default=0.0) >= _RING_CHANGE_ROOM_M:
             return wide
     return two
 
@@ -129,7 +124,3 @@ def _with_fast_ring(functional: FunctionalScenario, parameters: RoadParameters) 
         return parameters
     radius_m = round(least_m + radii_m[-1] - radii_m[0], 1)
     return parameters.model_copy(update={"ring_radius_m": min(radius_m, MAX_RING_RADIUS_M)})
-
-
-def _ring_lengths_m(network: RoadNetwork) -> list[float]:
-    return [road.length_m for road in network.roads if is_ring(road)]

@@ -2,22 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from scegen.concretization.amounts import GAINING, SLOWING, spelled_out
+from scegen.concretization.amounts import AS_LONG_AS_NEEDED_S, GAINING, SLOWING, spelled_out
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.others import StandDraft, WalkDraft
 from scegen.concretization.tale import Tale
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import RoadNetwork
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.signals import SignalPlan
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+
+_BY_SPEED = frozenset(
+    {
+        HazardKind.SUDDEN_ACCELERATION,
+        HazardKind.HARD_BRAKING,
+        HazardKind.DELAYED_BRAKING,
+        HazardKind.STOPPING,
+    }
+)
+"""The dangers that are a change of speed."""
 
 
 class NeedsLongerArms(Exception):  # noqa: N818 - a signal between two parts, not an error
@@ -30,16 +43,44 @@ class NeedsLongerArms(Exception):  # noqa: N818 - a signal between two parts, no
 
 
 def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Act, ...]:
-    """What happens, in order; who pulls out sets off, also where the text has no act for that."""
+    """What happens, in order.
+
+    Who pulls out sets off, and who endangers another by a change of speed makes it, also where the
+    text has no act for that.
+    """
     told = spelled_out(functional.acts, {drive.participant for drive in logical.drives})
     first = {a.participant: a.kind for a in reversed(told) if a.kind in SLOWING | GAINING}
     pulling = (p.id for p in functional.participants if p.pulls_out)
-    implied = (
+    setting_off = (
         Act(id=f"pull_of_{name}"[:40], participant=name, kind=ActKind.SET_OFF)
         for name in pulling
         if first.get(name) is not ActKind.SET_OFF
     )
-    return (*implied, *told)
+    tale = Tale(functional, logical, (*setting_off, *told))
+    for hazard in functional.hazards:
+        if hazard.kind in _BY_SPEED:
+            tale.acts = (*tale.acts, *_implied(tale, hazard))
+    return tuple(tale.acts)
+
+
+def _implied(tale: Tale, hazard: Hazard) -> Iterator[Act]:
+    """The change of speed that a danger consists of; who stops for it goes on again."""
+    kind = HAZARDS[hazard.kind].acts[0]
+    alike = SLOWING if kind in SLOWING else GAINING
+    own = {act.participant for act in tale.acts if act.kind in alike}
+    late = hazard.kind is HazardKind.DELAYED_BRAKING
+    for drive in tale.logical.drives:
+        name = drive.participant
+        stays = drive.reverses is not None or drive.maneuver is Maneuver.STAY
+        runs_in = late and any(tale.contact_wanted(name, to) for to in hazard.to)
+        if name not in hazard.by or name in own or stays or runs_in:
+            continue
+        act = Act(id=f"{hazard.kind}_of_{name}"[:40], participant=name, kind=kind)
+        yield act
+        if kind in SLOWING:
+            goes_on = f"on_of_{act.id}"[:40]
+            free = AfterAct(act=act.id, since="end", delay_s=AS_LONG_AS_NEEDED_S)
+            yield Act(id=goes_on, participant=name, kind=ActKind.SET_OFF, when=free)
 
 
 @dataclass
@@ -83,6 +124,10 @@ class Setup(Tale):
         if name not in self.drives:
             raise MotionInfeasibleError("the ego must drive through the junction", where=name)
         return self.drives[name]
+
+    def of_kind(self, kind: HazardKind) -> Iterator[Hazard]:
+        """The dangers of a kind."""
+        return (hazard for hazard in self.functional.hazards if hazard.kind is kind)
 
     @property
     def blocked(self) -> bool:

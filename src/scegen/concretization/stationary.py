@@ -1,18 +1,35 @@
-"""Where parked and blocking vehicles stand."""
+"""What stands or lies in the way at a junction or beside it, and who goes round it.
+
+A thing lies in the lane of somebody, some way before the junction, or where that one leaves the
+lane anyway. Who meets nobody and has nothing else to do brakes for it and stays, and so does who
+follows (see ``answering``); everybody else goes round it, as round a parked vehicle.
+"""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+
+from scegen.concretization.boxes import apart, box_of, box_on
+from scegen.concretization.clock import same_lane
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.lane_choice import lanes_in, neighbour_lane
+from scegen.concretization.meetings import drives_meet
 from scegen.concretization.others import StandDraft
-from scegen.concretization.passing import pass_standing
-from scegen.concretization.setup import Setup
+from scegen.concretization.passing import calm_change_length_m, pass_standing
+from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.tale import SIDEWAYS
+from scegen.concretization.things import lying_in_the_way, made_of, shape_of
 from scegen.motion.standing import standing_path
+from scegen.road.geometry import Pose
+from scegen.road.model import RouteStep
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import StandingMotion
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Standing
 from scegen.scenario.vocabulary import DrivingSide, Maneuver, Side
 
-_GO_ROUND = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 CLEAR_OF_CORNER_M = 6.0
 """From the junction to the nearest parked bumper: behind a crosswalk of 4 m set back by 1 m."""
 _ROOM_TO_PULL_OUT_M = 30.0
@@ -26,7 +43,7 @@ BLOCKS_STRAIGHT_AT_M = 15.0
 
 def passed_where_they_stand(scene: Setup) -> tuple[Standing, ...]:
     """Those who are said to stay in their lane while somebody from behind goes round them."""
-    passers = [d for d in scene.logical.drives if d.maneuver in _GO_ROUND]
+    passers = [d for d in scene.logical.drives if d.maneuver in SIDEWAYS]
     kerb = Side(scene.functional.junction.driving_side.value)
     return tuple(
         Standing(participant=drive.participant, arm=drive.entry, side=kerb, in_lane=True)
@@ -117,3 +134,96 @@ def _place_on_way(scene: Setup, draft: DriveDraft, stand: StandDraft) -> float |
         ahead = stand.motion.from_junction_m + body.centre_ahead_m
         return draft.laid.turning_ends_m + ahead
     return None
+
+
+_KERB_M, _CLEAR_M, _WOULD_HIT_M = 0.1, 0.45, 0.1
+"""From the edge of the lane; from who keeps clear of it; into who would not."""
+_LEAST_WAY_M, _ROOM_M = 30.0, 6.0
+_SAMPLE_M = 0.5
+
+
+def goes_round_a_thing(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether a drive that overtakes or changes lanes does so round a thing in its way."""
+    expected = lying_in_the_way(scene.functional, scene.logical, scene.drives)
+    round_it = draft.drive.maneuver is Maneuver.OVERTAKE or lanes_in(scene, draft) == 1
+    return round_it and any(thing.in_way_of == draft.id for _, thing in expected)
+
+
+def place_obstacles(scene: Setup) -> None:
+    """Lay every thing that dangers need in the way, and lead the others round it.
+
+    Where somebody who may not touch it would do so, it is left out, and the danger with it.
+    """
+    for hazard, thing in lying_in_the_way(scene.functional, scene.logical, scene.drives):
+        draft = scene.drives[thing.in_way_of or ""]
+        shape = shape_of(thing)
+        if thing.length_m is None and thing.width_m is None:
+            width = scene.road.arms[draft.drive.entry].lane_width_m - 2 * _KERB_M
+            shape = replace(shape, width_m=min(shape.width_m, width))
+        stays = _may_stay(scene, draft)
+        station, pose = _spot(scene, draft, shape.body, stays=stays)
+        touching = [d for d in scene.drives.values() if _touches(d, pose, shape.body)]
+        if any(d.changes_before or not (d is draft or same_lane(d, draft)) for d in touching):
+            continue
+        made = made_of(thing.id, shape, thing.called, pose)
+        scene.add_object(made, hazard, draft.id)
+        away = draft.laid.turning_starts_m - station
+        scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
+        if stays:
+            draft.halts_s_m = draft.laid.path_s_m(station) - shape.length_m / 2 - draft.body.front_m
+        for other in touching if not stays else ():
+            calm = calm_change_length_m(other, scene.road.arms[other.drive.entry].lane_width_m)
+            pass_standing(scene, other, station, shape.body, over_m=calm)
+
+
+def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[float, Pose]:
+    """Where a thing lies on a drive (m), and the pose of its middle.
+
+    In the middle of the lane for one that stops; near those who pass for one that goes round; at
+    the far edge of the lane that one leaves anyway.
+    """
+    arm = scene.road.arms[draft.drive.entry]
+    in_lane = (arm.lane_width_m - body.width_m) / 2
+    out = next((c for c in draft.lane_changes if c.lane_after != draft.entry_lane), None)
+    if out is not None and draft.changes_before:
+        aside = out.lane_after
+        station = out.position_m + out.length_m
+        share = -in_lane
+    else:
+        aside = neighbour_lane(scene, draft, oncoming=True)
+        calm = 0.0 if stays else calm_change_length_m(draft, arm.lane_width_m)
+        room = calm + draft.body.length_m + body.length_m + _ROOM_M
+        station = draft.laid.turning_starts_m - max(BLOCKS_AT_M, room)
+        if station <= _LEAST_WAY_M:
+            raise NeedsLongerArms(_LEAST_WAY_M - station + 1.0, draft.id)
+        near = min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)
+        share = 0.0 if stays else near
+    right = scene.network.driving_side is DrivingSide.RIGHT
+    lane = -draft.entry_lane if right else draft.entry_lane
+    step = RouteStep(scene.network.arm_roads[draft.drive.entry], lane, forward=True)
+    inwards = (aside < draft.entry_lane) == right
+    return station, scene.network.pose_at(step, station, share if inwards else -share)
+
+
+def _touches(draft: DriveDraft, pose: Pose, body: Body) -> bool:
+    """Whether one who goes along its way comes too close to a thing."""
+    path = draft.laid.path
+    s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
+    return bool((apart(box_on(path, draft.body, s), box_of(pose, body), _CLEAR_M) < _CLEAR_M).any())
+
+
+def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether a drive and those behind it may end before a thing: they meet nobody, change no lane.
+
+    Nor does a danger between others want them to go on.
+    """
+    line = [draft, *(o for o in scene.drives.values() if same_lane(o, draft))]
+    line = [one for one in line if one.drive.rank >= draft.drive.rank]
+    names = {one.id for one in line}
+    told = [{*hazard.by, *hazard.to} & scene.drives.keys() for hazard in scene.functional.hazards]
+    if scene.walks or not all(who <= names for who in told):
+        return False
+    if any(one.changes_before or one.drive.maneuver in SIDEWAYS for one in line):
+        return False
+    others = [other for other in scene.drives.values() if other.id not in names]
+    return not any(not same_lane(o, draft) and drives_meet(one, o) for one in line for o in others)

@@ -64,11 +64,10 @@ def turning_changes(
     stop: Stop | None,
     slowing_mps2: float,
     faster_mps2: float,
-    resume_mps: float,
 ) -> list[SpeedChange]:
     """The marks of a drive along a way at ``cruise_mps``.
 
-    ``stop`` is where it stands for a while, ``resume_mps`` its speed after the bend.
+    ``stop`` is where it stands for a while.
     """
     bend = bend_of(laid, cruise_mps, lateral_mps2)
     marks: list[SpeedChange] = []
@@ -76,7 +75,7 @@ def turning_changes(
         # The reaction is before the braking: here it comes to rest exactly there.
         rest = stop.line_s_m - _SHORT_OF_LINE_M + _REACTION_M
         on = SpeedChange(
-            bend.speed_mps if bend else resume_mps,
+            bend.speed_mps if bend else cruise_mps,
             faster_mps2,
             sort=Sort.GOES_ON,
             then_s=stop.stands_s,
@@ -86,7 +85,7 @@ def turning_changes(
     elif bend:
         marks.append(_slow_before(bend.start_s_m, cruise_mps, bend.speed_mps, slowing_mps2))
     if bend:
-        marks.append(SpeedChange(resume_mps, faster_mps2, s_m=bend.end_s_m, sort=Sort.FREES))
+        marks.append(SpeedChange(cruise_mps, faster_mps2, s_m=bend.end_s_m, sort=Sort.FREES))
     return marks
 
 

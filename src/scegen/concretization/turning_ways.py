@@ -6,7 +6,7 @@ from itertools import combinations
 from math import radians, tan
 
 from scegen.concretization.abreast import turns_across
-from scegen.concretization.asked import may_endanger
+from scegen.concretization.tale import may_endanger
 from scegen.errors import MotionInfeasibleError
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.arms import arm_angles_deg, seen_from

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from math import sin, sqrt
 
 from scegen.concretization.amounts import pace_across_mps
-from scegen.concretization.asked import pace_of
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import starting_mps2
 from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
 from scegen.concretization.others import WalkDraft, abreast_m
 from scegen.concretization.setup import Setup
+from scegen.concretization.tale import pace_of
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s
@@ -50,7 +50,9 @@ def place_walkers(scene: Setup) -> None:
         side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
         speed = _speed(scene, participant, crossing.arm)
-        setback, far = _setback_m(scene, crossing.arm, participant, speed), _far_m(scene, crossing)
+        setback = _setback_m(scene, crossing.arm, participant, speed)
+        act = scene.first_act(crossing.participant, ActKind.CROSS)
+        far = None if act is None or act.distance_m is None else act.distance_m.middle
         motion = CrossingMotion(
             arm=crossing.arm,
             start_side=crossing.start,
@@ -62,12 +64,6 @@ def place_walkers(scene: Setup) -> None:
         scene.walks[participant.id] = WalkDraft(
             participant.id, participant.kind, participant.body, crossing, speed, motion, path
         )
-
-
-def _far_m(scene: Setup, crossing: Crossing) -> float | None:
-    """How far from the kerb one stops of whom that is said."""
-    act = scene.first_act(crossing.participant, ActKind.CROSS)
-    return None if act is None or act.distance_m is None else act.distance_m.middle
 
 
 def _speed(scene: Setup, participant: Participant, arm: int) -> float:

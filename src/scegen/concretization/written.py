@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from scegen.concretization.asked import slug_name
 from scegen.concretization.profile import SpeedChange
-from scegen.concretization.tale import Tale
+from scegen.concretization.tale import Tale, slug_name
 from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,

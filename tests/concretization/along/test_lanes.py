@@ -104,6 +104,16 @@ def test_an_offset_of_two_lanes_is_two_lanes():
     assert lanes["ego"] - lanes["a"] == 2
 
 
+def test_who_may_be_anywhere_near_is_where_the_logical_scenario_has_it():
+    near = ["ahead", "behind", "adjacent"]
+    functional = road([ego(50), one("a", "car", near, speed=50)])
+    listed = enumerate_scenarios(functional).scenarios
+    for number, logical in enumerate(listed):
+        lanes, _ = lanes_of(functional, number)
+        beside = any(drive.beside for drive in logical.drives)
+        assert (lanes["a"] != lanes["ego"]) == beside
+
+
 def test_lanes_that_contradict_each_other_are_refused_by_their_words():
     people = [ego(50), one("a", "car", LEFT_LANE), one("b", "car", RIGHT_LANE)]
     logical = enumerate_scenarios(road(people)).scenarios[0]

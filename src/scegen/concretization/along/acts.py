@@ -21,7 +21,10 @@ _OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
 def all_acts(story: Story) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
     told = spelled_out(story.functional.acts, story.runners)
-    acts = [_on_a_plain_road(act) for act in told if act.participant in story.runners]
+    # Where there is no junction, one who turns swerves.
+    turned = {"kind": ActKind.SWERVE}
+    own = (act for act in told if act.participant in story.runners)
+    acts = [a.model_copy(update=turned) if a.kind is ActKind.TURN else a for a in own]
     acts = [act for act in acts if act.kind in _ALONG]
     for hazard in story.functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING:
@@ -66,11 +69,6 @@ def _place_of(implied: Act, acts: list[Act]) -> int:
     return next(stops, len(acts)) if implied.kind in _ASIDE else len(acts)
 
 
-def _on_a_plain_road(act: Act) -> Act:
-    """Where there is no junction, one who turns swerves."""
-    return act.model_copy(update={"kind": ActKind.SWERVE}) if act.kind is ActKind.TURN else act
-
-
 def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:
     """Whether somebody does one of these already."""
     return any(act.participant == name and act.kind in kinds for act in acts)
@@ -83,7 +81,10 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
     if hazard.kind in _OF_THE_DRIVER or (hazard.kind in FROM_BESIDE and on_foot):
         return  # who does not yield to people drives on
     for by in (name for name in hazard.by if name in runners):
-        for kind in _acts_of(hazard.kind):
+        # Where there is no junction, joining and turning are moves aside.
+        joins = hazard.kind in FROM_BESIDE
+        for kind in (ActKind.CHANGE_LANE,) if joins else HAZARDS[hazard.kind].acts:
+            kind = ActKind.SWERVE if kind is ActKind.TURN else kind  # noqa: PLW2901
             alike = next((s for s in (_SLOWS, _ASIDE) if kind in s), frozenset({kind}))
             own = does(acts, by, alike)
             stands = runners[by].stands or runners[by].speed_mps == 0.0
@@ -93,14 +94,6 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
                 into = into if kind in _ASIDE else None
                 name = f"{hazard.kind}_of_{by}"[:40]
                 yield Act(id=name, participant=by, kind=kind, into=into)
-
-
-def _acts_of(kind: HazardKind) -> tuple[ActKind, ...]:
-    """What a danger consists of where there is no junction: joining and turning are moves aside."""
-    if kind in FROM_BESIDE:
-        return (ActKind.CHANGE_LANE,)
-    acts = HAZARDS[kind].acts
-    return tuple(ActKind.SWERVE if act is ActKind.TURN else act for act in acts)
 
 
 def _manoeuvre(story: Story, drive: Drive, acts: list[Act]) -> Iterator[Act]:

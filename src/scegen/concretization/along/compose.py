@@ -23,9 +23,9 @@ from scegen.concretization.along.writing import (
     written_runner,
     written_walk,
 )
-from scegen.concretization.objects import made_of, shape_of
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
+from scegen.concretization.things import made_of, shape_of
 from scegen.concretization.written import written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths

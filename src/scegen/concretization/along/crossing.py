@@ -11,11 +11,11 @@ from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
-from scegen.concretization.asked import pace_of
 from scegen.concretization.boxes import LENGTHWISE
 from scegen.concretization.limits import HARD_BRAKING_MPS2, REACTION_S, starting_mps2
 from scegen.concretization.others import Walker, abreast_m, gained
 from scegen.concretization.profile import NEVER_S, SpeedChange
+from scegen.concretization.tale import pace_of
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import Body
@@ -116,7 +116,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     walk.x_m += abreast_m(number)
     if far is not None:
         walk.stops_after_m = setback + far
-    elif _stops(story, walk.id):
+    elif HazardKind.STOPPING in story.kinds_by(walk.id):
         walk.stops_after_m = setback + abs(meets.y_m(0.0) - edge) + _STAYS_M
     for runner in (meets, *(r for r in story.runners.values() if r is not meets and not r.stands)):
         _brake_before(story, walk, runner)
@@ -168,10 +168,6 @@ def _brakes(story: Story, name: str) -> bool:
     kinds = story.kinds_by(name)
     acts = {a.kind for a in story.acts if a.participant == name and story.is_loose(a.id)}
     return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
-
-
-def _stops(story: Story, name: str) -> bool:
-    return HazardKind.STOPPING in story.kinds_by(name)
 
 
 def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> float | None:
@@ -281,19 +277,16 @@ def _go_on(story: Story, walk: Walk, meets: Runner) -> None:
     wide = (meets.body.width_m + walk.body.length_m) / 2
     across = abs(edge - meets.y_m(0.0)) + walk.setback_m + wide
     gone_s = walk.sets_off_s + walk.runs_s(across) + _LEAST_LEAD_S
+    # Who is said to wait comes to rest; who lets another go first need not.
+    waits = {act.id for act in story.functional.acts if act.kind is ActKind.WAIT}
     for n, step in enumerate(meets.steps):
         if step.act is not None and goes_on_when_free(story.act(step.act).when):
             before = [s for s in meets.steps if s is not step]
             free = [gone_s, *(s.begins_s + _LEAST_LEAD_S for s in before)]
-            rests = [s.begins_s + meets.speed_mps / s.rate_mps2 for s in before if _waits(story, s)]
+            rests = [s.begins_s + meets.speed_mps / s.rate_mps2 for s in before if s.act in waits]
             begins = max([*free, *(at_rest + _STANDS_S for at_rest in rests)])
             meets.steps[n] = replace(step, begins_s=begins)
             story.begins_s[step.act] = begins
-
-
-def _waits(story: Story, step: SpeedChange) -> bool:
-    """Whether somebody is said to come to rest, and not only to let another go first."""
-    return any(a.id == step.act and a.kind is ActKind.WAIT for a in story.functional.acts)
 
 
 def _touches(walk: Walk, meets: Runner, story: Story) -> bool:

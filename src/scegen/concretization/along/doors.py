@@ -10,9 +10,9 @@ from dataclasses import replace
 from math import copysign
 
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.along.sideways import strip_middle_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.along.strips import strip_middle_m
-from scegen.concretization.asked import outward
+from scegen.concretization.tale import outward
 from scegen.motion.doors import REACH_M, hinge_ahead_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 
 from scegen.concretization.along.story import Story
-from scegen.concretization.asked import outward, side_of, words_between
+from scegen.concretization.tale import outward, side_of, words_between
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
@@ -26,6 +26,7 @@ MOST_LANES = 3
 _LANE = 0.1
 """What one lane more costs."""
 _INNERMOST = frozenset({1})
+_ANYWHERE = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT})
 _OVER_THE_LINE = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 _FROM_BESIDE = FROM_BESIDE | {HazardKind.CUT_IN}
 _IN_LINE = frozenset(
@@ -134,6 +135,8 @@ def _from_words(story: Story) -> list[Wish[int]]:
         for reference, words_of in seen.items():
             if (name, reference) in aside or (reference, name) in aside:
                 continue
+            if words_of >= _ANYWHERE and reference != beside:
+                words_of -= {Approach.ADJACENT}  # one of these: in line
             if Approach.ADJACENT in words_of:
                 step_out = _step_out(story, assignment, reference)
                 met = _beside(name, reference, step_out)

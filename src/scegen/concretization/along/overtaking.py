@@ -14,10 +14,10 @@ from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
-from scegen.concretization.asked import outward
 from scegen.concretization.braking import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.profile import SpeedChange
+from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
@@ -89,14 +89,18 @@ def _meet_after(story: Story, strays: set[str]) -> None:
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
     strays |= {act.participant for act in story.acts if story.goes_round(act)}
     for stray in (r for r in story.runners.values() if r.id in strays):
-        out = [m for m in stray.moves if m.lane == 0]
-        back = [m for m in stray.moves if out and _leaves(m, out[0])]
-        if not back:
+        out = next((m for m in stray.moves if m.lane == 0), None)
+        if out is None:
+            continue
+        there = (0, out.offset_m)
+        later = (m for m in stray.moves if m.begins_s > out.begins_s)
+        back = next((m for m in later if (min(m.lane, 1), m.offset_m) != there), None)
+        if back is None:
             continue
         for other in story.runners.values():
             if other.forward == stray.forward or other.stands or {other.id, stray.id} & said:
                 continue
-            moment = _meeting_when_back_s(story, stray, other, out[0], back[0])
+            moment = _meeting_when_back_s(story, stray, other, out, back)
             if other is story.ego:
                 before = stray.at_m or 0.0
                 shift = level(stray, other, moment) - before
@@ -106,12 +110,6 @@ def _meet_after(story: Story, strays: set[str]) -> None:
                         runner.at_m += shift
             else:
                 other.at_m = level(other, stray, moment)
-
-
-def _leaves(move: Move, out: Move) -> bool:
-    """Whether a later move leads out of the lane, or line, into which an earlier one led."""
-    elsewhere = move.lane > 0 or move.offset_m != out.offset_m
-    return move.begins_s > out.begins_s and elsewhere
 
 
 def _meeting_when_back_s(

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from scegen.concretization.along.crossing import BEFORE_WALKER_M, Walk
 from scegen.concretization.along.doors import middle_m, opens
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.along.sideways import edge_y_m
+from scegen.concretization.along.sideways import edge_y_m, strip_middle_m, strips_along
 from scegen.concretization.along.story import Story
-from scegen.concretization.along.strips import strip_middle_m, strips_along
 from scegen.road.cross_section import CARRIAGEWAY
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Standing

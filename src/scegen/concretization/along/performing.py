@@ -7,9 +7,9 @@ from scegen.concretization.along.doors import clear_of_m, door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, lasting_s
-from scegen.concretization.asked import outward, pace_of
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S, REACTION_S
 from scegen.concretization.profile import SpeedChange
+from scegen.concretization.tale import outward, pace_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.concrete import MOST_OFFSET_M

@@ -16,10 +16,10 @@ from scegen.concretization.along.spacing import (
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M, SLOWING
-from scegen.concretization.asked import words_between
 from scegen.concretization.boxes import LENGTHWISE
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.concretization.profile import NEVER_S
+from scegen.concretization.tale import words_between
 from scegen.scenario.acts import Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import CONTACT, START, Measure
 from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
@@ -54,18 +54,13 @@ def place_all(story: Story, *, wider: float = 1.0) -> None:
     order = story.ranks()
     open_ = [n for n in story.runners if n != story.ego.id]
     while open_:
-        tied = next((t for t in said if _one_known(story, t)), None)
+        tied = next((t for t in said if (t.who in open_) != (t.other in open_)), None)
         if tied is not None:
             _place(story, tied)
         else:
             name = min(open_, key=lambda n: _urgency(story, n, order))
             _place_as_usual(story, name, order, wider)
         open_ = [n for n in open_ if story.runners[n].at_m is None]
-
-
-def _one_known(story: Story, gap: GapAt) -> bool:
-    known = [story.runners[n].at_m is not None for n in (gap.who, gap.other)]
-    return known[0] != known[1]
 
 
 def _place(story: Story, gap: GapAt) -> None:
@@ -119,7 +114,7 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
         return True
     for name, reference, sign in ((who, other, True), (other, who, False)):
         words = words_between(story.functional, name, reference)
-        if Approach.AHEAD in words or Approach.BEHIND in words:
+        if (Approach.AHEAD in words) != (Approach.BEHIND in words):
             return (Approach.AHEAD in words) == sign
         comes_in = any(
             act.participant == name and act.into == reference
@@ -167,7 +162,8 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
         return
     kind = _usual(story, runner, other, wider)
     if kind is None:
-        runner.at_m = level(runner, other, _level_s(runner, other))
+        moves = [m.begins_s for m in (*runner.moves, *other.moves)]
+        runner.at_m = level(runner, other, min(moves, default=FIRST_ACT_S))
         return
     measure, value, time_s = kind
     ahead = is_ahead(story, name, other.id)
@@ -201,11 +197,6 @@ def _meets_s(runner: Runner, other: Runner, *, touches: bool) -> float:
             return out_s + _A_LITTLE_S + (runner.body.length_m + other.body.length_m) / 2 / closing
         return just_missed_s(runner, other, runner.moves[-1])
     return max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
-
-
-def _level_s(runner: Runner, other: Runner) -> float:
-    moves = [m.begins_s for m in (*runner.moves, *other.moves)]
-    return min(moves, default=FIRST_ACT_S)
 
 
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:

@@ -17,12 +17,12 @@ from scegen.concretization.amounts import (
     CHANGES_MPS,
     CLOSEST_M,
     SLOWING,
-    answering_rates_mps2,
     falls_back,
 )
 from scegen.concretization.braking import (
     Contact,
     answer_each,
+    answer_of,
     apart_by,
     brake_late,
     had_ahead,
@@ -34,7 +34,6 @@ from scegen.concretization.profile import SpeedChange
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import AfterAct
-from scegen.scenario.vocabulary import HazardKind
 
 _LATEST_S = 40.0
 _TIMES_S = np.arange(0.0, _LATEST_S, STEP_S)
@@ -181,24 +180,17 @@ def _brake_for(story: Story, contact: Contact, loose: SpeedChange | None = None)
     own = loose or story.loose(who.steps, who.speed_mps)
     if own is None and not story.concern(who.id, other.id) and _follow(story, who, other):
         return True
-    kinds = sorted(story.kinds_by(who.id) & BRAKING)
-    hazard = next(iter(kinds), HazardKind.OBSTACLE if other.thing else None)
     before = who.steps
     rest = [s for s in before if s is not own]
     slowest = min([other.speed_mps, *(s.target_mps for s in other.steps)])
     slowest = slowest if other.speed_mps > 0.0 and who.towards == other.towards else 0.0
 
-    said = story.act(own.act) if own is not None and own.act is not None else None
+    most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
+    answer, rates = answer_of(story, contact, own, slowest, most, thing=other.thing)
 
     def brake(begins_s: float, rate: float) -> None:
-        step = SpeedChange(slowest, rate, begins_s, hazard=hazard, reacts_to=other.id)
-        if own is not None:
-            target = slowest if said is not None and falls_back(said) else own.target_mps
-            step = replace(step, target_mps=min(target, slowest), act=own.act, hazard=own.hazard)
-        who.steps = [*rest, step]
+        who.steps = [*rest, replace(answer, begins_s=begins_s, rate_mps2=rate)]
 
-    most = min(who.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
-    rates = answering_rates_mps2(said, most, hard=bool(kinds))
     sees_s = ceil((_sees_s(who, other) + REACTION_S) / STEP_S) * STEP_S
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = (s.begins_s for s in rest if s.target_mps > who.speed_mps)

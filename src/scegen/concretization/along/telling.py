@@ -7,12 +7,12 @@ from scegen.concretization.along.auxiliary import RAMP_MPS
 from scegen.concretization.along.doors import cast_doors, hang_doors
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
+from scegen.concretization.along.sideways import put_on_strips
 from scegen.concretization.along.story import Story
-from scegen.concretization.along.strips import put_on_strips
-from scegen.concretization.asked import as_meant, pace_of
 from scegen.concretization.limits import REVERSING_MPS, REVERSING_MPS2
-from scegen.concretization.objects import lying_in_the_way, shape_of
 from scegen.concretization.profile import SpeedChange
+from scegen.concretization.tale import as_meant, pace_of
+from scegen.concretization.things import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
@@ -67,19 +67,13 @@ def _cast(story: Story, assignment: Assignment, participant: Participant) -> Non
     else:
         raise TypeError(f"{participant.id} goes across the road")
     beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
-    lane = assignment_lane(assignment)
+    lane = -1 if assignment.lane is None else assignment.lane
     name, kind, body = participant.id, participant.kind, participant.body
     runner = story.add(name, kind, body, lane, forward=forward)
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         outward = -1.0 if keeps == "right" else 1.0
         runner.offset_m = outward * _EDGE_M
-
-
-def assignment_lane(assignment: Assignment) -> int:
-    """The lane that the logical scenario gives; -1 where it is open."""
-    lane = None if isinstance(assignment, Crossing) else assignment.lane
-    return -1 if lane is None else lane
 
 
 def _speeds(story: Story) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from scegen.concretization.abreast import is_outward
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
+from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
@@ -133,7 +133,8 @@ def out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meetin
     if hazard.kind is HazardKind.ONCOMING_LANE:
         return _over_the_line(scene, draft, hazard)
     act = scene.first_act(draft.id, ActKind.SWERVE)
-    beside = _sufferer_beside(scene, hazard, draft)
+    near = (other for other in victims(scene, hazard, draft) if same_arm(draft, other))
+    beside = next((o for o in near if abs(o.entry_lane - draft.entry_lane) == 1), None)
     width = act.lateral_m.middle if act is not None and act.lateral_m is not None else 0.0
     aside = draft.entry_lane
     usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
@@ -191,19 +192,12 @@ def _require_run_up(draft: DriveDraft, start_m: float) -> None:
         raise NeedsLongerArms(_RUN_UP_M - start_m, draft.id)
 
 
-def _sufferer_beside(scene: Setup, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
-    """The sufferer in a lane next to one who causes a danger, on the same arm."""
-    for other in victims(scene, hazard, draft):
-        if same_arm(draft, other) and abs(other.entry_lane - draft.entry_lane) == 1:
-            return other
-    return None
-
-
-def _swerves(scene: Setup, hazard: Hazard) -> list[Meeting]:
+def swerve(scene: Setup, hazard: Hazard) -> list[Meeting]:
+    """Out of the lane and back, everybody who causes a danger."""
     return [m for draft in culprits(scene, hazard) for m in out_and_back(scene, draft, hazard)]
 
 
-def _turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
+def turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
     """One whose way has no bend turns the wheel all the same: into the lane beside, and back."""
     meetings: list[Meeting] = []
     for draft in culprits(scene, hazard):
@@ -213,7 +207,7 @@ def _turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
     return meetings
 
 
-def _brake_out_of_control(scene: Setup, hazard: Hazard) -> None:
+def brake_out_of_control(scene: Setup, hazard: Hazard) -> None:
     """Loss of control ends in hard braking to walking pace."""
     for draft in culprits(scene, hazard):
         for change in draft.lane_changes[-1:]:
@@ -221,8 +215,3 @@ def _brake_out_of_control(scene: Setup, hazard: Hazard) -> None:
             place = draft.laid.path_s_m(change.position_m)
             slows = SpeedChange(2.0, rate, s_m=place, hazard=hazard.kind)
             draft.add_speed_change(slows, holds_s=1.0)
-
-
-STRAYS = Rule(shape=_swerves)
-LOSES_CONTROL = Rule(shape=_swerves, act=_brake_out_of_control)
-TURNS_SUDDENLY = Rule(shape=_turn_the_wheel)

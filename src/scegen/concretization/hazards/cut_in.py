@@ -7,15 +7,15 @@ ways that enter on different arms it is one vehicle turning in front of another:
 
 from __future__ import annotations
 
-from scegen.concretization.asked import outward
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import close_before, come_into_lane
-from scegen.concretization.hazards.rule import Rule, pairs, same_arm
+from scegen.concretization.hazards.parties import pairs, same_arm
 from scegen.concretization.lane_choice import change_lanes, choose_ring_lane, lanes_in, routes_of
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S
 from scegen.concretization.meetings import Meeting, nearest_s_m
 from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import Setup
+from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.motion.stretches import Stretch
@@ -27,7 +27,7 @@ _LEAST_RING_CHANGE_M = 7.0
 _SAME_LINE_M = 2.0
 
 
-def _prepare(scene: Setup, hazard: Hazard) -> None:
+def start_inside(scene: Setup, hazard: Hazard) -> None:
     """In a ring, who changes outwards starts on the inner lane, else who is cut in on does."""
     if scene.road.kind is not JunctionKind.ROUNDABOUT:
         return
@@ -44,7 +44,7 @@ def _outwards(scene: Setup, draft: DriveDraft) -> bool:
     return side is None or outward(scene.functional, side) > 0
 
 
-def _come_in(scene: Setup, hazard: Hazard) -> list[Meeting]:
+def come_in(scene: Setup, hazard: Hazard) -> list[Meeting]:
     """The changes of lane into the sufferers' way, and the meetings that they need."""
     meetings: list[Meeting] = []
     done: set[str] = set()
@@ -89,6 +89,3 @@ def _in_ring(
 
 def _room_m(piece: Stretch) -> float:
     return piece.end_m - piece.start_m - 2 * _RING_MARGIN_M
-
-
-CUT_IN = Rule(prepare=_prepare, shape=_come_in)

@@ -7,8 +7,7 @@ will have to brake.
 from __future__ import annotations
 
 from dataclasses import replace
-
-import numpy as np
+from math import hypot
 
 from scegen.concretization.backing import (
     back_out,
@@ -18,16 +17,17 @@ from scegen.concretization.backing import (
     in_each_others_way,
 )
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.rule import Rule, culprits, same_arm, victims
+from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.lane_choice import entry_lanes
 from scegen.concretization.meetings import DANGER, Meeting, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.tale import SIDEWAYS
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.concrete import ArrivalBelow
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Reverses
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind
 
 _BRAKING_MPS2 = 6.0
 _GAP_M = 0.5
@@ -40,7 +40,6 @@ _BEGINS_M = 0.3
 _SEEN_BY_THEN_S = 0.6
 """Time to get so far from standing."""
 _LEAST_RUN_UP_M = 15.0
-_SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 
 
 def _sufferer(scene: Setup, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
@@ -69,11 +68,11 @@ def _crosser(scene: Setup, hazard: Hazard, draft: DriveDraft) -> WalkDraft | Non
     return scene.walks[names[0]] if names else None
 
 
-def _prepare(scene: Setup, hazard: Hazard) -> None:
+def prepare_to_reverse(scene: Setup, hazard: Hazard) -> None:
     """Who comes out backwards enters, as it were, ahead of the other, in its lane."""
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)
-        if draft.drive.maneuver in _SIDEWAYS:
+        if draft.drive.maneuver in SIDEWAYS:
             raise MotionInfeasibleError(
                 f"reversing and {draft.drive.maneuver.value.replace('_', ' ')} in one drive are "
                 "not supported together",
@@ -118,7 +117,8 @@ def _one_lane(scene: Setup, draft: DriveDraft, other: DriveDraft) -> None:
     draft.entry_lane = other.entry_lane = lane
 
 
-def _shape(scene: Setup, hazard: Hazard) -> list[Meeting]:
+def reverse(scene: Setup, hazard: Hazard) -> list[Meeting]:
+    """The ways of those who go back, and whom they meet there."""
     meetings: list[Meeting] = []
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)
@@ -162,7 +162,7 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
     return event_s, brakes_s
 
 
-def _react(scene: Setup, hazard: Hazard) -> None:
+def go_back_as_they_come(scene: Setup, hazard: Hazard) -> None:
     """It goes when the other comes."""
     for draft in culprits(scene, hazard):
         other = _sufferer(scene, hazard, draft)
@@ -183,19 +183,11 @@ def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
     speed = other.course.speed_at(at_s)
     if at_s >= brakes_s or speed < 1.0:
         return
+    here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+    away_m = hypot(there.x_m - here.x_m, there.y_m - here.y_m)
     waits = ArrivalBelow(
         participant=other.id,
         place_m=round(brakes_s - other.start_m, 3),
-        time_s=round(_away_m(other, at_s, brakes_s) / speed, 3),
+        time_s=round(away_m / speed, 3),
     )
     draft.marks[index] = replace(mark, then=replace(back, trigger=waits))
-    draft.course_ = None
-
-
-def _away_m(draft: DriveDraft, from_s: float, to_s: float) -> float:
-    """How far apart two places of its way are, in a straight line."""
-    here, there = draft.laid.path.pose(from_s), draft.laid.path.pose(to_s)
-    return float(np.hypot(there.x_m - here.x_m, there.y_m - here.y_m))
-
-
-REVERSING = Rule(prepare=_prepare, shape=_shape, react=_react)

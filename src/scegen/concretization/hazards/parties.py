@@ -1,41 +1,28 @@
-"""What a rule for a hazard looks like, and whom it concerns."""
+"""Whom a danger at a junction concerns, and where on their ways it happens."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
 from scegen.concretization.amounts import GAINING
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import Meeting, drives_meet, meeting_point
+from scegen.concretization.meetings import drives_meet, meeting_point
 from scegen.concretization.setup import Setup
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
-Shape = Callable[[Setup, Hazard], list[Meeting]]
-Act = Callable[[Setup, Hazard], None]
-
+_STANDS_OR_WALKS = frozenset(
+    {
+        HazardKind.CROSSING_PEDESTRIAN,
+        HazardKind.CROSSING_ANIMAL,
+        HazardKind.CROSSING_CYCLIST,
+        HazardKind.OCCLUSION,
+        HazardKind.OBSTACLE,
+    }
+)
+"""Made by where somebody walks or stands, not by how anybody drives."""
 _CLEAR_OF_WALKER_M, _CLEAR_OF_OTHER_M = 2.0, 3.0
 _BEFORE_S = 1.5
 """Who gains speed begins to so long before the place where it matters."""
-
-
-@dataclass(frozen=True, slots=True)
-class Rule:
-    """How one kind of danger is made concrete; every part is optional.
-
-    ``prepare`` sets speeds and lanes before any way is laid out; ``shape`` adds lane changes
-    and returns the meetings that they need; ``act`` adds marks to speed programs; ``react``
-    adds phases once all starts are known. ``meets`` says that the danger needs who causes and
-    who suffers it to arrive together.
-    """
-
-    prepare: Act | None = None
-    shape: Shape | None = None
-    act: Act | None = None
-    react: Act | None = None
-    meets: bool = True
 
 
 def culprits(scene: Setup, hazard: Hazard) -> list[DriveDraft]:
@@ -49,7 +36,9 @@ def victims(scene: Setup, hazard: Hazard, culprit: DriveDraft) -> list[DriveDraf
 
 
 def pairs(scene: Setup, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
-    """(cause, sufferer) of a hazard, drives only."""
+    """(cause, sufferer) of a hazard for which they must arrive together, drives only."""
+    if hazard.kind in _STANDS_OR_WALKS:
+        return []
     return [(c, v) for c in culprits(scene, hazard) for v in victims(scene, hazard, c)]
 
 
