@@ -4,6 +4,7 @@ from io import BytesIO
 
 import numpy as np
 import pytest
+import shapely
 from PIL import Image
 
 from scegen.criticality.encounter import closest_encounter
@@ -11,10 +12,14 @@ from scegen.motion.model import Trace
 from scegen.motion.paths import build_paths
 from scegen.motion.simulation import simulate
 from scegen.report.corners import box_corners
+from scegen.report.labels import WAY_STEP_PX
 from scegen.report.lane_shapes import road_shapes
-from scegen.report.preview import preview_png
+from scegen.report.preview import preview_svg
+from scegen.report.raster import png_of
+from scegen.report.stage import make_stage, on_ways
 from scegen.report.theme import LIGHT
-from scegen.road import build_network
+from scegen.report.world import View
+from scegen.road import build_network, plan_road
 from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
@@ -26,7 +31,7 @@ from scegen.scenario.concrete import (
     RoadParameters,
     StandingMotion,
 )
-from scegen.scenario.functional import Hazard
+from scegen.scenario.functional import Hazard, Junction
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Role, Side
 
@@ -93,8 +98,8 @@ def test_the_picture_is_stable_and_shows_the_ego():
     concrete = scenario()
     network = build_network(concrete.road, name="case")
     paths = build_paths(concrete, network)
-    png = preview_png(concrete, network, paths)
-    assert png == preview_png(concrete, network, paths)
+    png, again = (png_of(preview_svg(concrete, network, paths)) for _ in range(2))
+    assert png == again
     assert b"Software" not in png
     assert b"tIME" not in png
     image = np.asarray(Image.open(BytesIO(png)).convert("RGB"))
@@ -151,11 +156,36 @@ def test_lanes_crosswalks_and_lines_are_where_the_road_has_them():
     assert all(stripe[:, 0].min() > 0 for stripe in shapes.stripes)  # arm 0 lies in the east
 
 
+@pytest.mark.parametrize(
+    ("kind", "arms"), [("skewed", 4), ("four_way", 4), ("multi_way", 5), ("roundabout", 4)]
+)
+def test_a_crossing_is_paved_throughout_and_a_roundabout_has_islands(kind, arms):
+    network = build_network(plan_road(Junction(kind=kind, arms=arms)))
+    lanes = road_shapes(network).lanes[LaneType.DRIVING]
+    paved = shapely.union_all([shapely.make_valid(shapely.Polygon(p)).buffer(0.05) for p in lanes])
+    holes = sum(len(part.interiors) for part in shapely.get_parts(paved))
+    assert holes == (1 + arms if kind == "roundabout" else 0)
+
+
+def test_who_is_slow_and_who_is_fast_on_a_way_keep_labels_off_it_alike():
+    concrete = scenario()
+    network = build_network(concrete.road, name="case")
+    paths = build_paths(concrete, network)
+    stage = make_stage(concrete, network, paths, simulate(concrete, paths), LIGHT)
+    view = View(0.0, 0.0, 200.0, 0, 0, 900, 900)
+    seen = on_ways(stage, view)
+    steps = np.hypot(*np.diff(seen, axis=0).T)
+    assert len(seen) > 200
+    assert np.isclose(steps, WAY_STEP_PX, atol=0.5).mean() > 0.95
+    assert seen.min() >= 0.0
+    assert seen.max() <= 900.0
+
+
 def test_traces_may_be_given():
     concrete = scenario()
     network = build_network(concrete.road, name="case")
     paths = build_paths(concrete, network)
     traces = simulate(concrete, paths)
-    assert preview_png(concrete, network, paths, traces) == preview_png(concrete, network, paths)
+    assert preview_svg(concrete, network, paths, traces) == preview_svg(concrete, network, paths)
     first: Trace = traces["ego"]
     assert first.participant == "ego"

@@ -6,15 +6,19 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import shapely
 from lxml import etree
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion import build_paths, simulate
-from scegen.report.preview import preview_png
+from scegen.report.bodies import corners_at
+from scegen.report.lane_shapes import bays, road_shapes
+from scegen.report.preview import preview_svg
 from scegen.report.tile import describe, tile_svg
 from scegen.report.words import participant_words
 from scegen.road import build_network
+from scegen.road.model import LaneType
 from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Role
@@ -72,18 +76,31 @@ def test_who_does_not_reverse_has_no_mark(found):
     ]
 
 
+@pytest.mark.parametrize("side", [Reverses.FROM_RIGHT, Reverses.FROM_LEFT])
+def test_the_bay_that_one_backs_out_of_is_paved_up_to_the_lanes(found, side):
+    functional, scenario = found[side]
+    concrete = concretize(functional, scenario)
+    network = build_network(concrete.road)
+    paths = build_paths(concrete, network)
+    (bay,) = (shapely.Polygon(outline) for outline in bays(concrete, paths))
+    start = corners_at(simulate(concrete, paths)["car"], 0)
+    lanes = [shapely.Polygon(p) for p in road_shapes(network).lanes[LaneType.DRIVING]]
+    assert bay.contains(shapely.Polygon(start))
+    assert bay.distance(shapely.union_all(lanes)) < 0.05
+
+
 def test_the_preview_marks_the_way_back(found):
     functional, scenario = found[Reverses.FROM_RIGHT]
     concrete = concretize(functional, scenario)
     network = build_network(concrete.road)
     paths = build_paths(concrete, network)
-    picture = preview_png(concrete, network, paths)
-    assert picture == preview_png(concrete, network, paths)
+    picture = preview_svg(concrete, network, paths)
+    assert picture == preview_svg(concrete, network, paths)
     unmarked = {**paths, "car": replace(paths["car"], heading_rad=_way_of_travel(paths["car"]))}
     assert not unmarked["car"].backwards
     traces = simulate(concrete, paths)
-    assert preview_png(concrete, network, paths, traces) == picture
-    assert preview_png(concrete, network, unmarked, traces) != picture
+    assert preview_svg(concrete, network, paths, traces) == picture
+    assert preview_svg(concrete, network, unmarked, traces) != picture
 
 
 def _way_of_travel(path):

@@ -8,7 +8,7 @@ from things import thing
 from scegen.criticality.encounter import closest_encounter
 from scegen.motion import build_paths, simulate
 from scegen.report.corners import thing_corners
-from scegen.report.preview import preview_png
+from scegen.report.preview import preview_svg
 from scegen.report.tables import tables
 from scegen.report.words import thing_words
 from scegen.road import build_network
@@ -48,7 +48,7 @@ def test_it_is_drawn_and_listed():
     crate = thing(x_m=100.0, y_m=6.0)
     plain, network, paths, _ = case()
     with_it, *_ = case(crate, hazards=(HAZARD,))
-    pictures = [preview_png(c, network, paths) for c in (plain, with_it, with_it)]
+    pictures = [preview_svg(c, network, paths) for c in (plain, with_it, with_it)]
     assert pictures[0] != pictures[1]
     assert pictures[1] == pictures[2]
     (table,) = [t for t in tables(with_it) if t.title == "Things that do not take part"]

@@ -106,3 +106,17 @@ def test_who_merges_beyond_the_lane_next_to_the_egos_is_not_beside_it():
 )
 def test_a_ramp_that_is_not_built_is_told(text, words):
     assert words in [u.text for u in read(text).unsupported]
+
+
+@pytest.mark.parametrize(
+    ("text", "carriageway"),
+    [
+        ("A truck joins from the ramp in front of the ego.", "divided"),
+        ("The ego leaves by the exit behind a van.", "divided"),
+        ("The right lane ends and a van in it merges in front of the ego.", "undivided"),
+        ("On a one-way street a van joins from the slip road.", "one_way"),
+        ("A car joins from the ramp while a van comes towards the ego.", "undivided"),
+    ],
+)
+def test_a_road_with_ramps_has_a_median_unless_something_else_is_said(text, carriageway):
+    assert read(text).junction.carriageway == carriageway

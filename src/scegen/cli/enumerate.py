@@ -24,7 +24,14 @@ from scegen.cli.listing import (
     stream_lines,
     write_json,
 )
-from scegen.cli.options import JsonFlag, RulesOption, WhereOption, rules_of
+from scegen.cli.options import (
+    ArmsOption,
+    JsonFlag,
+    ReductionOption,
+    RulesOption,
+    WhereOption,
+    rules_of,
+)
 from scegen.cli.source import functional_of
 from scegen.cli.writing import write_text
 from scegen.errors import InputError
@@ -44,12 +51,8 @@ def enumerate_(
     source: Annotated[
         str | None, typer.Argument(metavar="FUNCTIONAL|TEXT", help="functional.yaml or a text.")
     ] = None,
-    reduction: Annotated[
-        Reduction, typer.Option(help="Which assignments count as one scenario.")
-    ] = Reduction.EXACT,
-    arms: Annotated[
-        ArmsMode, typer.Option(help="Whether all arms count alike.")
-    ] = ArmsMode.DISTINCT,
+    reduction: ReductionOption = Reduction.EXACT,
+    arms: ArmsOption = ArmsMode.DISTINCT,
     count_only: Annotated[bool, typer.Option("--count-only", help="Count, do not list.")] = False,
     limit: Annotated[
         int, typer.Option(min=1, help="Of more than so many, list a selection that covers them.")

@@ -21,7 +21,7 @@ from scegen.cli.llm import (
     tell,
     tell_proposals,
 )
-from scegen.cli.options import RulesOption, WhereOption, rules_of
+from scegen.cli.options import ArmsOption, ReductionOption, RulesOption, WhereOption, rules_of
 from scegen.pipeline.options import CheckDepth, EgoMode, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
@@ -46,12 +46,8 @@ def generate(
         int, typer.Option(help="How many to make where --pick names none, richest first.")
     ] = 1,
     seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
-    reduction: Annotated[
-        Reduction, typer.Option(help="Which assignments count as one scenario.")
-    ] = Reduction.EXACT,
-    arms: Annotated[
-        ArmsMode, typer.Option(help="Whether all arms count alike.")
-    ] = ArmsMode.DISTINCT,
+    reduction: ReductionOption = Reduction.EXACT,
+    arms: ArmsOption = ArmsMode.DISTINCT,
     osc: Annotated[OscVersion, typer.Option(help="Version of OpenSCENARIO.")] = OscVersion.V1_0,
     check: Annotated[
         CheckDepth, typer.Option(help="quick leaves out the ASAM checkers.")

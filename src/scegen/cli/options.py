@@ -8,7 +8,12 @@ from typing import Annotated
 import typer
 
 from scegen.scenario.rule_file import RuleFile
+from scegen.scenario.vocabulary import ArmsMode, Reduction
 
+ReductionOption = Annotated[
+    Reduction, typer.Option(help="Which assignments count as one scenario.")
+]
+ArmsOption = Annotated[ArmsMode, typer.Option(help="Whether all arms count alike.")]
 WhereOption = Annotated[
     str | None, typer.Option(help="Only scenarios for which this holds, such as yields(ego).")
 ]

@@ -6,17 +6,17 @@ in the end. Numbers are those of an ordinary car's front door.
 
 from __future__ import annotations
 
-from itertools import pairwise
-from math import cos, hypot, pi, radians, sin
+from math import cos, pi, radians, sin
 
 import numpy as np
 
 from scegen.motion.model import Path
-from scegen.motion.standing import standing_path
+from scegen.motion.polyline import passed_m
+from scegen.motion.standing import heads_for_junction, side_sign, standing_path
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.concrete import SwingingMotion
-from scegen.scenario.vocabulary import DrivingSide, ParticipantKind
+from scegen.scenario.vocabulary import ParticipantKind
 
 OPENS_RAD = radians(70.0)
 """How far it opens."""
@@ -38,14 +38,15 @@ def hinge_ahead_m(vehicle: Body) -> float:
 
 
 def door_path(network: RoadNetwork, motion: SwingingMotion) -> Path:
-    """From closed to open, on the side of the traffic, which is that of the oncoming.
+    """From closed to open, on the side of the traffic.
 
     Raises:
         MotionInfeasibleError: its vehicle stands off the road.
     """
     vehicle = motion.of
     on = standing_path(network, motion.stands, vehicle, motion.vehicle).start
-    sign = 1 if network.driving_side is DrivingSide.RIGHT else -1
+    inwards = heads_for_junction(network, motion.stands)
+    sign = side_sign(motion.stands.side) * (-1 if inwards else 1)
     hinge = on.shifted(
         forward_m=vehicle.centre_ahead_m + hinge_ahead_m(vehicle),
         left_m=sign * (vehicle.width_m / 2 + _OFF_M),
@@ -56,13 +57,11 @@ def door_path(network: RoadNetwork, motion: SwingingMotion) -> Path:
         hinge.shifted(forward_m=-half * cos(angle), left_m=sign * half * sin(angle))
         for angle in angles
     ]
-    steps = [
-        hypot(after.x_m - before.x_m, after.y_m - before.y_m) for before, after in pairwise(places)
-    ]
+    x, y = (np.array(each) for each in zip(*((p.x_m, p.y_m) for p in places), strict=True))
     return Path(
-        np.concatenate(([0.0], np.cumsum(steps))),
-        np.array([place.x_m for place in places]),
-        np.array([place.y_m for place in places]),
+        passed_m(x, y),
+        x,
+        y,
         np.array([on.heading_rad + sign * (pi / 2 - angle) for angle in angles]),
         (),
     )

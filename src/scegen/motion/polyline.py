@@ -58,6 +58,11 @@ class LaidDrive:
         return float(np.interp(path_s_m, self.path.s_m, self.stations_m))
 
 
+def passed_m(x_m: Array, y_m: Array) -> Array:
+    """How far along a line its vertices are."""
+    return np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x_m), np.diff(y_m)))))
+
+
 def lay_polyline(stretches: tuple[Stretch, ...], start_m: float, end_m: float) -> LaidDrive:
     """The polyline of a drive between two stations.
 
@@ -81,7 +86,7 @@ def lay_polyline(stretches: tuple[Stretch, ...], start_m: float, end_m: float) -
             ys.append(y[first:])
             headings.append(heading[first:])
     x, y = np.concatenate(xs), np.concatenate(ys)
-    s = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
+    s = passed_m(x, y)
     heading = np.unwrap(np.concatenate(headings))
     all_stations = np.concatenate(stations)
     spans = _spans(stretches, all_stations, s)

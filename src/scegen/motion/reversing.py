@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.model import Array, LaneSpan, Path
-from scegen.motion.polyline import CURVE_STEP_M, LINE_STEP_M, LaidDrive, lay_polyline
+from scegen.motion.polyline import CURVE_STEP_M, LINE_STEP_M, LaidDrive, lay_polyline, passed_m
 from scegen.motion.routing import walk_route
 from scegen.motion.standing import side_sign
 from scegen.motion.stretches import Stretch
@@ -59,7 +59,7 @@ class _Part:
 
     def driven_back(self) -> _Part:
         """The same ground in reverse."""
-        length = float(np.hypot(np.diff(self.x_m), np.diff(self.y_m)).sum())
+        length = float(passed_m(self.x_m, self.y_m)[-1])
         spans = tuple(
             LaneSpan(span.road, span.lane, span.forward, length - span.end_m, length - span.start_m)
             for span in reversed(self.spans)
@@ -198,19 +198,20 @@ def _joined(parts: list[_Part], stretches: tuple[Stretch, ...]) -> LaidDrive:
             LaneSpan(s.road, s.lane, s.forward, s.start_m + done, s.end_m + done)
             for s in part.spans
         ]
-        done += float(np.hypot(np.diff(part.x_m), np.diff(part.y_m)).sum())
+        done += float(passed_m(part.x_m, part.y_m)[-1])
     kept = [_kept(part, first=not number) for number, part in enumerate(parts)]
     stations, x, y, heading = (
         np.concatenate([getattr(p, name)[keep] for p, keep in zip(parts, kept, strict=True)])
         for name in ("stations_m", "x_m", "y_m", "heading_rad")
     )
-    s = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))))
-    return LaidDrive(Path(s, x, y, np.unwrap(heading), tuple(spans)), stations, stretches)
+    return LaidDrive(
+        Path(passed_m(x, y), x, y, np.unwrap(heading), tuple(spans)), stations, stretches
+    )
 
 
 def _kept(part: _Part, *, first: bool) -> NDArray[np.bool_]:
     """Which vertices of a part are written: its first is the last of the part before."""
-    s = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(part.x_m), np.diff(part.y_m)))))
+    s = passed_m(part.x_m, part.y_m)
     keep: NDArray[np.bool_] = (s > _CLOSE_M) & (s < s[-1] - _CLOSE_M)
     keep[0], keep[-1] = first, True
     return keep

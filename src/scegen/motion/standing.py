@@ -26,15 +26,20 @@ def side_sign(side: Side) -> int:
     return 1 if side is Side.LEFT else -1
 
 
-def _place_on_arm(road: Road, from_junction_m: float, who: str) -> float:
-    s = road.length_m - from_junction_m
+def _place_on_arm(
+    network: RoadNetwork, motion: CrossingMotion | StandingMotion, who: str
+) -> tuple[Road, float]:
+    if motion.arm >= len(network.arm_roads):
+        raise MotionInfeasibleError(f"there is no arm {motion.arm}", where=who)
+    road = network.arm_road(motion.arm)
+    s = road.length_m - motion.from_junction_m
     if s < 0:
         raise MotionInfeasibleError(
-            f"{from_junction_m:.1f} m before the junction lies beyond the outer end of "
+            f"{motion.from_junction_m:.1f} m before the junction lies beyond the outer end of "
             f"{road.name}, which is {road.length_m:.1f} m long",
             where=who,
         )
-    return s
+    return road, s
 
 
 def crossing_path(network: RoadNetwork, motion: CrossingMotion, who: str) -> Path:
@@ -46,10 +51,7 @@ def crossing_path(network: RoadNetwork, motion: CrossingMotion, who: str) -> Pat
     Raises:
         MotionInfeasibleError: the place lies off the arm, or the stop behind its end.
     """
-    if motion.arm >= len(network.arm_roads):
-        raise MotionInfeasibleError(f"there is no arm {motion.arm}", where=who)
-    road = network.arm_road(motion.arm)
-    s = _place_on_arm(road, motion.from_junction_m, who)
+    road, s = _place_on_arm(network, motion, who)
     sign = side_sign(motion.start_side)
     start_t = road.edge_t_m(sign, s) + sign * motion.setback_m
     end_t = road.edge_t_m(-sign, s) - sign * motion.setback_m
@@ -76,22 +78,19 @@ def crossing_path(network: RoadNetwork, motion: CrossingMotion, who: str) -> Pat
 def standing_path(network: RoadNetwork, motion: StandingMotion, body: Body, who: str) -> Path:
     """One pose: on the strip beside the lanes, beside the carriageway, or in its outermost lane.
 
-    It heads the way of the traffic on its side.
+    It heads the way of the traffic on its side, on a one-way road of all.
 
     Raises:
         MotionInfeasibleError: the place lies off the arm.
     """
-    if motion.arm >= len(network.arm_roads):
-        raise MotionInfeasibleError(f"there is no arm {motion.arm}", where=who)
-    road = network.arm_road(motion.arm)
-    s = _place_on_arm(road, motion.from_junction_m, who)
+    road, s = _place_on_arm(network, motion, who)
     sign = side_sign(motion.side)
     lane = _standing_lane(road, s, sign, motion)
     if lane is not None:
         t = road.lane_centre_t_m(lane.id, s)
     else:
         t = road.edge_t_m(sign, s) + sign * (body.width_m / 2 + KERB_GAP_M)
-    forward = (sign == -1) == (network.driving_side is DrivingSide.RIGHT)
+    forward = heads_for_junction(network, motion)
     pose = road.line.pose(s, t)
     if not forward:
         pose = pose.reversed()
@@ -105,6 +104,13 @@ def standing_path(network: RoadNetwork, motion: StandingMotion, body: Body, who:
         np.array([pose.heading_rad]),
         spans,
     )
+
+
+def heads_for_junction(network: RoadNetwork, motion: StandingMotion) -> bool:
+    """Whether the traffic beside which one stands comes in on its arm."""
+    sign = side_sign(motion.side)
+    traffic = sign if network.arm_road(motion.arm).driving(sign) else -sign
+    return (traffic == -1) == (network.driving_side is DrivingSide.RIGHT)
 
 
 def _standing_lane(road: Road, s_m: float, sign: int, motion: StandingMotion) -> Lane | None:

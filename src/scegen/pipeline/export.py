@@ -7,7 +7,8 @@ from functools import lru_cache
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
 from scegen.motion import build_paths
-from scegen.report.preview import preview_png
+from scegen.report.preview import preview_svg
+from scegen.report.raster import png_of
 from scegen.road import build_network
 from scegen.road.build import KEPT
 from scegen.scenario.concrete import ConcreteScenario, RoadParameters
@@ -50,7 +51,7 @@ def export_scenario(
         CONCRETE_FILE: to_yaml(concrete).encode(),
     }
     if picture:
-        files[PREVIEW_FILE] = preview_png(concrete, network, paths)
+        files[PREVIEW_FILE] = png_of(preview_svg(concrete, network, paths))
     if concrete.signals is not None:
         files[LAMPS_FILE] = write_openscenario(
             concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego, lamps=True

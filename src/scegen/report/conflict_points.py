@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
-from itertools import pairwise
 from math import hypot
+
+import shapely
 
 from scegen.report.plan import Point
 from scegen.scenario.logical import Conflict, ConflictKind
@@ -36,36 +37,18 @@ def conflict_points(
 
 @lru_cache(maxsize=4096)
 def _meeting(kind: ConflictKind, first: _Line, second: _Line) -> Point:
-    """Where the two ways meet; the tiles of a gallery ask for the same few again and again."""
-    crossing = _crossing(first, second) if kind is ConflictKind.CROSSING else None
-    return crossing or _merging(first, second)
+    """Where the two ways meet, first on the first; tiles of a gallery ask for the same few again.
 
-
-def _crossing(first: _Line, second: _Line) -> Point | None:
-    """The first point on ``first`` at which the two cross."""
-    for a, b in pairwise(first):
-        for c, d in pairwise(second):
-            found = _intersection(a, b, c, d)
-            if found is not None:
-                return found
-    return None
-
-
-def _intersection(a: Point, b: Point, c: Point, d: Point) -> Point | None:
-    ux, uy, vx, vy = b[0] - a[0], b[1] - a[1], d[0] - c[0], d[1] - c[1]
-    turn = ux * vy - uy * vx
-    if abs(turn) < 1e-9:
-        return None
-    wx, wy = c[0] - a[0], c[1] - a[1]
-    s, t = (wx * vy - wy * vx) / turn, (wx * uy - wy * ux) / turn
-    return (a[0] + s * ux, a[1] + s * uy) if 0 <= s <= 1 and 0 <= t <= 1 else None
-
-
-def _merging(first: _Line, second: _Line) -> Point:
-    """Where ``first`` comes close to ``second``, or else closest."""
-    gaps = [(min(_apart(p, q) for q in second), p) for p in first]
-    joined = next((p for gap, p in gaps if gap < _MERGED), None)
-    return joined if joined is not None else min(gaps)[1]
+    They cross, or ``first`` comes close to ``second``, or else is closest there.
+    """
+    way, other = shapely.LineString(first), shapely.LineString(second)
+    met = shapely.get_coordinates(shapely.intersection(way, other))
+    if kind is ConflictKind.CROSSING and len(met):
+        x, y = min(met.tolist(), key=lambda point: way.project(shapely.Point(point)))
+        return x, y
+    gaps = shapely.distance(shapely.points(first), other)
+    near = gaps < _MERGED
+    return first[int(near.argmax() if near.any() else gaps.argmin())]
 
 
 def _apart(p: Point, q: Point) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.report.tables import Row, Table
+from scegen.report.tables import Row, Table, change_row
 from scegen.report.words import plain
 from scegen.scenario.proof import Advice, HazardProof, Proof
 
@@ -93,25 +93,11 @@ def _advice(advice: Advice) -> Table:
         fate = "the search went its own way, since these led nowhere"
     else:
         fate = "none"
-    rows = [
-        (
-            change.parameter,
-            _plain(change.before),
-            _plain(change.after),
-            change.by,
-            change.reason,
-            f"{change.rejected.value}: {change.rejected.why}" if change.rejected else "",
-        )
-        for change in advice.changes
-    ]
+    rows = [change_row(change) for change in advice.changes]
     rows += [("–", "–", "–", "–", note, "") for note in advice.notes]
     rows = rows or [("–", "–", "–", advice.speaker, "no change proposed", "")]
     heads = ("Parameter", "Before", "Proposed", "By", "Why", "Rejected")
     return Table(f"Numbers proposed by {advice.speaker}: {fate}", heads, tuple(rows))
-
-
-def _plain(value: float | None) -> str:
-    return "–" if value is None else f"{value:g}"
 
 
 def _hazard(after: HazardProof, before: HazardProof) -> Row:

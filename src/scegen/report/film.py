@@ -15,7 +15,14 @@ from scegen.report.bodies import braking, corners_at
 from scegen.report.camera import camera_views
 from scegen.report.drawing import box, circle, document, letters, line
 from scegen.report.moving_labels import MovingLabels
-from scegen.report.stage import Stage, gap_between, make_stage, name_and_speed
+from scegen.report.stage import (
+    Stage,
+    around,
+    ego_first,
+    gap_between,
+    make_stage,
+    name_and_speed,
+)
 from scegen.report.theme import Theme
 from scegen.report.world import View
 from scegen.road.model import RoadNetwork
@@ -147,14 +154,9 @@ def make_film(
     lasts[-1] = max(lasts[-1], _LAST_S)
     if shown is not None:
         lasts[shown.step] = max(lasts[shown.step], _HOLD_S)
-    people = sorted(concrete.participants, key=lambda p: p is not concrete.ego)
+    people = ego_first(concrete)
     boxes = {
-        p.id: np.stack(
-            [
-                _rectangle(view, corners_at(traces[p.id], number))
-                for number, view in enumerate(views)
-            ]
-        )
+        p.id: np.array([around(v, corners_at(traces[p.id], n)) for n, v in enumerate(views)])
         for p in people
     }
     longest = {p.id: name_and_speed(p, float(np.abs(traces[p.id].speed_mps).max())) for p in people}
@@ -182,8 +184,3 @@ def _at(trace: Trace, times: Array) -> Trace:
     values = (trace.s_m, trace.x_m, trace.y_m, heading, trace.speed_mps)
     s, x, y, turned, speed = (np.interp(times, trace.time_s, value) for value in values)
     return Trace(trace.participant, trace.body, times, s, x, y, turned, speed)
-
-
-def _rectangle(view: View, corners: Array) -> Array:
-    seen = view.seen(corners)
-    return np.concatenate((seen.min(axis=0), seen.max(axis=0)))

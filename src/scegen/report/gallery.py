@@ -67,15 +67,6 @@ def draw_tiles(logical_set: LogicalSet) -> Tiles:
     return Tiles(shown[: len(bodies)], tuple(bodies), junction)
 
 
-def gallery_pages(logical_set: LogicalSet) -> int:
-    """On how many pages the gallery lies."""
-    return _pages(_cards(logical_set))
-
-
-def _pages(cards: list[_Card]) -> int:
-    return max(1, -(-len(cards) // PAGE))
-
-
 def gallery_svg(
     logical_set: LogicalSet,
     *,
@@ -98,7 +89,7 @@ def gallery_svg(
     cards = _cards(logical_set, moves)
     if moves is not None and not cards:
         raise InputError(f"no scenario has the moves {' '.join(map(str, moves))}", where="--moves")
-    pages = _pages(cards)
+    pages = max(1, -(-len(cards) // PAGE))
     if not 1 <= page <= pages:
         raise InputError(f"there is no page {page}", where="--page", hint=f"There are {pages}.")
     shown = cards[(page - 1) * PAGE : page * PAGE]

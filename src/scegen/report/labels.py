@@ -22,6 +22,8 @@ _TURNS = (90, 270, 45, 135, 315, 225, 0, 180)
 _FARTHER_PX = (6.0, 16.0, 30.0, 48.0, 72.0, 100.0, 140.0, 190.0)
 _LED_FROM_PX = 22.0
 _ON_WAY, _ON_BODY, _PER_PX = 1.2, 60.0, 0.5
+WAY_STEP_PX = 3.0
+"""How far apart the points are that stand for a way."""
 _MARGIN = 3.0
 
 
@@ -53,7 +55,7 @@ def place(
         labels: what to place, the most telling first.
         inside: where they may lie.
         taken: rectangles that must stay free.
-        ways: points (n, 2) that should rather stay free.
+        ways: points (n, 2) so many pixels apart that should rather stay free.
     """
     walls = list(taken)
     bodies = [label.at for label in labels]

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import ceil, sqrt
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
-from scegen.road.geometry import ReferenceLine
+from scegen.motion.model import Path
+from scegen.road.geometry import Pose, ReferenceLine
 from scegen.road.model import LaneType, Road, RoadNetwork
 from scegen.road.sections import Section, sections
+from scegen.scenario.concrete import ConcreteScenario, DriveMotion
+from scegen.scenario.reversing import BacksOut
 
 Array = NDArray[np.float64]
 _STRIPE_M = 0.5
+_ROOM_M = 0.4
 _STEP_RAD = 0.08
 _TAPER_M = 4.0
 _OFF_M = 0.02
@@ -35,9 +41,25 @@ class RoadShapes:
     stripes: list[Array] = field(default_factory=list)
 
 
-def road_shapes(network: RoadNetwork) -> RoadShapes:
+def bays(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> list[Array]:
+    """Where somebody stands beside the road before it backs out: outlines up to the lanes."""
+    found = []
+    for who in concrete.participants:
+        reversal = who.motion.reversal if isinstance(who.motion, DriveMotion) else None
+        if isinstance(reversal, BacksOut) and reversal.side is not None:
+            path, ahead_m = paths[who.id], who.body.front_m + _ROOM_M
+            side_m = who.body.width_m / 2 + _ROOM_M
+            corners = [(ahead_m, side_m), (ahead_m, -side_m),
+                       (-reversal.setback_m, -side_m), (-reversal.setback_m, side_m)]  # fmt: skip
+            at = Pose(path.x_m[0], path.y_m[0], path.heading_rad[0])
+            poses = [at.shifted(forward_m=x, left_m=y) for x, y in corners]
+            found.append(np.array([(p.x_m, p.y_m) for p in poses]))
+    return found
+
+
+def road_shapes(network: RoadNetwork, bays: Sequence[Array] = ()) -> RoadShapes:
     """The drawable shapes of a network; marks only where roads do not overlap (no crossing)."""
-    shapes = RoadShapes()
+    shapes = RoadShapes(lanes={LaneType.PARKING: list(bays)} if bays else {})
     for road in network.roads:
         for part in sections(road):
             seen = replace(road, lanes=part.lanes)
@@ -48,7 +70,17 @@ def road_shapes(network: RoadNetwork) -> RoadShapes:
         if road.junction is None or road.goes_on:
             _add_middle(shapes, road, _poses(road.line, _places(road)))
             _add_crosswalks(shapes, road)
+    if len(network.junctions) == 1 and not network.plain:
+        _pave(shapes)
     return shapes
+
+
+def _pave(shapes: RoadShapes) -> None:
+    """What the ways through a crossing lie around is paved too; in a roundabout it is an island."""
+    ways = [shapely.make_valid(shapely.Polygon(p)) for p in shapes.lanes[LaneType.DRIVING]]
+    paved = shapely.union_all(shapely.buffer(ways, _OFF_M))
+    rings = [ring for part in shapely.get_parts(paved) for ring in part.interiors]
+    shapes.lanes[LaneType.DRIVING] += [np.asarray(ring.coords) for ring in rings]
 
 
 def _add_middle(shapes: RoadShapes, road: Road, poses: Array) -> None:

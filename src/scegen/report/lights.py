@@ -54,6 +54,5 @@ def shown(
 
 def state_at(concrete: ConcreteScenario, light: Light, time_s: float) -> SignalState | None:
     """What a light shows at a time; None where it is dark."""
-    plan = concrete.signals
-    group = None if plan is None else plan.group_of(light.arm, afoot=light.afoot)
-    return None if plan is None or group is None else plan.state(group, time_s)
+    states = [state for since_s, state in shown(concrete, light, time_s) if since_s <= time_s]
+    return states[-1] if states else None

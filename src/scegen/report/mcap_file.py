@@ -51,14 +51,12 @@ def mcap_of(concrete: ConcreteScenario, network: RoadNetwork, traces: Mapping[st
     stream = BytesIO()
     writer = tools.writer(stream)
     writer.start(library=_LIBRARY)
-    scene = writer.register_channel(
-        topic="/scene", message_encoding="protobuf", schema_id=tools.schema(writer, "SceneUpdate")
-    )
-    road = writer.register_channel(
-        topic="/road", message_encoding="protobuf", schema_id=tools.schema(writer, "SceneUpdate")
-    )
-    frames = writer.register_channel(
-        topic="/tf", message_encoding="protobuf", schema_id=tools.schema(writer, "FrameTransforms")
+    messages = {"/scene": "SceneUpdate", "/road": "SceneUpdate", "/tf": "FrameTransforms"}
+    scene, road, frames = (
+        writer.register_channel(
+            topic=topic, message_encoding="protobuf", schema_id=tools.schema(writer, message)
+        )
+        for topic, message in messages.items()
     )
     state = writer.register_schema(
         name="State", encoding="jsonschema", data=json.dumps(_plotted()).encode()

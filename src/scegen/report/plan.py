@@ -20,7 +20,8 @@ REACH = 104.0
 """Where arms end."""
 _START = 92.0
 _RANK_STEP = 17.0
-_RING = 34.0
+RING = 34.0
+"""Radius of the ring's middle."""
 _RING_JOIN, _RING_LEAST = radians(14.0), radians(8.0)
 _ARC_STEPS = 24
 _BOX = 9.0
@@ -53,11 +54,6 @@ class Plan:
     def is_ring(self) -> bool:
         """Whether traffic goes round a ring."""
         return self.kind is JunctionKind.ROUNDABOUT
-
-    @property
-    def ring(self) -> float:
-        """Radius of the ring's middle."""
-        return _RING
 
     @property
     def bends(self) -> bool:
@@ -99,7 +95,7 @@ def make_plan(junction: Junction) -> Plan:
     widest = max(lanes) * lane
     gaps = [(b - a) % (2 * pi) for a, b in zip(angles, angles[1:] + angles[:1], strict=True)]
     if junction.kind is JunctionKind.ROUNDABOUT:
-        inner = _RING + lane
+        inner = RING + lane
     elif junction.kind is JunctionKind.STRAIGHT:
         inner = 0.0
     else:
@@ -249,7 +245,7 @@ def _ease(u: float) -> float:
 def _round_the_ring(
     plan: Plan, drive: Drive, enter: Point, leave: Point, spread: float
 ) -> list[Point]:
-    radius = _RING + plan.side * spread
+    radius = RING + plan.side * spread
     way = plan.side  # counter-clockwise where traffic keeps right
     sweep = (way * (plan.angles[drive.exit] - plan.angles[drive.entry])) % (2 * pi) or 2 * pi
     # It joins the ring ahead of where its lane meets it, and leaves as far before its exit.
@@ -274,7 +270,7 @@ def _round_the_ring(
 def _beside(plan: Plan, arm: int, point: Point) -> float:
     """The angle on the ring between the middle of an arm and who drives there at a point."""
     aside = abs(point[1] * cos(plan.angles[arm]) - point[0] * sin(plan.angles[arm]))
-    return asin(min(aside / _RING, 0.95)) + _RING_JOIN
+    return asin(min(aside / RING, 0.95)) + _RING_JOIN
 
 
 def _toward(point: Point, angle: float, distance: float) -> Point:

@@ -16,7 +16,7 @@ from scegen.motion.model import Path, Trace
 from scegen.motion.simulation import simulate
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import box, document, letters
-from scegen.report.raster import png_of, wrapped
+from scegen.report.raster import wrapped
 from scegen.report.stage import Stage, make_stage, moment, overview
 from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import hazard_words, participant_words, thing_words
@@ -43,23 +43,6 @@ _FAR_M = 45.0
 """Two farther apart than this at their closest have nothing to be enlarged."""
 
 
-def preview_png(
-    concrete: ConcreteScenario,
-    network: RoadNetwork,
-    paths: Mapping[str, Path],
-    traces: Mapping[str, Trace] | None = None,
-) -> bytes:
-    """The scenario as a PNG; the same input gives the same bytes.
-
-    Args:
-        concrete: the scenario.
-        network: its roads.
-        paths: the paths of its participants.
-        traces: their movement, simulated here if not given.
-    """
-    return png_of(preview_svg(concrete, network, paths, traces))
-
-
 def preview_svg(
     concrete: ConcreteScenario,
     network: RoadNetwork,
@@ -67,7 +50,15 @@ def preview_svg(
     traces: Mapping[str, Trace] | None = None,
     theme: Theme = LIGHT,
 ) -> str:
-    """The scenario as an SVG document; arguments as in :func:`preview_png`."""
+    """The scenario as an SVG document; the same input gives the same text.
+
+    Args:
+        concrete: the scenario.
+        network: its roads.
+        paths: the paths of its participants.
+        traces: their movement, simulated here if not given.
+        theme: the colours.
+    """
     stage = make_stage(concrete, network, paths, traces or simulate(concrete, paths), theme)
     encounter = closest_encounter(concrete, stage.traces)
     low, high = extent(stage, encounter)

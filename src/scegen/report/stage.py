@@ -14,7 +14,7 @@ from scegen.motion.model import Path, Trace
 from scegen.report.bodies import body, braking, corners_at, ghost, haze, standing_at, swept
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, box, letters, line, lines
-from scegen.report.labels import Label, Rectangle, draw_labels, place
+from scegen.report.labels import WAY_STEP_PX, Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
 from scegen.report.raster import text_width
 from scegen.report.theme import Theme
@@ -83,7 +83,7 @@ def make_stage(
         concrete,
         paths,
         traces,
-        Surroundings(concrete, network, theme),
+        Surroundings(concrete, network, theme, paths),
         theme.colours((p.id for p in concrete.participants), concrete.ego.id),
         theme,
     )
@@ -112,12 +112,12 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
     labels = [
         Label(
             name_and_speed(p, p.speed_mps),
-            _around(view, stage.box_of(p.id, 0)),
+            around(view, stage.box_of(p.id, 0)),
             bold=p is stage.concrete.ego,
         )
-        for p in _ego_first(stage.concrete)
+        for p in ego_first(stage.concrete)
     ]
-    labels += [Label(o.id, _around(view, thing_corners(o))) for o in stage.concrete.objects]
+    labels += [Label(o.id, around(view, thing_corners(o))) for o in stage.concrete.objects]
     bar, where = _scale_bar(view, theme)
     frames = [] if framed is None else _edges(view.frame(framed))
     return drawn + bar + _labelled(stage, view, labels, [where, *frames])
@@ -142,13 +142,13 @@ def moment(stage: Stage, view: View, step: int, title: str, encounter: Encounter
         world.append(gap)
         labels.append(label)
     drawn = view.picture("".join(world), theme.ground, f"at-{step}")
-    for participant in _ego_first(stage.concrete):
-        at = _around(view, stage.box_of(participant.id, step))
+    for participant in ego_first(stage.concrete):
+        at = around(view, stage.box_of(participant.id, step))
         speed_mps = float(stage.traces[participant.id].speed_mps[step])
         if _inside(view, at):
             bold = participant is stage.concrete.ego
             labels.append(Label(name_and_speed(participant, speed_mps), at, bold=bold))
-    things = ((o.id, _around(view, thing_corners(o))) for o in stage.concrete.objects)
+    things = ((o.id, around(view, thing_corners(o))) for o in stage.concrete.objects)
     labels += [Label(name, at) for name, at in things if _inside(view, at)]
     x, y = view.left + 9, view.top + 19
     heading = letters(title, x, y, _NAME_PX + 0.5, theme.text, bold=True, halo=theme.halo)
@@ -159,9 +159,21 @@ def moment(stage: Stage, view: View, step: int, title: str, encounter: Encounter
 
 
 def _labelled(stage: Stage, view: View, labels: list[Label], taken: list[Rectangle]) -> str:
-    points = [np.column_stack((t.x_m, t.y_m))[::4] for t in stage.traces.values()]
     inside = (view.left, view.top, view.left + view.width, view.top + view.height)
-    return draw_labels(place(labels, inside, taken, view.seen(np.concatenate(points))), stage.theme)
+    return draw_labels(place(labels, inside, taken, on_ways(stage, view)), stage.theme)
+
+
+def on_ways(stage: Stage, view: View) -> Array:
+    """Points on everybody's way, evenly apart on the picture, wherever the view shows them."""
+    found = []
+    for name, path in stage.paths.items():
+        if stage.traces[name].s_m[-1] > 0.0:
+            s = np.arange(path.s_m[0], path.s_m[-1], WAY_STEP_PX / view.scale)
+            places = [np.interp(s, path.s_m, along) for along in (path.x_m, path.y_m)]
+            found.append(np.column_stack(places))
+    points = np.concatenate([np.empty((0, 2)), *found])
+    near = np.abs(points - (view.x_m, view.y_m)) < (view.width_m / 2, view.height_m / 2)
+    return view.seen(points[near.all(axis=1)])
 
 
 def name_and_speed(participant: ConcreteParticipant, speed_mps: float) -> str:
@@ -210,7 +222,7 @@ def gap_between(stage: Stage, view: View, encounter: Encounter) -> tuple[str, La
     ends = shapely.get_coordinates(shapely.shortest_line(*polygons))
     drawn = line(ends, stage.theme.hazard, view.at_least(0.1, 2.0))
     words = f"{encounter.distance_m:.1f} m"
-    return drawn, Label(words, _around(view, ends), bold=True, colour=stage.theme.hazard)
+    return drawn, Label(words, around(view, ends), bold=True, colour=stage.theme.hazard)
 
 
 def _scale_bar(view: View, theme: Theme) -> tuple[str, Rectangle]:
@@ -224,11 +236,13 @@ def _scale_bar(view: View, theme: Theme) -> tuple[str, Rectangle]:
     return drawn, (x, y - 18, max(right, x + text_width(words, 11.5)), y + 3)
 
 
-def _ego_first(concrete: ConcreteScenario) -> list[ConcreteParticipant]:
+def ego_first(concrete: ConcreteScenario) -> list[ConcreteParticipant]:
+    """Everybody, the ego before the others."""
     return sorted(concrete.participants, key=lambda p: p is not concrete.ego)
 
 
-def _around(view: View, points: Array) -> Rectangle:
+def around(view: View, points: Array) -> Rectangle:
+    """Where points are on the picture."""
     seen = view.seen(points)
     (x0, y0), (x1, y1) = seen.min(axis=0).tolist(), seen.max(axis=0).tolist()
     return x0, y0, x1, y1
@@ -243,9 +257,5 @@ def _edges(frame: tuple[float, float, float, float]) -> list[Rectangle]:
     """The four sides of a frame, which no label may lie across."""
     left, top, width, height = frame
     right, bottom = left + width, top + height
-    return [
-        (left, top, right, top),
-        (left, bottom, right, bottom),
-        (left, top, left, bottom),
-        (right, top, right, bottom),
-    ]
+    sides = [(x, top, x, bottom) for x in (left, right)]
+    return [*sides, *((left, y, right, y) for y in (top, bottom))]

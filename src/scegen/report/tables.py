@@ -12,6 +12,7 @@ from scegen.report.words import (
     speed_words,
 )
 from scegen.scenario.concrete import (
+    Change,
     ConcreteParticipant,
     ConcreteScenario,
     CrossingMotion,
@@ -103,19 +104,8 @@ def _vehicles(concrete: ConcreteScenario) -> Table:
         for p in concrete.participants
         if isinstance(motion := p.motion, DriveMotion)
     )
-    heads = (
-        "Name",
-        "Type",
-        "Initial speed",
-        "Road",
-        "Lane",
-        "Initial position",
-        "Turning starts",
-        "Turning ends",
-        "Final road",
-        "Final lane",
-        "Ring lane",
-    )
+    way = "Road, Lane, Initial position, Turning starts, Turning ends, Final road, Final lane"
+    heads = ("Name", "Type", "Initial speed", *way.split(", "), "Ring lane")
     return Table("Vehicles — positions count from the outer end of the entry road", heads, rows)
 
 
@@ -153,17 +143,8 @@ def _crossers(concrete: ConcreteScenario) -> Table:
         for p in concrete.participants
         if isinstance(motion := p.motion, CrossingMotion)
     )
-    heads = (
-        "Name",
-        "Type",
-        "Initial speed",
-        "Road",
-        "From side",
-        "Before the junction",
-        "Set back",
-        "Stops after",
-    )
-    return Table("Crossing the road", heads, rows)
+    way = "Road, From side, Before the junction, Set back, Stops after"
+    return Table("Crossing the road", ("Name", "Type", "Initial speed", *way.split(", ")), rows)
 
 
 def _standing(concrete: ConcreteScenario) -> Table:
@@ -227,17 +208,13 @@ def _parameters(concrete: ConcreteScenario) -> Table:
     return Table("Parameter ranges", ("Parameter", "Range", "Default", "Chosen", "From"), rows)
 
 
+def change_row(change: Change) -> Row:
+    """What became of one number, by whom and why."""
+    values = ("–" if value is None else f"{value:g}" for value in (change.before, change.after))
+    rejected = f"{change.rejected.value}: {change.rejected.why}" if change.rejected else ""
+    return (change.parameter, *values, change.by, change.reason, rejected)
+
+
 def _provenance(concrete: ConcreteScenario) -> Table:
-    rows = tuple(
-        (
-            change.parameter,
-            "–" if change.before is None else f"{change.before:g}",
-            "–" if change.after is None else f"{change.after:g}",
-            change.by,
-            change.reason,
-            f"{change.rejected.value}: {change.rejected.why}" if change.rejected else "",
-        )
-        for change in concrete.provenance
-    )
     heads = ("Parameter", "Before", "After", "By", "Why", "Rejected")
-    return Table("Who set what", heads, rows)
+    return Table("Who set what", heads, tuple(map(change_row, concrete.provenance)))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import groupby
 from math import cos, degrees, sin
 
 from scegen.report.conflict_points import conflict_points
 from scegen.report.drawing import area, box, circle, element, group, letters, line, told
 from scegen.report.plan import (
     REACH,
+    RING,
     Plan,
     Point,
     auxiliary_area,
@@ -55,12 +57,12 @@ def _empty(plan: Plan) -> tuple[int, int]:
     """What the roads leave free at the top and at the bottom of the picture."""
     beside = max(plan.half(arm) for arm in range(len(plan.angles))) + _BESIDE
     if plan.is_ring:
-        beside = max(beside, plan.ring + plan.lane + _BESIDE / 2)
-    reach = (
-        max(beside, *(_height(plan, arm, up=True) for arm in range(len(plan.angles)))),
-        max(beside, *(_height(plan, arm, up=False) for arm in range(len(plan.angles)))),
+        beside = max(beside, RING + plan.lane + _BESIDE / 2)
+    up, down = (
+        max(beside, *(_height(plan, arm, up=up) for arm in range(len(plan.angles))))
+        for up in (True, False)
     )
-    return int(max(MIDDLE - reach[0], 0.0)), int(max(MIDDLE - reach[1], 0.0))
+    return int(max(MIDDLE - up, 0.0)), int(max(MIDDLE - down, 0.0))
 
 
 def _height(plan: Plan, arm: int, *, up: bool) -> float:
@@ -151,12 +153,7 @@ def describe(scenario: LogicalScenario) -> str:
 
 def moves_words(pattern: tuple[int, ...]) -> str:
     """Moves as numbers; the same one many times in a row is counted."""
-    runs: list[list[int]] = []
-    for move in pattern:
-        if runs and runs[-1][0] == move:
-            runs[-1][1] += 1
-        else:
-            runs.append([move, 1])
+    runs = [(move, len(list(same))) for move, same in groupby(pattern)]
     words = [f"{n}×{move}" if n > _MANY else " ".join([str(move)] * n) for move, n in runs]
     return " ".join(words) or "–"
 
@@ -203,12 +200,12 @@ def _roads(plan: Plan, functional: FunctionalScenario, theme: Theme) -> str:
             ends = ((0.0, half), (REACH, half), (REACH, -half), (0.0, -half))
             layers.append(area(in_tile(plan.at(arm, *end) for end in ends), paint))
         if plan.kind is not JunctionKind.STRAIGHT or plan.bends:
-            radius = plan.ring + plan.lane if plan.is_ring else _core(plan)
+            radius = RING + plan.lane if plan.is_ring else _core(plan)
             layers.append(circle(MIDDLE, MIDDLE, radius + wider / 2, paint))
     if aside := auxiliary_area(plan):
         layers.append(area(in_tile(aside), theme.road))
     if plan.is_ring:
-        island = plan.ring - plan.lane
+        island = RING - plan.lane
         layers.append(
             circle(MIDDLE, MIDDLE, island, theme.ground, stroke=theme.kerb, stroke_width=1.5)
         )

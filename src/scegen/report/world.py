@@ -6,7 +6,7 @@ pixels; widths are in metres too, with a least width in pixels where the world i
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import atan2, cos, degrees, pi, sin
 
@@ -14,9 +14,10 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scegen.motion.model import Path
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
-from scegen.report.lane_shapes import RoadShapes, road_shapes
+from scegen.report.lane_shapes import RoadShapes, bays, road_shapes
 from scegen.report.lights import Light, entry_of, lights_of, state_at
 from scegen.report.theme import Theme
 from scegen.road.geometry import Pose
@@ -122,11 +123,18 @@ class Surroundings:
         concrete: the scenario; it says where signs and objects stand, and what lights show.
         network: its roads.
         theme: the colours.
+        paths: the ways of its participants.
     """
 
-    def __init__(self, concrete: ConcreteScenario, network: RoadNetwork, theme: Theme) -> None:
+    def __init__(
+        self,
+        concrete: ConcreteScenario,
+        network: RoadNetwork,
+        theme: Theme,
+        paths: Mapping[str, Path],
+    ) -> None:
         self._theme = theme
-        self._shapes: RoadShapes = road_shapes(network)
+        self._shapes: RoadShapes = road_shapes(network, bays(concrete, paths))
         self._control = concrete.road.control
         self._concrete = concrete
         self._entries = [

@@ -70,6 +70,8 @@ class Doing:
     when: Trigger | None = None
     nominal: bool = False
     """A noun tells of it ("a deceleration")."""
+    forced: bool = False
+    """The ego has to, because of what another does."""
     told: list[int] = field(default_factory=list)
     """Where the text tells of it again."""
     name: str = ""

@@ -5,7 +5,7 @@ import pytest
 from playing import play
 from roads import AHEAD, BEHIND, LEFT_LANE, RIGHT_LANE, STRAIGHT, TOWARDS, ego, one, road
 from saying import missed
-from told import apart
+from told import act, apart
 
 from scegen.claims import claims_of
 from scegen.concretization import concretize
@@ -48,6 +48,18 @@ SITUATIONS = {
     "leaves_ahead": on("off_ramp", road([ego(120), one("car", "car", AHEAD, EXIT)])),
     "the_ego_leaves": on(
         "off_ramp", road([ego(maneuvers=EXIT), one("car", "car", BEHIND)]), lanes=(3, 3)
+    ),
+    "leaves_across_the_egos_lane": on(
+        "off_ramp",
+        road(
+            [ego(110), one("car", "car", LEFT_LANE, EXIT, lanes=[2])],
+            [("cut_in", "car", "ego")],
+            acts=[act("cuts", "car", "change_lane", into="ego")],
+        ),
+        lanes=(3, 3),
+    ),
+    "leaves_from_the_innermost_lane": on(
+        "off_ramp", road([ego(100), one("car", "car", (), EXIT, lanes=[1])]), lanes=(3, 3)
     ),
     "the_lane_ends": on(
         "lane_drop",

@@ -108,3 +108,25 @@ def test_a_row_is_passed_in_the_order_in_which_it_is_listed(which):
     course = (way - ends) / np.hypot(*(way - ends))
     places = [np.dot([paths[p["id"]].x_m[0], paths[p["id"]].y_m[0]] - ends, course) for p in row]
     assert places == sorted(places)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+@pytest.mark.parametrize("keeps", ["left", "right"])
+def test_on_either_side_of_a_one_way_street_it_opens_towards_the_lanes(side, keeps):
+    functional = road(
+        [ego(30), one("parked", "van", [side], STAY, parked=True)],
+        [("obstacle", "parked", "ego")],
+        acts=[act("opens", "parked", "open_door")],
+        carriageway="one_way",
+        side=keeps,
+    )
+    concrete = concretize(functional, enumerate_scenarios(functional).scenarios[0])
+    assert not missed(functional, concrete)
+    paths = build_paths(concrete, build_network(concrete.road))
+    vehicle, way = paths["parked"].start, paths["ego"].start
+    door = paths[DOOR].pose(paths[DOOR].length_m)
+    assert np.cos(vehicle.heading_rad - way.heading_rad) == pytest.approx(1.0)
+    left = np.array([-np.sin(way.heading_rad), np.cos(way.heading_rad)])
+    aside = [np.dot([p.x_m - way.x_m, p.y_m - way.y_m], left) for p in (vehicle, door)]
+    assert (aside[0] > 0.0) == (side == "left")
+    assert abs(aside[1]) < abs(aside[0])

@@ -2,7 +2,7 @@
 
 import pytest
 from pydantic import ValidationError
-from saying import missed, person, said
+from saying import made, missed, person, said
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
@@ -77,3 +77,21 @@ def test_a_strip_that_cannot_be_is_refused(road, strips, told):
     rider = person("x", "bicycle", strip="cycle_lane", **AHEAD)
     with pytest.raises(ValidationError, match=told):
         said(road, ego, rider, junction={"strips": strips})
+
+
+@pytest.mark.parametrize("keeps", ["left", "right"])
+@pytest.mark.parametrize("swerves", [False, True])
+def test_who_rides_on_a_strip_goes_round_one_that_stands_there(keeps, swerves):
+    functional = said(
+        "straight",
+        person("ego", speed=45, maneuvers=["straight"]),
+        person("van", "van", strip="cycle_lane", **PARKED),
+        person("x", "bicycle", strip="cycle_lane", approaches=["ahead"], maneuvers=["overtake"]),
+        junction={"strips": ["cycle_lane"], "driving_side": keeps},
+        relations=[{"participant": "van", "reference": "x", "approaches": ["ahead"]}],
+        hazards=[{"kind": "swerving", "by": ["x"], "to": ["ego"]}] if swerves else [],
+    )
+    concrete = made(functional).concrete
+    assert not missed(functional, concrete)
+    lanes = [change.lane_after for change in concrete.participant("x").motion.lane_changes]
+    assert lanes == [1, concrete.participant("x").motion.entry_lane]

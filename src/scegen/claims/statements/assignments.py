@@ -178,12 +178,13 @@ def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
 
 
 def _in_the_ring(drive: Drive, ego: Drive, view: View) -> Judged:
-    """How long before the ego it comes in; who never does comes last."""
+    """How long before the ego it comes in; it does, and an ego that never does comes last."""
     own, others = (
         view.time_of(first(arm.place(boxes(view, one.participant))[0] > arm.length_m))
         for one, arm in ((one, arms_of(view)[one.entry]) for one in (drive, ego))
     )
-    return Judged(others - own, others - own, own)
+    never = own >= view.time_of(np.full(view.count, view.steps))
+    return Judged(np.where(never, -NEVER, others - own), others - own, own)
 
 
 def _goes_out(told: Told, drive: Drive, view: View) -> Judged:

@@ -80,7 +80,10 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
     on_foot = hazard.to and all(functional.participant(to).kind in ON_FOOT for to in hazard.to)
     if hazard.kind in _OF_THE_DRIVER or (hazard.kind in FROM_BESIDE and on_foot):
         return  # who does not yield to people drives on
-    for by in (name for name in hazard.by if name in runners):
+    # Who swerves past another does so on its way round that one.
+    passing = {d.participant for d in story.logical.drives if d.maneuver is Maneuver.OVERTAKE}
+    by_passing = passing if hazard.kind is HazardKind.SWERVING else set()
+    for by in (name for name in hazard.by if name in runners.keys() - by_passing):
         # Where there is no junction, joining and turning are moves aside.
         joins = hazard.kind in FROM_BESIDE
         for kind in (ActKind.CHANGE_LANE,) if joins else HAZARDS[hazard.kind].acts:

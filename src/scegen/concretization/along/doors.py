@@ -17,6 +17,8 @@ from scegen.motion.doors import REACH_M, hinge_ahead_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import Standing
+from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import ParticipantKind, Side
 
@@ -40,21 +42,39 @@ def cast_doors(story: Story) -> None:
         name = standing.participant
         if name not in opens(story.functional) or name in story.runners:
             continue
-        keeps = story.functional.junction.driving_side.value
-        forward = (standing.arm == story.ego_arm) == (standing.side.value == keeps)
+        forward = beside_outermost(story, standing) or is_one_way(story)
         box = replace(_DOOR, length_m=_DOOR.width_m, width_m=REACH_M)
         story.add(name, ParticipantKind.DOOR, box, forward=forward, thing=True)
 
 
+def is_one_way(story: Story) -> bool:
+    """Whether everybody on the road goes the same way."""
+    return story.functional.junction.carriageway is Carriageway.ONE_WAY
+
+
+def beside_outermost(story: Story, standing: Standing) -> bool:
+    """Whether one stands on the side of the outermost lane of who enters as the ego does."""
+    keeps = story.functional.junction.driving_side.value
+    return (standing.arm == story.ego_arm) == (standing.side.value == keeps)
+
+
+def inner_doors(story: Story) -> set[str]:
+    """Who opens a door beside the innermost lane: on the other side of a one-way road."""
+    names = opens(story.functional).keys() if is_one_way(story) else ()
+    stand = (s for s in story.logical.standings if s.participant in names)
+    return {s.participant for s in stand if not beside_outermost(story, s)}
+
+
 def hang_doors(story: Story) -> None:
-    """Put doors beside the outermost lane, and those whom they endanger within their reach."""
+    """Put doors beside the lane next to them, and those whom they endanger within their reach."""
     functional, runners = story.functional, story.runners
-    inward = -outward(functional, Side.LEFT)
     for name in opens(functional).keys() & runners.keys():
         door, vehicle = runners[name], functional.participant(name).body
+        inner = name in inner_doors(story)
+        inward = outward(functional, Side.LEFT) * (1 if inner else -1)
         middle = strip_middle_m(story, name)
         tip = REACH_M - (middle - vehicle.width_m / 2) - door.lane_width_m / 2
-        door.lane, door.offset_m = story.lane_count, inward * (tip - REACH_M / 2)
+        door.lane, door.offset_m = 1 if inner else story.lane_count, inward * (tip - REACH_M / 2)
         for other in (runners[n] for n in endangered(functional, name) if n in runners):
             said = any(
                 spacing.measure is Measure.LATERAL_GAP_M
@@ -62,7 +82,7 @@ def hang_doors(story: Story) -> None:
                 for spacing in functional.spacings
             )
             most = tip - _IN_THE_WAY_M + other.body.width_m / 2
-            if other.lane == story.lane_count and other.forward == door.forward and not said:
+            if other.lane == door.lane and other.forward == door.forward and not said:
                 other.offset_m = inward * min(inward * other.offset_m, most)
 
 

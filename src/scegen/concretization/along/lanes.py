@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 
+from scegen.concretization.along.doors import endangered, inner_doors
 from scegen.concretization.along.story import Story
 from scegen.concretization.tale import outward, side_of, words_between
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
@@ -231,7 +232,11 @@ def _usual(story: Story, count: int) -> list[Wish[int]]:
     ego, people = story.ego.id, story.people
     for name in story.exiting & people.keys():
         words = f"{name} is in the outermost lane, beside which the exit begins"
-        wishes.append(Wish((name,), SAID, _among(name, frozenset({count})), words))
+        wishes.append(Wish((name,), LIKELY, _among(name, frozenset({count})), words))
+    for door in inner_doors(story):
+        for name in endangered(story.functional, door) & people.keys():
+            words = f"{name} passes the door of {door} in the lane next to it"
+            wishes.append(Wish((name,), LIKELY, _among(name, _INNERMOST), words))
     for name, runner in people.items():
         assignment = story.logical.assignment(name)
         beside = isinstance(assignment, InLine) and assignment.beside is not None

@@ -149,6 +149,10 @@ def _in_lane(story: Story, move: Move) -> Move:
 
 
 def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
+    """Who takes the exit gets there with its last change of lane, across those in between."""
+    changes = [a for a in story.acts if a.participant == runner.id and a.kind is act.kind]
+    if runner.id in story.exiting and act is changes[-1]:
+        return story.lane_count + 1
     into = story.runners.get(act.into or "")
     if into is not None:
         if into.forward != runner.forward:
@@ -157,8 +161,7 @@ def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
             return into.lane
     side = act.side or _free_side(story, runner, now)
     lane = now + outward(story.functional, side)
-    leaves = runner.id in story.exiting
-    return max(story.innermost, min(lane, story.lane_count + leaves))
+    return max(story.innermost, min(lane, story.lane_count))
 
 
 def _free_side(story: Story, runner: Runner, now: int) -> Side:

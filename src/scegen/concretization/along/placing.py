@@ -256,7 +256,9 @@ def _usual(
         met = back if backing is front else front
         closing_m = met.profile.way_m(_MEETS_S) * (1 if backing is front else -1)
         return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M + closing_m, 0.0
-    comes_in = next((m for m in front.moves if m.lane == back.lane != front.lane), None)
+    # Who takes the exit from an inner lane goes over those in between.
+    others = [({m.lane, *range(front.lane, m.lane)} - {front.lane}, m) for m in front.moves]
+    comes_in = next((m for lanes, m in others if back.lane in lanes), None)
     if comes_in is not None and _side_on(story, front, back):
         return None
     if comes_in is not None:

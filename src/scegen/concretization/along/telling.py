@@ -49,9 +49,11 @@ def is_along(assignment: Assignment, participant: Participant) -> bool:
 
 def cast(story: Story) -> None:
     """Everybody along the road, at the speed that is said or usual; lanes and places come later."""
+    ridden = {p.strip for p in story.functional.participants if p.strip and not p.parked}
     for assignment in story.logical.assignments:
         participant = story.functional.participant(assignment.participant)
-        if is_along(assignment, participant):
+        in_their_way = isinstance(assignment, Standing) and participant.strip in ridden
+        if in_their_way or is_along(assignment, participant):
             _cast(story, assignment, participant)
     _speeds(story)
 

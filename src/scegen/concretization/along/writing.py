@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import hypot
 
 from scegen.concretization.along.crossing import Walk
-from scegen.concretization.along.doors import endangered, opening_s
+from scegen.concretization.along.doors import beside_outermost, endangered, is_one_way, opening_s
 from scegen.concretization.along.frame import Frame
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import FORTH_M, Runner
@@ -167,8 +167,9 @@ def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcretePartic
     standing: Standing = parked.standing
     body = parked.body
     away = frame.from_junction_m(standing.arm, parked.x_m)
-    # It heads the way of the traffic on its side; its reference point lies behind its middle.
-    towards = (parked.on_left == story.ego.keeps_left) == (standing.arm == frame.ego_arm)
+    # It heads the way of the traffic beside it; its reference point lies behind its middle.
+    with_ego = beside_outermost(story, standing) or is_one_way(story)
+    towards = with_ego == (standing.arm == frame.ego_arm)
     away += body.centre_ahead_m if towards else -body.centre_ahead_m
     motion = StandingMotion(
         arm=standing.arm,

@@ -63,8 +63,12 @@ def in_line_before(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
 def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
     """Where on its way a driver's danger happens.
 
-    Where it meets a sufferer; else two thirds along its entry arm, before it slows to turn.
+    Of one in the ring already, half way round; where it meets a sufferer; else on its entry arm,
+    before it slows to turn.
     """
+    if draft.drive.circulating:
+        laid = draft.laid
+        return laid.path_s_m((laid.turning_starts_m + laid.turning_ends_m) / 2)
     for victim in victims(scene, hazard, draft):
         point = drives_meet(draft, victim)
         if point is not None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import copysign, pi
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scegen.report.lane_shapes import road_shapes
+from scegen.motion.model import Path
+from scegen.report.lane_shapes import bays, road_shapes
 from scegen.report.lights import entry_of, lights_of, shown
 from scegen.report.player.series import points
 from scegen.road.geometry import Pose
@@ -31,9 +33,9 @@ _OUTER = (
 """Carriageways lie on top where roads overlap."""
 
 
-def road_data(concrete: ConcreteScenario, network: RoadNetwork) -> Data:
+def road_data(concrete: ConcreteScenario, network: RoadNetwork, paths: Mapping[str, Path]) -> Data:
     """Polygons and lines in the world (m), x and y in turn."""
-    shapes = road_shapes(network)
+    shapes = road_shapes(network, bays(concrete, paths))
     marks = [("centre", line) for line in shapes.centre_lines]
     marks += [("lane", line) for line in shapes.lane_lines]
     marks += [("edge", line) for line in shapes.edge_lines]

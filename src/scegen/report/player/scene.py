@@ -71,7 +71,7 @@ def player_scene(
         "pair": list(meetings.pair),
         "moment_s": None if meetings.moment_s is None else round(meetings.moment_s, 2),
         "critical_s": _critical_s(meetings, _end_s(traces)),
-        "road": road_data(concrete, network),
+        "road": road_data(concrete, network, paths),
         "participants": [
             _participant(p, traces[p.id], paths[p.id], colour[p.id]) for p in concrete.participants
         ],

@@ -27,6 +27,7 @@ _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
                      ActKind.REVERSE, ActKind.TURN, ActKind.GIVE_WAY,
                      ActKind.OVERTAKE})  # fmt: skip
+_BY_THE_RULES = "the ego gives way as the rules of the junction say; this is not judged by itself"
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
 
@@ -102,7 +103,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
     made = []
     for entity in scene.actors:
         kind = _kind(frame.kind, entity, event)
-        if kind is None or _stands_then(entity, event):
+        if kind is None or _stands_then(entity, event) or _rules_say(entity, event, context):
             continue
         if kind is ActKind.STOP and not whom and _by_the_rule(scene, text, context):
             continue
@@ -112,9 +113,9 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         if kind is ActKind.OVERTAKE and scene.targets and all(t.parked for t in scene.targets):
             continue  # past one who is parked beside the lanes leads no move aside
         always = frame.always or kind is ActKind.CHANGE_LANE
-        always = always and not (entity.ego and _forced(event))
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
         doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
+        doing.forced = _forced(entity, event)
         if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
             doing.into, doing.into_basis = whom[0], basis
         to_the_side(doing, scene, text, context)
@@ -196,13 +197,21 @@ def _by_the_rule(scene: Clause, text: Sentences, context: Context) -> bool:
     )
 
 
-def _forced(event: Event) -> bool:
-    """``forces the ego to brake``: what the one under test has to do, not what it is made to do.
-
-    Others have no test to pass: who has to brake brakes.
-    """
+def _forced(entity: Entity, event: Event) -> bool:
+    """``the ego has to brake``, ``forces the ego to brake``: it does, as an answer."""
     parent = event.parent
-    return event.modal or (parent is not None and parent.name in {"cause", "prevent"})
+    return entity.ego and (event.modal or (parent is not None and parent.name == "cause"))
+
+
+def _rules_say(entity: Entity, event: Event, context: Context) -> bool:
+    """Whether the ego has to where roads meet, and nothing that is told endangers it."""
+    draft = context.draft
+    meeting = context.junction.crossing or draft.access is not None
+    meeting = meeting or draft.crossing_implied is not None
+    owed = _forced(entity, event) and meeting and not draft.dangers
+    if owed:
+        draft.note(event.i, event.j, _BY_THE_RULES)
+    return owed
 
 
 def _stands_then(entity: Entity, event: Event) -> bool:

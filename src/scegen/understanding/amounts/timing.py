@@ -230,8 +230,12 @@ class Clock(Teller):
             phrase = self._then(before, doing)
             basis = Basis(*phrase) if phrase is not None else doing.basis
             mine = [a for a in acts[:n] if a.entity is doing.entity and a.i != doing.i]
-            if phrase is not None and (before.always or before.amounts or doing.always):
+            told = before.always or bool(before.amounts) or doing.always
+            if phrase is not None and (told or before.entity is not doing.entity):
                 doing.when = Trigger("after", basis, act=before)
+            elif doing.forced and before.always and before.entity is not doing.entity:
+                basis = Basis(basis.i, basis.j, "what one has to do answers what the other does")
+                doing.when = Trigger("after", basis, act=before, since="begin")
             elif mine and mine[-1].always and doing.always:
                 reason = "what one does in turn happens in the order of the text"
                 doing.when = Trigger("after", Basis(basis.i, basis.j, reason), act=mine[-1])

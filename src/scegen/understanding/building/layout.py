@@ -72,6 +72,7 @@ class Layout:
     def build(self) -> Junction:
         """The junction; each of its fields is proved."""
         kind, kind_basis = self._kind()
+        self._of_a_ramp(kind)
         arms, arms_basis = self._arms(kind, kind_basis)
         control = self._reading.control or Control.UNCONTROLLED
         self._proofs.add("junction.kind", kind_basis, "no junction is named: a straight road")
@@ -111,6 +112,16 @@ class Layout:
             driving_side=self._around.side or DrivingSide.RIGHT,
             control=control,
         )
+
+    def _of_a_ramp(self, kind: JunctionKind) -> None:
+        """A median parts the directions of a road with ramps, where nothing else is said."""
+        used = auxiliary_lane(self._draft, self._along.auxiliary)
+        built = kind is JunctionKind.STRAIGHT and self._along.bend is None
+        ramp = built and used is not None and used[0] is not AuxiliaryLane.LANE_DROP
+        if ramp and used is not None and self._along.carriageway is None:
+            self._along.carriageway, self._along.carriageway_basis = Carriageway.DIVIDED, used[1]
+            self._along.presumed = True
+            self._around.highway = self._around.highway or used[1]
 
     def _dark_lights(self, control: Control) -> None:
         """What of lights that flash or do not work the road does not show."""

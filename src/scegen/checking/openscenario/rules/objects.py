@@ -66,7 +66,8 @@ def _placed(situation: Situation, thing: StaticObject, *, blocks: bool) -> Itera
         yield error(RULE, thing.id, message)
     if situation.network is None:
         return
-    on_lane = any(lane.type == "driving" for lane in situation.lanes_at([start.point])[0])
+    driven_on = {"driving"} | ({"biking"} if blocks else set())
+    on_lane = any(lane.type in driven_on for lane in situation.lanes_at([start.point])[0])
     if blocks != on_lane:
         where = "beside the road, not on a lane" if blocks else "on a driving lane, not beside it"
         yield error(RULE, thing.id, f"stands {where}")
