@@ -75,6 +75,8 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
     place = chunks[k]
     if not isinstance(place, Place) or place.kind not in _ROADS:
         return None
+    if place.head is not None and place.head.form == "s":
+        return None  # "at a roundabout with four arms the ego enters": the sentence itself
     m, opener = k + 1, ""
     word = _at(chunks, m)
     if isinstance(word, Word) and word.cat == "prep" and _relative(_at(chunks, m + 1), tokens):
