@@ -162,7 +162,7 @@ def _go_on(
     who: DriveDraft, leaves: Callable[[float], bool], said: list[SpeedChange], most_mps: float
 ) -> None:
     """Drive on as soon as that is free, by its own act if that is said; else stay as slow."""
-    if not said and any(mark.act is not None for mark in who.deeds):
+    if not said and (most_mps <= 0.0 or any(mark.act is not None for mark in who.deeds)):
         return
     kept = who.deeds
     rate = who.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)

@@ -214,7 +214,10 @@ def _latest_s(
             or stands_at_red(scene.functional.participant(name))
             or scene.sets_off(name)
         ):
-            lead_in = draft.course.time_at(_latest_start_m(draft, first_s[name])) - LEAD_IN_S
+            places = [first_s[name], draft.junction_s_m - _BEFORE_JUNCTION_M]
+            places += [mark.s_m for mark in draft.speed_changes() if mark.s_m > 0.5]
+            places += [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
+            lead_in = draft.course.time_at(max(0.0, min(places))) - LEAD_IN_S
             yield offsets[name] + max(0.0, lead_in)
 
 
@@ -240,10 +243,3 @@ def _first_places(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]
         places[meeting.first] = min(places[meeting.first], meeting.first_s_m)
         places[meeting.second] = min(places[meeting.second], meeting.second_s_m)
     return places
-
-
-def _latest_start_m(draft: DriveDraft, meeting_s_m: float) -> float:
-    places = [meeting_s_m, draft.junction_s_m - _BEFORE_JUNCTION_M]
-    places += [mark.s_m for mark in draft.speed_changes() if mark.s_m > 0.5]
-    places += [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
-    return max(0.0, min(places))

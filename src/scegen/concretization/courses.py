@@ -185,15 +185,11 @@ def course_of(marks: tuple[SpeedChange, ...], speed_mps: float, length_m: float)
     drive = _Driving(speed_mps)
     placed = [mark for mark in marks if mark.then_s is None]
     chained = [mark for mark in marks if mark.then_s is not None]
-    acts = any(mark.sort is Sort.ACT for mark in marks)
     acted = False
     while placed or (chained and acted):
-        places = [
-            drive.place_m(m, placed) if acts else m.s_m for m in placed[: None if acts else 1]
-        ]
         soon = [
-            (max(drive.profile.time_s(place), drive.ready_s), mark)
-            for place, mark in zip(places, placed, strict=False)
+            (max(drive.profile.time_s(drive.place_m(mark, placed)), drive.ready_s), mark)
+            for mark in placed
         ]
         if chained and acted:
             ends = drive.profile.settles_s(drive.ready_s)

@@ -165,10 +165,16 @@ def _delay_s(scene: Setup, draft: DriveDraft, when: AfterAct, took_s: float) -> 
 
 def is_open(scene: Setup, mark: SpeedChange) -> bool:
     """Whether the place of an act is free: neither said, nor that of the act before it."""
-    if mark.act is None or mark.then_s is not None:
+    if mark.act is None or mark.then_s is not None or _waits_at_line(scene, mark):
         return False
     when = scene.act(mark.act).when
     return not isinstance(when, BeforeJunction) or when.participant is not None
+
+
+def _waits_at_line(scene: Setup, mark: SpeedChange) -> bool:
+    """Whether it is how one waits at a junction, nobody says where: at its line."""
+    acts = (a for a in scene.functional.acts if a.id == mark.act and a.kind is ActKind.WAIT)
+    return not scene.network.plain and any(a.when is None for a in acts)
 
 
 def _place(scene: Setup, draft: DriveDraft) -> None:
@@ -181,9 +187,9 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     first = draft.deeds[0]
     place = first.s_m
     lets_by = _before_walker_m(scene, draft, first) if first.act else None
-    waits = any(a.id == first.act and a.kind is ActKind.WAIT for a in scene.functional.acts)
-    at_line = _stops_at_light(scene, draft) or (waits and not scene.network.plain)
-    if at_line and (first.act is None or is_open(scene, first)):
+    free = first.act is None or is_open(scene, first)
+    at_line = lets_by is None and _waits_at_line(scene, first)
+    if at_line or (free and _stops_at_light(scene, draft)):
         line = draft.stop_line_s_m - draft.body.front_m - _BEFORE_LINE_M
         place = line - _way_m(draft.cruise_mps, [first])
     elif lets_by is not None:

@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from scegen.concretization.abreast import abreast, is_outward, lanes_abreast
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import pairs
 from scegen.concretization.lane_choice import choose_lanes, routes_of
@@ -18,6 +17,7 @@ from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.tale import SIDEWAYS
+from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreast
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.motion.paths import END_MARGIN_M
 from scegen.scenario.concrete import LaneChange

@@ -16,7 +16,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.ground import outlines, taken_ground
+from scegen.concretization.boxes import outlines, taken_ground
 from scegen.concretization.things import (
     SCREEN,
     Shape,

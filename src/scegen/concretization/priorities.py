@@ -6,7 +6,7 @@ that does not do, it is placed to come at another time.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
@@ -91,7 +91,10 @@ class Manners:
         people = [(draft, offset_s), *others]
         changed = {draft.id}
         for _ in range(2 * len(people)):
-            taken = self._first_taken(changed, people)
+            pairs = (
+                (a, b) for a in people for b in people if a[0].id in changed and b[0] is not a[0]
+            )
+            taken = next(filter(None, (self._taken(one, two) for one, two in pairs)), None)
             if taken is None:
                 return True
             (late, late_s), (other, other_s) = taken
@@ -99,18 +102,6 @@ class Manners:
                 return False
             changed.add(late.id)
         return False
-
-    def _first_taken(
-        self, changed: Collection[str], people: Sequence[Placed]
-    ) -> tuple[Placed, Placed] | None:
-        """Who has to give way and does not, and before whom, of those who have changed."""
-        for one in people:
-            for two in people:
-                if one[0].id in changed and two[0] is not one[0]:
-                    found = self._taken(one, two)
-                    if found is not None:
-                        return found
-        return None
 
     def _taken(self, one: Placed, two: Placed) -> tuple[Placed, Placed] | None:
         """Who of two takes the other's way, and the other."""

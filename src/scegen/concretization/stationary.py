@@ -39,6 +39,10 @@ _BEFORE_PULLING_OUT_M = 7.0
 BLOCKS_AT_M = 45.0
 """A vehicle that blocks its lane stands this far before the junction, so that others get round."""
 BLOCKS_STRAIGHT_AT_M = 15.0
+_KERB_M, _CLEAR_M, _WOULD_HIT_M = 0.1, 0.45, 0.1
+"""From the edge of the lane; from who keeps clear of it; into who would not."""
+_LEAST_WAY_M, _ROOM_M = 30.0, 6.0
+_SAMPLE_M = 0.5
 
 
 def passed_where_they_stand(scene: Setup) -> tuple[Standing, ...]:
@@ -106,40 +110,18 @@ def towards_junction(scene: Setup, standing: Standing) -> bool:
 
 
 def blocked_lane_ahead(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether somebody stands in a drive's lane."""
+    """Whether somebody stands in a drive's way."""
     blocking = [stand for stand in scene.stands.values() if stand.standing.in_lane]
-    return any(_place_on_way(scene, draft, stand) is not None for stand in blocking)
+    return any(_met_m(draft, stand.path.start, stand.body) is not None for stand in blocking)
 
 
 def go_round_stationary(scene: Setup) -> None:
-    """Who drives in the lane of a vehicle that blocks it goes round."""
+    """Who comes to a vehicle that blocks its lane goes round."""
     for stand in scene.stands.values():
-        if not stand.standing.in_lane:
-            continue
-        for draft in scene.drives.values():
-            place = _place_on_way(scene, draft, stand)
+        for draft in scene.drives.values() if stand.standing.in_lane else ():
+            place = _met_m(draft, stand.path.start, stand.body)
             if place is not None and not draft.lane_changes:
                 pass_standing(scene, draft, place, stand.body)
-
-
-def _place_on_way(scene: Setup, draft: DriveDraft, stand: StandDraft) -> float | None:
-    """Where on its way a drive meets the middle of a vehicle in its lane; None if elsewhere."""
-    body = stand.body
-    inbound = towards_junction(scene, stand.standing)
-    arm = scene.road.arms[stand.standing.arm]
-    if inbound and draft.drive.entry == arm.id and draft.entry_lane == arm.lanes_in:
-        ahead = stand.motion.from_junction_m - body.centre_ahead_m
-        return draft.laid.turning_starts_m - ahead
-    if not inbound and draft.drive.exit == arm.id and draft.exit_lane == arm.lanes_out:
-        ahead = stand.motion.from_junction_m + body.centre_ahead_m
-        return draft.laid.turning_ends_m + ahead
-    return None
-
-
-_KERB_M, _CLEAR_M, _WOULD_HIT_M = 0.1, 0.45, 0.1
-"""From the edge of the lane; from who keeps clear of it; into who would not."""
-_LEAST_WAY_M, _ROOM_M = 30.0, 6.0
-_SAMPLE_M = 0.5
 
 
 def goes_round_a_thing(scene: Setup, draft: DriveDraft) -> bool:
@@ -162,7 +144,7 @@ def place_obstacles(scene: Setup) -> None:
             shape = replace(shape, width_m=min(shape.width_m, width))
         stays = _may_stay(scene, draft)
         station, pose = _spot(scene, draft, shape.body, stays=stays)
-        touching = [d for d in scene.drives.values() if _touches(d, pose, shape.body)]
+        touching = [d for d in scene.drives.values() if _met_m(d, pose, shape.body) is not None]
         if any(d.changes_before or not (d is draft or same_lane(d, draft)) for d in touching):
             continue
         made = made_of(thing.id, shape, thing.called, pose)
@@ -205,11 +187,14 @@ def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[
     return station, scene.network.pose_at(step, station, share if inwards else -share)
 
 
-def _touches(draft: DriveDraft, pose: Pose, body: Body) -> bool:
-    """Whether one who goes along its way comes too close to a thing."""
+def _met_m(draft: DriveDraft, pose: Pose, body: Body) -> float | None:
+    """Where on its way a drive is level with what stands or lies there, None if it stays clear."""
     path = draft.laid.path
     s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
-    return bool((apart(box_on(path, draft.body, s), box_of(pose, body), _CLEAR_M) < _CLEAR_M).any())
+    near = apart(box_on(path, draft.body, s), box_of(pose, body), _CLEAR_M) < _CLEAR_M
+    if not near.any():
+        return None
+    return draft.laid.station_m(float(s[near].mean()) + draft.body.centre_ahead_m)
 
 
 def _may_stay(scene: Setup, draft: DriveDraft) -> bool:

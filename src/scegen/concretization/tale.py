@@ -22,6 +22,31 @@ from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 """What leads out of the lane beside the way through a junction."""
 _ROUNDING_MPS = 1e-3
+_HAZARDS_OF = {
+    ActKind.BRAKE: (
+        HazardKind.HARD_BRAKING,
+        HazardKind.STOPPING,
+        HazardKind.LOSS_OF_CONTROL,
+        HazardKind.DELAYED_BRAKING,
+    ),
+    ActKind.STOP: (HazardKind.HARD_BRAKING, HazardKind.STOPPING),
+    ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
+    ActKind.CHANGE_LANE: (
+        HazardKind.CUT_IN,
+        HazardKind.MERGING_CONFLICT,
+        HazardKind.FAILURE_TO_YIELD,
+        HazardKind.ONCOMING_LANE,
+        HazardKind.SUDDEN_TURN,
+    ),
+    ActKind.SWERVE: (
+        HazardKind.SWERVING,
+        HazardKind.LOSS_OF_CONTROL,
+        HazardKind.ONCOMING_LANE,
+        HazardKind.SUDDEN_TURN,
+    ),
+    ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
+}
+"""The dangers that an act may be."""
 
 
 def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> FunctionalScenario:
@@ -77,33 +102,6 @@ def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str)
 def slug_name(logical: LogicalScenario) -> str:
     """The name of a scenario: number and slug of the logical one."""
     return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
-
-
-_HAZARDS_OF = {
-    ActKind.BRAKE: (
-        HazardKind.HARD_BRAKING,
-        HazardKind.STOPPING,
-        HazardKind.LOSS_OF_CONTROL,
-        HazardKind.DELAYED_BRAKING,
-    ),
-    ActKind.STOP: (HazardKind.HARD_BRAKING, HazardKind.STOPPING),
-    ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
-    ActKind.CHANGE_LANE: (
-        HazardKind.CUT_IN,
-        HazardKind.MERGING_CONFLICT,
-        HazardKind.FAILURE_TO_YIELD,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.SWERVE: (
-        HazardKind.SWERVING,
-        HazardKind.LOSS_OF_CONTROL,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
-}
-"""The dangers that an act may be."""
 
 
 @dataclass

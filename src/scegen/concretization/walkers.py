@@ -13,7 +13,6 @@ from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_po
 from scegen.concretization.others import WalkDraft, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import pace_of
-from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
@@ -182,15 +181,10 @@ def stop_in_the_way(scene: Setup) -> None:
         walks = [scene.walks[n] for n in hazard.by if n in scene.walks]
         for walk in walks if hazard.kind is HazardKind.STOPPING else ():
             found = partner_of(scene, walk)
-            if found is not None and not walk.stops:
-                _end_at(scene, walk, found[1])
-
-
-def _end_at(scene: Setup, walk: WalkDraft, point: MeetingPoint) -> None:
-    length = min(point.second_s_m + _STOP_SHORT_M, walk.path.length_m)
-    if length <= 0:
-        raise MotionInfeasibleError("stops before it has started", where=walk.id)
-    # Nobody reaches its full pace on a way too short to stop from it.
-    walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)
-    walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
-    walk.path = crossing_path(scene.network, walk.motion, walk.id)
+            if found is None or walk.stops:
+                continue
+            length = min(found[1].second_s_m + _STOP_SHORT_M, walk.path.length_m)
+            # Nobody reaches its full pace on a way too short to stop from it.
+            walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)
+            walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
+            walk.path = crossing_path(scene.network, walk.motion, walk.id)

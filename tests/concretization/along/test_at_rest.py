@@ -10,7 +10,7 @@ from roads import AHEAD, CROSS, STAY, ego, kmh, one, road
 from told import act, apart
 
 from scegen.concretization import concretize
-from scegen.concretization.along.laying import lay
+from scegen.concretization.along.compose import lay
 from scegen.concretization.along.reactions import contacts
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of

@@ -7,7 +7,7 @@ import pytest
 from roads import AHEAD, BEHIND, LEFT_LANE, SCENARIOS, ego, one, road
 from told import act, apart
 
-from scegen.concretization.along.laying import lay
+from scegen.concretization.along.compose import lay
 from scegen.concretization.along.moments import time_what_is_known
 from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.runner import gap_m

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from roads import AHEAD, BEHIND, STAY, ego, kmh, one, road
 from told import act, apart, as_soon_as
 
-from scegen.concretization.along.laying import lay
+from scegen.concretization.along.compose import lay
 from scegen.concretization.along.reactions import REACTION_S, contacts
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of

@@ -7,7 +7,7 @@ import pytest
 from roads import SCENARIOS
 
 from scegen.concretization.along import compose_along
-from scegen.concretization.along.laying import lay
+from scegen.concretization.along.compose import lay
 from scegen.concretization.along.telling import story_of
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion import build_paths, simulate

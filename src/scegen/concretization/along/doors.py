@@ -7,7 +7,6 @@ on at which it opens.
 from __future__ import annotations
 
 from dataclasses import replace
-from math import copysign
 
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import strip_middle_m
@@ -24,7 +23,6 @@ from scegen.scenario.vocabulary import ParticipantKind, Side
 
 _DOOR = BODIES[ParticipantKind.DOOR]
 _OPENS_S = 0.8
-_CLEAR_M = 1.2
 _IN_THE_WAY_M = 0.3
 """By so much it reaches into the way of who comes along: one rides or drives as near as that."""
 
@@ -99,13 +97,6 @@ def door_before(story: Story, who: str) -> Runner | None:
     names = opens(story.functional).keys() & story.runners.keys()
     endangering = (n for n in sorted(names) if who in endangered(story.functional, n))
     return next((story.runners[name] for name in endangering), None)
-
-
-def clear_of_m(door: Runner, who: Runner) -> float:
-    """How far somebody goes aside, to the left of the ego's way if positive, to clear a door."""
-    away = who.y_m(0.0) - door.y_m(0.0)
-    needs = (door.body.width_m + who.body.width_m) / 2 + _CLEAR_M - abs(away)
-    return copysign(max(needs, _CLEAR_M), away)
 
 
 def middle_m(door: Runner, vehicle: Body) -> float:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from math import copysign
+
 from scegen.concretization.along.auxiliary import GAINS_MPS2, LOSES_MPS2, RAMP_MPS
-from scegen.concretization.along.doors import clear_of_m, door_before, opening_s
+from scegen.concretization.along.doors import door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, lasting_s
@@ -17,6 +19,7 @@ from scegen.scenario.vocabulary import HazardKind, Side
 
 _PACES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _SAME_MPS = 0.5
+_CLEAR_OF_DOOR_M = 1.2
 _PASSES_S, _SHIES_FOR_S = 1.0, 1.3
 """Who swerves round a door stays aside so long, until it has passed."""
 _ABRUPT = frozenset({HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
@@ -109,7 +112,9 @@ def _swerve(
     side = act.side or _free_side(story, runner, lane)
     door = door_before(story, runner.id)
     if act.lateral_m is None and door is not None:
-        aside = runner.sign * clear_of_m(door, runner)
+        away = runner.y_m(0.0) - door.y_m(0.0)
+        needs = (door.body.width_m + runner.body.width_m) / 2 + _CLEAR_OF_DOOR_M - abs(away)
+        aside = runner.sign * copysign(max(needs, _CLEAR_OF_DOOR_M), away)
         lasts = lasting_s(act, abs(aside), _SHIES_FOR_S)
         out = Move(begins_s, lasts, lane, runner.offset_m + aside, act.id, hazard)
         return [out, Move(out.ends_s + _PASSES_S, lasts, lane, runner.offset_m, act.id, hazard)]

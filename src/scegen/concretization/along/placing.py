@@ -120,7 +120,9 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
             act.participant == name and act.into == reference
             and act.kind is ActKind.CHANGE_LANE for act in story.acts
         )  # fmt: skip
-        if comes_in or _moves_before(story.runners[name], story.runners[reference]):
+        mover, stays = story.runners[name], story.runners[reference]
+        over = any(m.lane == stays.lane != mover.lane for m in mover.moves)
+        if comes_in or (over and not stays.moves):
             return sign
     if first.stands != second.stands:
         return first.stands
@@ -131,12 +133,6 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
         return who != story.ego.id
     names = list(story.runners)
     return names.index(who) < names.index(other)
-
-
-def _moves_before(first: Runner, second: Runner) -> bool:
-    """Whether one comes over into the lane of another that stays in its own."""
-    comes = any(m.lane == second.lane != first.lane for m in first.moves)
-    return comes and not second.moves
 
 
 def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool, bool, int]:

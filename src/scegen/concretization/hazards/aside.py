@@ -7,7 +7,6 @@ into another's lane is close before it then.
 
 from __future__ import annotations
 
-from scegen.concretization.abreast import is_outward
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import culprits, same_arm, victims
@@ -24,6 +23,7 @@ from scegen.concretization.passing import change_length_m, slowing_s_m
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.stationary import blocked_lane_ahead
+from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
