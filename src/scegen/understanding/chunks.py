@@ -262,6 +262,8 @@ def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     event.control = term.data.get("control")
     event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
     event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
+    if "how" in term.data:
+        event.mods.append(Term("manner", term.data["how"], term.i, term.j))
     if "way" in term.data:
         event.mods.append(Term("dir", term.data["way"], term.i, term.j))
     return event

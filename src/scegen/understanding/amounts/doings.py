@@ -43,8 +43,8 @@ class Filler(Teller):
         name, kinds = FIELDS[role]
         event = self._text.verb_at(number.i, number.j)
         keeps = role == "duration" and event is not None and event.name == "match"
-        if keeps and self._before_the_next(number):
-            return True
+        if keeps:  # "brakes to 60 km/h and holds that speed for 4 s": no longer braking
+            return self._before_the_next(number)
         rests = role == "duration" and self._rests(number, event)
         doing = rests or self.likewise(number, kinds) or self._act(number, kinds, name, event)
         if doing is None and role == "duration":

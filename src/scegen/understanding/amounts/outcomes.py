@@ -9,7 +9,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.struck import Struck
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import counterpart, ego_of
-from scegen.understanding.chunks import Event, Mention, Place, Thing
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
@@ -41,8 +41,6 @@ class Judge(Teller):
 
     def _of_verb(self, scene: Clause) -> Ending | None:
         event = scene.event
-        if self._met_in_vain(event):
-            return Ending(OutcomeKind.COLLISION, Basis(event.i, event.j), self._between(scene))
         if event.premod_of is not None or self._bare(event) or not self._meets(scene):
             return None
         start = max(self._text.bounds(event.i)[0], event.i - _BEFORE)
@@ -65,12 +63,6 @@ class Judge(Teller):
         """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
         alone = event.i > 0 and self._text.tokens[event.i - 1].kind == "punct"
         return alone and event.form == "base" and event.lemma in words()["impacts"]
-
-    def _met_in_vain(self, event: Event) -> bool:
-        """``cannot avoid a collision``."""
-        what = event.object
-        named = isinstance(what, Thing) and self._text.tokens[what.j - 1].low in words()["impacts"]
-        return named and _in_vain(event)
 
     def _meets(self, scene: Clause) -> bool:
         """Verbs of contact; "meets head-on"; "just misses"; "slides into it"."""
@@ -144,6 +136,8 @@ class Judge(Teller):
             kind = self._governed(begin, k)
             if kind is not None:
                 i = begin - (begin > 0 and tokens[begin - 1].low in words()["none"])
+                avoided = [e.i for e in self._prevented(begin - _BEFORE, k) if e.i < begin]
+                i = min([i, *avoided])  # "cannot avoid the collision"
                 found.append(Ending(kind, Basis(i, k + 1), self._around(k, None)))
         return found
 
@@ -153,11 +147,7 @@ class Judge(Teller):
         start, end = self._text.bounds(k)
         opens = (m for m in range(begin, start, -1) if tokens[m - 1].low in words()["joints"])
         start = max(next(opens, start), begin - _BEFORE)
-        prevented = [
-            s.event
-            for s in self._text.within(start, min(end, k + _BEFORE))
-            if s.event.name in {"avoid", "prevent"}
-        ]
+        prevented = self._prevented(start, k)
         vain = any(_in_vain(e) for e in prevented)
         governor = tokens[begin - 1].low if begin > start else ""
         before, after = self._text.low(start, begin), self._text.low(k + 1, min(end, k + _BEFORE))
@@ -180,6 +170,12 @@ class Judge(Teller):
             stops = tokens[k].low == "contact" or (bool(told) and told[-1].event.name == "stop")
             return OutcomeKind.AVOIDED if stops else OutcomeKind.COLLISION
         return OutcomeKind.COLLISION
+
+    def _prevented(self, start: int, k: int) -> list[Event]:
+        """What keeps a contact from happening, or does not, around its noun."""
+        first, end = self._text.bounds(k)
+        around = self._text.within(max(start, first), min(end, k + _BEFORE))
+        return [s.event for s in around if s.event.name in {"avoid", "prevent"}]
 
     def _leads_to(self, begin: int) -> bool:
         """``leads to a collision``, ``up to the impact``: no time to one, nothing intended."""

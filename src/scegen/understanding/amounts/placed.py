@@ -231,9 +231,10 @@ class Spacer(Teller):
         name = scene.event.name if scene is not None else ""
         before = self._text.low(number.i - 2, number.i).split()
         rests = before[-1:] and before[-1] in word_list("at_rest") and before[0] != "from"
-        stops = name in {"stop", "wait"} or bool(rests)
-        stops = stops or (name == "pass" and not (scene and scene.targets))
         who = scene.actors if scene is not None else []
+        rested = any(a.ends_at_rest and a.entity in who for a in self._happenings.acts)
+        stops = name == "stop" or (name == "wait" and rested) or bool(rests)
+        stops = stops or (name == "pass" and not (scene and scene.targets))
         stops = stops and bool(who) and not any(e.still for e in who)
         if scene is not None and (rests or scene.event.j == number.i):
             stops = stops and not number.around.after.startswith(" behind ,")

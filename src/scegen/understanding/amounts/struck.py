@@ -61,7 +61,6 @@ class Struck(Teller):
                 and part is BodySide.REAR
             ):
                 ending.struck, ending.struck_basis = BodySide.FRONT, basis
-        self._by_the_bonnet(ending, start, end)
 
     def _portion(self, place: Place) -> NounPhrase | None:
         """``the left half`` of its front, ``the right corner`` of the ego's front."""
@@ -94,24 +93,6 @@ class Struck(Teller):
         else:
             value = Interval(low=0.0 if left else _HALF, high=_HALF if left else _WHOLE)
             ending.impact = Amount(value, basis)
-
-    def _by_the_bonnet(self, ending: Ending, start: int, end: int) -> None:
-        """``by the centre of the bonnet``: a part that only the ego can mean."""
-        tokens = self._text.tokens
-        for k in range(start, end):
-            if tokens[k].low not in words()["middle"] or ending.impact is not None:
-                continue
-            after = [t.low for t in tokens[k + 1 : min(k + _REACH, end)]]
-            part = next((n for n, low in enumerate(after) if low in words()["parts"]), None)
-            owners = [
-                e
-                for m in self._text.mentions
-                if part is not None and k < m.i <= k + 1 + part
-                for e in m.entities
-            ]
-            if part is not None and after[:1] == ["of"] and all(e.ego for e in owners):
-                value = Interval(low=_HALF, high=_HALF)
-                ending.impact = Amount(value, Basis(k, k + 2 + part))
 
     def _is_hit(self, ego: Entity, i: int) -> bool:
         return any(

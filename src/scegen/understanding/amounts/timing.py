@@ -123,7 +123,10 @@ class Clock(Teller):
         """``1 s after the lead car brakes``: nothing says when it has done so."""
         over = [c for c in self._text.scenes if c.event.i == doing.i and c.event.perfect]
         amounts = {"target_speed_mps", "duration_s", "distance_m"} & set(doing.amounts)
-        return doing.kind in {ActKind.BRAKE, ActKind.ACCELERATE} and not (over or amounts)
+        told = [c for c in self._text.scenes if c.event.i in {doing.i, *doing.told}]
+        steps = doing.kind is ActKind.CROSS and all(c.event.lemma != "cross" for c in told)
+        lasting = doing.kind in {ActKind.BRAKE, ActKind.ACCELERATE} and not (over or amounts)
+        return lasting or steps  # "has stepped off the kerb": that is where the crossing begins
 
     def _since(self, number: Measured) -> str:
         """The word after a time: "after" only where it opens a clause."""
@@ -153,6 +156,10 @@ class Clock(Teller):
         after = [(i, a) for i, a in here if i > number.i]
         if self._since(number) == "after" and len(after) > 1 and not before:
             return after[1][1]
+        joined = {t.low for t in self._text.tokens[number.i - 2 : number.i]} & {"and", "then"}
+        earlier = [a for i, a in here if i < number.i and not joined]
+        if self._since(number) == "after" and len(after) == 1 and earlier and not before:
+            return earlier[-1]  # "brakes with 4 m/s², 0.5 s after the van has braked"
         if before:
             return before[-1]
         comma = next((k for k in range(number.j, end) if self._text.tokens[k].low == ","), -1)
@@ -285,5 +292,6 @@ class Clock(Teller):
             begun = because or opening in words()["while_begun"]
             over = [c for c in self._text.within(chunk.j, end) if c.event.perfect]
             over += [r for r in inside[0].entity.rests if r.i in inside[0].told]  # type: ignore[misc]
-            since = "begin" if begun and not over else "end"  # "when it has stopped"
+            steps = inside[0].kind is ActKind.CROSS and self._endless(inside[0])
+            since = "begin" if steps or (begun and not over) else "end"  # "when it has stopped"
             main[0].when = Trigger("after", Basis(chunk.i, chunk.j), act=inside[0], since=since)

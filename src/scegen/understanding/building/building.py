@@ -33,7 +33,6 @@ from scegen.understanding.building.in_lane import (
     settle_numbers,
 )
 from scegen.understanding.building.layout import Layout
-from scegen.understanding.building.left_turns import onto_the_road
 from scegen.understanding.building.open_road import (
     abreast,
     at_the_edge,
@@ -48,6 +47,7 @@ from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import settle_positions
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.happenings import Happenings
+from scegen.understanding.meaning.breaches import onto_the_road
 from scegen.understanding.meaning.crossed_arms import settle_arms
 from scegen.understanding.meaning.signed_roads import settle_roads
 from scegen.understanding.road.junctions import JunctionReading

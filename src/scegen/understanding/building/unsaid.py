@@ -12,8 +12,8 @@ from scegen.scenario.vocabulary import (
     Maneuver,
 )
 from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.meaning.ruled_out import ways_left
 
+_OVER_A_JUNCTION = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.STRAIGHT})
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING,
                                 HazardKind.CROSSING_CYCLIST})  # fmt: skip
@@ -39,7 +39,7 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
         return turns if passes and turns else entity.maneuvers  # "overtakes, then turns right"
     found = _followed(entity, junction, draft)
     if found is None:
-        left = ways_left(entity) if junction.kind is not JunctionKind.ROUNDABOUT else set()
+        left = _ways_left(entity) if junction.kind is not JunctionKind.ROUNDABOUT else set()
         basis = entity.excluded_basis
         if left and basis is not None:
             entity.maneuver_basis = Basis(basis.i, basis.j, "the other ways are ruled out")
@@ -138,3 +138,10 @@ def _oncoming(entity: Entity, draft: Draft) -> Basis | None:
         ),
         None,
     )
+
+
+def _ways_left(entity: Entity) -> set[Maneuver]:
+    """The ways over a junction that are not ruled out; empty where nothing is said."""
+    if not entity.excluded & _OVER_A_JUNCTION or not entity.is_vehicle:
+        return set()
+    return set(_OVER_A_JUNCTION - entity.excluded)

@@ -14,7 +14,6 @@ from scegen.understanding.clauses import relatives, subjects
 from scegen.understanding.clauses.attachment import preposition, release
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.absolutes import absolute
 from scegen.understanding.phrases.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -235,8 +234,6 @@ class ClauseReader:
             return False
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
             return event.form == "ing" and not self._state.between
-        if absolute(event, k, self._chunks):
-            return True
         view = view_of(self._chunks[max(0, k - 3) : k])
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"

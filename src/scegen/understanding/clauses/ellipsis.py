@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
-from scegen.understanding.clauses.late_braking import late_braking
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.phrases.predicates import complete
@@ -49,7 +48,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         copy = _copy(verb, chunk, chunks, k + 1)
         if copy is not None:
             found.append(copy)
-    return complete(chunks, late_braking(chunks, found, tokens), tokens)
+    return complete(chunks, found, tokens)
 
 
 def _second_of_two(chunks: list[Chunk], k: int) -> bool:
@@ -82,6 +81,9 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             and tokens[event.i - 1].low in {"so", "as"}
         ):
             _turned_round(event)
+        later = any((m.cat, m.value) == ("quantity", "time") for m in event.mods)
+        if event.name == "follow" and later and not (event.object or event.pps):
+            event.name = "likewise"  # "a van sets off and the ego follows 1 s later"
         if event.name != "likewise":
             continue
         who = set(map(id, event.subject))

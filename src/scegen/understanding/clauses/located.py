@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
 
+_PARTS = frozenset({"shoulder", "flank"})
+
 
 def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     """``behind the ego's rear bumper``: behind the ego, as far as others are concerned.
@@ -11,7 +13,9 @@ def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     Args:
         target: what "behind" or "next to" governs.
     """
-    part = isinstance(target, Thing) or (isinstance(target, Place) and target.kind == "shoulder")
+    part = isinstance(target, Thing) or (
+        isinstance(target, Place) and target.kind in {"shoulder", "flank"}
+    )
     if part and isinstance(target, NounPhrase) and target.owner is not None:
         return target.owner
     return target

@@ -133,5 +133,4 @@ def whose(k: int, chunks: list[Chunk]) -> bool:
         chunks: the chunks of the text.
     """
     before = chunks[k - 1] if k else None
-    head = before.head if isinstance(before, NounPhrase) else None
-    return head is not None and head.value == "wh"
+    return isinstance(before, Word) and before.value == "whose"

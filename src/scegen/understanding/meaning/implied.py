@@ -5,7 +5,6 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Danger, Entity
-from scegen.understanding.meaning import oncoming
 from scegen.understanding.meaning.reactions import into_rear
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
@@ -29,7 +28,7 @@ def positions(clauses: list[Clause], context: Context) -> None:
     for clause in clauses:
         say("positions.any", clause, context)
         _driven_up_to(clause, context)
-    oncoming.turned_across(context)
+    _turned_across(context)
     for danger in context.draft.dangers:
         if danger.kind is HazardKind.ONCOMING_LANE:
             _face_to_face(danger, context)
@@ -197,3 +196,16 @@ def _face_to_face(danger: Danger, context: Context) -> None:
             ):
                 basis = Basis(danger.basis.i, danger.basis.j, "they use the same lane head-on")
                 context.draft.place(culprit, victim, {Approach.OPPOSITE}, basis)
+
+
+def _turned_across(context: Context) -> None:
+    """``the ego turns left across the path of a motorcyclist``: who comes towards it."""
+    for danger in context.draft.dangers:
+        if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or not any(e.ego for e in danger.by):
+            continue
+        others = [e for e in context.draft.entities if e.moving_vehicle and not e.ego]
+        for entity in danger.to or (others if len(others) == 1 else []):
+            told = any(p.entity is entity for p in context.draft.placements)
+            if entity.moving_vehicle and not told and entity.heading is None:
+                basis = Basis(danger.basis.i, danger.basis.j, "the turn leads across its way")
+                context.draft.place(entity, None, {Approach.OPPOSITE}, basis)

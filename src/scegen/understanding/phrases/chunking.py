@@ -6,10 +6,9 @@ from dataclasses import replace
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
-from scegen.understanding.phrases.lanes import between_lanes
 from scegen.understanding.phrases.lanes_away import count_lanes
 from scegen.understanding.phrases.naming import Namer
-from scegen.understanding.phrases.split_verbs import with_particles
+from scegen.understanding.phrases.renamed import between_lanes, with_particles
 from scegen.understanding.words.adjectives import listed, loose_modifier
 from scegen.understanding.words.nominal import (
     OPENERS,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.driving_people import in_traffic
 from scegen.understanding.reference.bystanders import mark_bystanders, put_there
 from scegen.understanding.reference.reference import tells
 from scegen.understanding.words.terms import Term
@@ -26,6 +25,7 @@ _AGAIN = (
 """What a second clause may tell of another time, so that its subject is the same."""
 _CYCLING = frozenset({"cycle", "pedal"})
 _DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
+_OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
@@ -38,7 +38,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     for chunk in chunks:
         if isinstance(chunk, Mention):
             chunk.sides |= _sides(chunk.pps)
-    _people_in_traffic(chunks, events)
+    _people__in_traffic(chunks, events)
     mark_bystanders(chunks, events)
     _chases(events)
     _own_vehicles(events, tokens)
@@ -76,7 +76,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
-    turns = turns or ((_person(mention) or vague) and in_traffic(event, tokens))
+    turns = turns or ((_person(mention) or vague) and _in_traffic(event, tokens))
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
@@ -234,7 +234,7 @@ def _on_foot(event: Event) -> bool:
     return event.name in {"cross", "walk", "appear"} and not against
 
 
-def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
+def _people__in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
     """``the guy behind me``: somebody who is behind or in front, and does not walk, drives."""
     walking = {id(m) for e in events if _on_foot(e) for m in e.subject}
     for chunk in chunks:
@@ -271,3 +271,25 @@ def _takes_a_turn(event: Event) -> bool:
     """``makes a left``: who says so means a driver."""
     target = event.object
     return event.name == "light" and isinstance(target, Place) and target.kind == "side"
+
+
+def _by_car(event: Event, tokens: list[Token]) -> bool:
+    return tokens[event.i].forms[-1][0] in word_list("steering")
+
+
+def _in_traffic(event: Event, tokens: list[Token]) -> bool:
+    """``the man coming the other way``, ``she turns into her drive``: only drivers do so.
+
+    Args:
+        event: what somebody does.
+        tokens: the tokens of the text.
+    """
+    if event.name == "move":
+        return any(d.value == "opposite" for d in event.dirs)
+    goals: list[object] = [p.target for p in event.pps if p.value in {"into", "in"}]
+    if event.name == "enter" and _by_car(event, tokens):
+        goals.append(event.object)
+    goes_in = any(isinstance(g, Place) and g.kind in _OFF_THE_ROAD for g in goals)
+    return (
+        event.name in {"turn", "sharp_turn", "pull_over", "enter"} and not event.nominal and goes_in
+    )

@@ -263,7 +263,8 @@ class Discourse:
                 return []  # "the other car": other than mine
             claimed = self._roster.claim(1, exclude, reading)
             rest = [e for e in self._roster.rest(exclude) if self._roster.compatible(e, reading)]
-            return claimed or rest
+            alone = len(self._draft.entities) == 1 and self._draft.entities[0].ego
+            return claimed or ([] if alone else rest)  # other than the ego
         if det in {"another", "ordinal"}:
             return self._another(reading, exclude)
         if det in {"one", "indef"}:

@@ -10,7 +10,7 @@ from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_LABELLED = re.compile(r"^(?:v|veh|u|d|car|cv)\d{1,2}$")
+_LABELLED = re.compile(r"^(?:v|veh|u|d|t|car|cv|obj|tgt|gvt)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
 

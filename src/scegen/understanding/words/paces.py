@@ -71,6 +71,10 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         while end < len(tokens) and tokens[end].low in _ZONE:
             end += 1
         value = "fast" if number.value > limit.value else "slow"
+        if (
+            speed and quantity is not None and allowed is not None
+        ):  # both are told, each in its unit
+            return Term("manner", value, i, j, data={"pace": True, "quantity": quantity})
         return Term("manner", value, i, end, data={"pace": True})
     if number.value <= _CRAWL and j < len(tokens) and _on_a_highway(tokens, j):
         return Term("manner", "slow", i, j, data={"pace": True})

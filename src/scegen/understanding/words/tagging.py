@@ -42,8 +42,10 @@ _STEERED = frozenset({"driven", "ridden"})
 
 
 def _first_person(tokens: list[Token], i: int) -> bool:
-    """``i`` is a person as a capital letter or before a verb; "i.e." and "I-95" are not."""
+    """``i`` is a person as a capital letter or before a verb; "i.e.", "I-95", "US" are not."""
     token = tokens[i]
+    if token.text == "US":
+        return False
     if token.low != "i" or token.text == "I":
         return True
     following = longest_match(tokens, i + 1) if i + 1 < len(tokens) else None

@@ -1,4 +1,4 @@
-"""Changes of lane that are said by where they begin and end."""
+"""Verbs that the words after them make others: "cuts the van off", "changes to the outer lane"."""
 
 from __future__ import annotations
 
@@ -33,3 +33,17 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             if goal and isinstance(place, Place) and place.kind == "lane":
                 chunk.name = "lane_change"
     return chunks
+
+
+def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``cuts the van off`` is "cut off" with its object inside."""
+    dropped: set[int] = set()
+    for k, chunk in enumerate(chunks):
+        if not (isinstance(chunk, Event) and chunk.name == "cut"):
+            continue
+        chunk.name = "cut_in"
+        for following in chunks[k + 1 : k + 4]:
+            if isinstance(following, Word) and tokens[following.i].low == "off":
+                chunk.name = "cut_off"
+                dropped.add(id(following))
+    return [c for c in chunks if id(c) not in dropped]
