@@ -91,6 +91,12 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = gains + max(_HOLDS_S * speed - steady, to_aim - width if far is None else -steady)
     setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
+    soon_s = _until_met_s(story, participant.id, meets, act)
+    if soon_s is not None:  # so near that the other does not come by first
+        way = float(gained(speed, starting_mps2(participant.kind), np.array([soon_s]))[0][0])
+        nearest = max(strip, body.front_m + 0.2)
+        if way - to_aim > nearest or story.contact_wanted(participant.id, meets.id):
+            setback = max(min(setback, way - to_aim), nearest)
     waits = _waits_m(story, participant.id, meets, edge, into)
     setback = waits if waits is not None else setback
     walk = Walk(
@@ -179,6 +185,18 @@ def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> 
             place = meets.y_m(0.0) + meets.sign * left
             return max(0.0, (edge - place) * into)
     return None
+
+
+def _until_met_s(story: Story, name: str, meets: Runner, act: Act | None) -> float | None:
+    """How long the other takes to its line from when it sets off, where that is said."""
+    spacing = _spacing(story, name, meets.id, act)
+    when = act.when if act is not None else None
+    if isinstance(when, WhenMeasure) and not _hidden_behind_m(story, when):
+        spacing = when.measure, when.value.middle, True
+    if spacing is None or not spacing[2] or meets.speed_mps <= 0.0:
+        return None
+    measure, value, _ = spacing
+    return value / meets.speed_mps if measure is Measure.GAP_M else value
 
 
 def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float) -> None:
