@@ -102,7 +102,11 @@ class Struck(Teller):
     def _owner(self, place: Place, i: int, ending: Ending) -> Entity | None:
         """Whose part it is: "the ego's front", "the rear of the car", "its rear"."""
         if place.owner is not None and place.owner.entities:
-            return place.owner.entities[0]  # type: ignore[no-any-return]
+            owner: Entity = place.owner.entities[0]
+            does = any(owner in s.actors for s in self._text.scenes if s.event.i == i)
+            others = [e for e in ending.between if e is not owner]
+            # "it crashes into the back of it" is into another's.
+            return others[0] if does and place.owner.pronoun and len(others) == 1 else owner
         if any((m.cat, m.value) == ("possessive", "first_person") for m in place.mods):
             return ego_of(self._context)
         own = any(m.cat == "possessive" and m.value == "its" for m in place.mods)
