@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
-from math import hypot
+from math import dist
 
 import shapely
 
@@ -30,7 +30,7 @@ def conflict_points(
         if conflict.kind not in {ConflictKind.CROSSING, ConflictKind.MERGING}:
             continue
         point = _meeting(conflict.kind, tuple(first), tuple(second))
-        if not any(_apart(point, other) < _NEAR for _, other in marks):
+        if not any(dist(point, other) < _NEAR for _, other in marks):
             marks.append((conflict.kind, point))
     return marks
 
@@ -49,7 +49,3 @@ def _meeting(kind: ConflictKind, first: _Line, second: _Line) -> Point:
     gaps = shapely.distance(shapely.points(first), other)
     near = gaps < _MERGED
     return first[int(near.argmax() if near.any() else gaps.argmin())]
-
-
-def _apart(p: Point, q: Point) -> float:
-    return hypot(p[0] - q[0], p[1] - q[1])

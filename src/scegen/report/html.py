@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from base64 import b64encode
-from dataclasses import dataclass
+from collections.abc import Iterator
 from hashlib import sha256
 from importlib.resources import files
 from urllib.parse import quote
@@ -18,7 +18,7 @@ from scegen.report.evidence import field_rows, field_words, left_out, spans
 from scegen.report.gallery import Tiles, counted, draw_tiles, groups, summary
 from scegen.report.judgement import judgement_tables
 from scegen.report.player.bundle import player_css, player_js
-from scegen.report.tables import Table, tables
+from scegen.report.tables import tables
 from scegen.report.theme import css
 from scegen.report.tile import tile_body, tile_svg
 from scegen.report.words import hazard_words, plain
@@ -76,26 +76,8 @@ def _asset(name: str) -> str:
     return files("scegen.report").joinpath("templates", name).read_text(encoding="utf-8")
 
 
-@dataclass(frozen=True, slots=True)
-class _Group:
-    title: str
-    tiles: tuple[Markup, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class _Gallery:
-    title: str
-    summary: str
-    method: str
-    notes: tuple[str, ...]
-    junction: Markup
-    made: tuple[Markup, ...]
-    groups: tuple[_Group, ...]
-    missing: int
-
-
-def _gallery(report: ReportInput) -> _Gallery | None:
-    """The logical scenarios: those that were made, then all in groups."""
+def _gallery(report: ReportInput) -> dict[str, object] | None:
+    """The logical scenarios for the template: those that were made, then all in groups."""
     logical_set = report.logical_set
     if logical_set is None:
         return None
@@ -104,24 +86,24 @@ def _gallery(report: ReportInput) -> _Gallery | None:
     pictures = _pictures(logical_set, drawn)
     functional = logical_set.functional
     made = {entry.concrete.logical.index: entry.concrete.logical for entry in report.concretes}
-    return _Gallery(
-        counted(count, "logical scenario"),
-        summary(logical_set),
-        logical_set.certificate.method,
-        logical_set.notes,
+    return {
+        "title": counted(count, "logical scenario"),
+        "summary": summary(logical_set),
+        "method": logical_set.certificate.method,
+        "notes": logical_set.notes,
         # The tiles escape what comes from outside themselves.
-        Markup(drawn.junction),  # noqa: S704
-        tuple(
+        "junction": Markup(drawn.junction),  # noqa: S704
+        "made": [
             Markup(tile_svg(s, functional, tile_body(s, functional, '<use href="#junction"/>')))  # noqa: S704
             for s in made.values()
-        ),
-        tuple(
-            _Group(title or "All", tuple(pictures[place] for place in members))
+        ],
+        "groups": [
+            {"title": title or "All", "tiles": [pictures[place] for place in members]}
             for title, places in groups(drawn.shown)
             if (members := [place for place in places if place < len(pictures)])
-        ),
-        count - len(pictures),
-    )
+        ],
+        "missing": count - len(pictures),
+    }
 
 
 def _pictures(logical_set: LogicalSet, drawn: Tiles) -> list[Markup]:
@@ -137,67 +119,43 @@ def _pictures(logical_set: LogicalSet, drawn: Tiles) -> list[Markup]:
     return pictures
 
 
-@dataclass(frozen=True, slots=True)
-class _Fact:
-    """One line of the summary: how it came out (held, failed, open), and words."""
-
-    verdict: str
-    words: str
-
-
-@dataclass(frozen=True, slots=True)
-class _Concrete:
-    name: str
-    anchor: str
-    about: str
-    facts: tuple[_Fact, ...]
-    hazards: tuple[str, ...]
-    scenes: Markup
-    tables: tuple[Table, ...]
-    files: tuple[tuple[str, str], ...]
-    checks: tuple[tuple[CheckRow, str], ...]
-    judgement: tuple[Table, ...]
-
-
-def _concrete(entry: ConcreteEntry) -> _Concrete:
+def _concrete(entry: ConcreteEntry) -> dict[str, object]:
+    """A concrete scenario for the template."""
     concrete = entry.concrete
-    return _Concrete(
-        name=concrete.name,
-        anchor=f"scenario-{concrete.name}",
-        about=(
+    return {
+        "name": concrete.name,
+        "anchor": f"scenario-{concrete.name}",
+        "about": (
             f"logical scenario {concrete.logical.index}, {concrete.duration_s:g} s, "
             f"seed {concrete.seed}"
         ),
-        facts=tuple(_facts(entry)),
-        hazards=tuple(hazard_words(hazard) for hazard in concrete.hazards),
-        scenes=_data([entry.scene, entry.before]),
-        tables=tuple(tables(concrete)),
-        files=tuple((name, quote(f"{entry.folder}/{name}")) for name in entry.files),
-        checks=tuple((row, _verdict(row.status)) for row in entry.checks),
-        judgement=(
+        "facts": [{"verdict": verdict, "words": words} for verdict, words in _facts(entry)],
+        "hazards": [hazard_words(hazard) for hazard in concrete.hazards],
+        "scenes": _data([entry.scene, entry.before]),
+        "tables": tables(concrete),
+        "files": [(name, quote(f"{entry.folder}/{name}")) for name in entry.files],
+        "checks": [(row, _verdict(row.status)) for row in entry.checks],
+        "judgement": [
             *danger_tables(entry.proof),
             *judgement_tables(entry.verdict, entry.sensitivity),
-        ),
-    )
+        ],
+    }
 
 
-def _facts(entry: ConcreteEntry) -> list[_Fact]:
-    """What anybody asks first."""
-    facts = []
+def _facts(entry: ConcreteEntry) -> Iterator[tuple[str, str]]:
+    """What anybody asks first: how it came out (held, failed, open), in words."""
     if (proof := entry.proof) is not None:
         if proof.claims:
-            facts.append(_Fact("failed" if proof.missed else "held", proof.held))
-        facts.append(_Fact("held" if proof.in_band else "failed", target_words(proof)))
+            yield "failed" if proof.missed else "held", proof.held
+        yield "held" if proof.in_band else "failed", target_words(proof)
     if entry.verdict is not None:
-        words = f"a careful driver: {plain(entry.verdict.outcome)}"
-        facts.append(_Fact("open", words))
+        yield "open", f"a careful driver: {plain(entry.verdict.outcome)}"
     failed = [row.checker for row in entry.checks if _verdict(row.status) == "failed"]
     passed = [row for row in entry.checks if _verdict(row.status) == "held"]
     if failed:
-        facts.append(_Fact("failed", f"checks failed: {', '.join(failed)}"))
+        yield "failed", f"checks failed: {', '.join(failed)}"
     elif passed:
-        facts.append(_Fact("held", f"{counted(len(passed), 'check')} passed"))
-    return facts
+        yield "held", f"{counted(len(passed), 'check')} passed"
 
 
 def _data(value: object) -> Markup:

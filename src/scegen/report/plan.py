@@ -8,6 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import asin, atan2, cos, hypot, pi, radians, sin
 
+import numpy as np
+
 from scegen.scenario.arms import arm_angles_deg
 from scegen.scenario.functional import Junction
 from scegen.scenario.logical import Crossing, Drive, Heading, Reverses, Standing, Walking
@@ -278,19 +280,11 @@ def _toward(point: Point, angle: float, distance: float) -> Point:
 
 
 def _bezier(a: Point, b: Point, c: Point, d: Point, steps: int = 14) -> list[Point]:
-    points = []
-    for i in range(steps + 1):
-        u = i / steps
-        v = 1 - u
-        weights = (v * v * v, 3 * v * v * u, 3 * v * u * u, u * u * u)
-        corners = (a, b, c, d)
-        points.append(
-            (
-                sum(w * p[0] for w, p in zip(weights, corners, strict=True)),
-                sum(w * p[1] for w, p in zip(weights, corners, strict=True)),
-            )
-        )
-    return points
+    u = np.linspace(0.0, 1.0, steps + 1)[:, None]
+    v = 1.0 - u
+    ends = v**3 * np.array(a) + u**3 * np.array(d)
+    curve = ends + 3 * v * v * u * np.array(b) + 3 * v * u * u * np.array(c)
+    return [(x, y) for x, y in curve.tolist()]
 
 
 def crossing_line(plan: Plan, crossing: Crossing, number: int) -> list[Point]:

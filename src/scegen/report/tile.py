@@ -117,8 +117,7 @@ def tile_body(
             drawing = standing(standing_box(plan, assignment, standings), colour[name], theme)
             standings += 1
         drawings.append((is_ego, drawing))
-    parts += [d for is_ego, d in drawings if not is_ego]
-    parts += [d for is_ego, d in drawings if is_ego]  # on top
+    parts += [drawn for _, drawn in sorted(drawings, key=lambda d: d[0])]  # the ego on top
     parts += badges
     parts += [
         conflict_mark(kind, at, theme) for kind, at in conflict_points(scenario.conflicts, lines)
