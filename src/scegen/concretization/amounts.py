@@ -27,7 +27,10 @@ CHANGES_MPS = 8.0
 """By how much speed changes where nobody says."""
 _HARDER = (1.0, 1.2, 1.4, 9.0)
 _OF_GRIP = 0.95
-
+_RATES_MPS2: dict[HazardKind | None, float] = {
+    HazardKind.HARD_BRAKING: HARD_BRAKING_MPS2[0],
+    HazardKind.SUDDEN_ACCELERATION: SUDDEN_ACCELERATION_MPS2[0],
+}
 
 AS_LONG_AS_NEEDED_S = Interval(low=0.0, high=60.0)
 """How long one waits where the text does not say."""
@@ -109,7 +112,9 @@ def change_of_speed(
         rate = abs(target**2 - before_mps**2) / (2 * max(act.distance_m.middle, 0.1))
     if rate is None:
         best = body.max_acceleration_mps2 if act.kind in GAINING else body.max_deceleration_mps2
-        rate = min(_usual_rate_mps2(act.kind, hazard), best, _OF_GRIP * grip_mps2)
+        usual = STOPPING_MPS2 if act.kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
+        usual = _RATES_MPS2.get(hazard, usual)
+        rate = min(usual, best, _OF_GRIP * grip_mps2)
     return target, rate
 
 
@@ -124,14 +129,6 @@ def _target_mps(
     if act.kind is ActKind.ACCELERATE:
         return min(before_mps + CHANGES_MPS, body.top_speed_mps)
     return usual_mps if act.kind is ActKind.SET_OFF else 0.0
-
-
-def _usual_rate_mps2(kind: ActKind, hazard: HazardKind | None) -> float:
-    if hazard is HazardKind.HARD_BRAKING:
-        return HARD_BRAKING_MPS2[0]
-    if hazard is HazardKind.SUDDEN_ACCELERATION:
-        return SUDDEN_ACCELERATION_MPS2[0]
-    return STOPPING_MPS2 if kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
 
 
 def falls_back(act: Act) -> bool:

@@ -82,16 +82,12 @@ def _runs_in(scene: Setup, moments: Moments, contact: Contact) -> bool:
     if contact.other not in scene.drives or _comes_back(scene, contact.other):
         return ahead
     in_line = same_arm(scene.drives[contact.who], scene.drives[contact.other])
-    follows = in_line or not _endangers(scene, contact.who, contact.other)
+    follows = in_line or contact.other not in scene.endangered_by(contact.who)
     # Who is said not to touch who endangers it does something about it.
     outcome = scene.functional.outcome
     avoided = outcome is not None and outcome.kind is OutcomeKind.AVOIDED
-    gets_away = avoided and _endangers(scene, contact.other, contact.who)
+    gets_away = avoided and contact.who in scene.endangered_by(contact.other)
     return ahead and ((along > _ALONG and follows) or gets_away)
-
-
-def _endangers(scene: Setup, by: str, to: str) -> bool:
-    return any(by in h.by and to in h.to for h in scene.hazards)
 
 
 def _comes_back(scene: Setup, name: str) -> bool:

@@ -21,7 +21,7 @@ from scegen.concretization.limits import (
 from scegen.concretization.meetings import meeting_point, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import Sort, SpeedChange
-from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.errors import MotionInfeasibleError
 from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
@@ -130,8 +130,7 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
         draft.reversal = BacksOut(
             side=side, setback_m=round(max(aside, body.rear_m) + _ROOM_M, 3), radius_m=radius
         )
-    if draft.joins_m < _LEAST_RUN_UP_M:
-        raise NeedsLongerArms(_LEAST_RUN_UP_M - draft.joins_m + 1.0, draft.id)
+    require_room(draft.id, draft.joins_m, _LEAST_RUN_UP_M)
     draft.lay(scene.network)
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
     draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
@@ -152,8 +151,7 @@ def _stop_before(scene: Setup, draft: DriveDraft, rest_s: float) -> None:
     hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
     rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
     begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
-    if begins < _LEAST_RUN_UP_M:
-        raise NeedsLongerArms(_LEAST_RUN_UP_M - begins + 1.0, draft.id)
+    require_room(draft.id, begins, _LEAST_RUN_UP_M)
     _, ends_s = draft.laid.path.backwards[0]
     draft.alone_s_m = (begins, ends_s + _ROOM_M)
     draft.marks.append(SpeedChange(CREEP_MPS, rate, s_m=begins))

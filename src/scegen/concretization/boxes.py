@@ -129,14 +129,18 @@ def _standing_on(path: Path, body: Body) -> shapely.Geometry:
     return outlines(box_of(path.start, body))[0].buffer(_OFF_THE_ROAD_M)
 
 
-def outlines(boxes: Boxes) -> NDArray[np.object_]:
-    """The outlines of boxes, (n,)."""
+def corners(boxes: Boxes) -> Array:
+    """The corners of boxes, (n, 4, 2)."""
     along = np.array([1, 1, -1, -1]) * boxes.half_length
     left = np.array([1, -1, -1, 1]) * boxes.half_width
     c, s = boxes.cos[:, None], boxes.sin[:, None]
     x, y = boxes.x[:, None], boxes.y[:, None]
-    corners = np.stack((x + along * c - left * s, y + along * s + left * c), axis=-1)
-    found: NDArray[np.object_] = shapely.polygons(corners)
+    return np.stack((x + along * c - left * s, y + along * s + left * c), axis=-1)
+
+
+def outlines(boxes: Boxes) -> NDArray[np.object_]:
+    """The outlines of boxes, (n,)."""
+    found: NDArray[np.object_] = shapely.polygons(corners(boxes))
     return found
 
 

@@ -17,7 +17,6 @@ from scegen.concretization.deeds import (
     lead_in_missing_s,
     set_triggers,
     stand_in_line,
-    usual_speed_mps,
 )
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
@@ -175,7 +174,8 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     at_red = stands_at_red(participant)
     waits_s = STOOD_S if at_red else WAITS_S if participant.light is AtLight.WAITS else None
     if scene.sets_off(participant.id) or at_red:
-        cruise = usual_speed_mps(scene, participant.id)
+        said = participant.speed_mps
+        cruise = said.middle if said is not None and said.high > 0 else scene.limit_mps
     fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(
         id=participant.id,

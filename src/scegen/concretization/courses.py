@@ -104,6 +104,16 @@ class Course:
         ready = not begun or abs(self.speed_then(time_s) - begun[-1].target_mps) < _SAME_MPS
         return [*([] if ready else begun[-1:]), *self.phases[len(begun) :]]
 
+    @property
+    def going_on(self) -> SpeedChange | None:
+        """Its first setting off again after a stop."""
+        return next((phase for phase in self.phases if phase.sort is Sort.GOES_ON), None)
+
+    @property
+    def stop(self) -> SpeedChange | None:
+        """Its first slowing down to a stop."""
+        return next((phase for phase in self.phases if phase.target_mps == 0.0), None)
+
     def phase_of(self, act: str) -> SpeedChange | None:
         """The phase that an act of the text is, if it is carried out."""
         return next((phase for phase in self.phases if phase.act == act), None)

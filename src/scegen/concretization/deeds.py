@@ -8,11 +8,11 @@ from itertools import takewhile
 
 from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import happens_s_m, in_line_before, stops_for_walkers
+from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.moments import Moments
 from scegen.concretization.profile import Profile, Sort, SpeedChange
-from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.measures.grounds import grounds
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.concrete import AtTime, Travelled, Trigger
@@ -31,14 +31,6 @@ _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
 
 
-def usual_speed_mps(scene: Setup, name: str) -> float:
-    """How fast one goes that sets off, where nobody says."""
-    said = scene.functional.participant(name).speed_mps
-    if said is not None and said.high > 0:
-        return said.middle
-    return scene.limit_mps
-
-
 def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
     """Give everybody who drives the marks of its acts; places that are open are usual ones.
 
@@ -52,7 +44,7 @@ def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
             continue
         if draft.parked_s_m is not None:
             continue
-        marks = list(marks_of(scene, draft)) or list(_at_red(scene, draft))
+        marks = list(marks_of(scene, draft))
         if not marks:
             continue
         came_s = draft.course.time_at(draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M)
@@ -75,7 +67,8 @@ def stand_in_line(scene: Setup) -> None:
         if not draft.stands:
             continue
         place = draft.junction_s_m - draft.body.front_m - _QUEUE_BEFORE_LINE_M
-        for other in in_line_before(scene, draft)[-1:]:
+        ahead = ahead_on_arm(scene, draft)
+        for other in [o for o in ahead if o.entry_lane == draft.entry_lane][-1:]:
             if other.stands:
                 behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
                 place = float(other.course.s_m[-1]) - behind
@@ -142,17 +135,12 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         took_s = abs(target - before) / rate
         before = target
         own.add(act.id)
+    if not own and _stops_at_light(scene, draft):  # only the light is told
+        yield SpeedChange(0.0, draft.braking_mps2(COMFORTABLE_BRAKING_MPS2), sort=Sort.ACT)
 
 
 def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:
     return scene.functional.participant(draft.id).light is AtLight.STOPS
-
-
-def _at_red(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
-    """The stop of one of whom only the light is told."""
-    if _stops_at_light(scene, draft):
-        rate = draft.braking_mps2(COMFORTABLE_BRAKING_MPS2)
-        yield SpeedChange(0.0, rate, sort=Sort.ACT)
 
 
 def _delay_s(scene: Setup, draft: DriveDraft, when: AfterAct, took_s: float) -> float:
@@ -182,14 +170,15 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
 
     Of who waits for somebody, where it stands.
     """
-    until = takewhile(lambda mark: not _goes_on_when_free(scene, mark), draft.deeds)
+    free = {act.id for act in scene.acts if goes_on_when_free(act.when)}
+    until = takewhile(lambda mark: mark.act not in free, draft.deeds)
     way = _way_m(draft.cruise_mps, until)
     first = draft.deeds[0]
     place = first.s_m
     lets_by = _before_walker_m(scene, draft, first) if first.act else None
-    free = first.act is None or is_open(scene, first)
     at_line = lets_by is None and _waits_at_line(scene, first)
-    if at_line or (free and _stops_at_light(scene, draft)):
+    is_free = first.act is None or is_open(scene, first)
+    if at_line or (is_free and _stops_at_light(scene, draft)):
         line = draft.stop_line_s_m - draft.body.front_m - _BEFORE_LINE_M
         place = line - _way_m(draft.cruise_mps, [first])
     elif lets_by is not None:
@@ -200,8 +189,7 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
         late = _LATE if kind is HazardKind.DELAYED_BRAKING else 1.0
         place = happens_s_m(scene, draft, kind, act) - late * way
     least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
-    if place < least:
-        raise NeedsLongerArms(least - place + 5.0, draft.id)
+    require_room(draft.id, place, least, 5.0)
     later = [
         replace(mark, s_m=place + way) if is_open(scene, mark) else mark for mark in draft.deeds[1:]
     ]
@@ -216,10 +204,6 @@ def _before_walker_m(scene: Setup, draft: DriveDraft, mark: SpeedChange) -> floa
         return None
     shared = grounds(draft.laid.path, draft.body, walk.path, walk.body)
     return shared[0].enter_m - _BEFORE_LINE_M if shared else None
-
-
-def _goes_on_when_free(scene: Setup, mark: SpeedChange) -> bool:
-    return mark.act is not None and goes_on_when_free(scene.act(mark.act).when)
 
 
 def _way_m(speed_mps: float, marks: Iterable[SpeedChange]) -> float:

@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.profile import Sort
 from scegen.concretization.setup import Setup
 from scegen.motion.rules.intergreen import (
     LEAST_GREEN_AFOOT_S,
@@ -84,8 +83,8 @@ class Lights:
         # One that sets off late has stood for longer: it came to rest before green.
         least = self.delays_s[draft.id] + _STARTS_S if draft.id in self.delays_s else _LEAST_WAIT_S
         draft.waits_s = least
-        again = next(phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON)
-        longer = goes - (offset_s + again.begins_s)
+        again = draft.course.going_on
+        longer = goes - (offset_s + again.begins_s) if again is not None else 0.0
         draft.waits_s = least + max(0.0, longer)
 
 
@@ -145,15 +144,14 @@ def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
         if name not in offsets_s or name not in scene.drives:
             continue
         draft, late = scene.drives[name], offsets_s[name]
-        phases, time_s = draft.course.phases, crosses_s(draft, late)
+        course, time_s = draft.course, crosses_s(draft, late)
         wanted = AtLight.RED if name in runners else said
         if wanted is None and name in obeying:
             wanted = AtLight.GREEN
         elif wanted is AtLight.WAITS:
-            time_s = late + next(phase.begins_s for phase in phases if phase.sort is Sort.GOES_ON)
+            time_s = late + course.going_on.begins_s if course.going_on is not None else np.inf
         elif wanted is AtLight.STOPS:
-            rests = (late + phase.begins_s for phase in phases if phase.target_mps == 0.0)
-            time_s = next(rests, np.inf)
+            time_s = late + course.stop.begins_s if course.stop is not None else np.inf
         if wanted is not None and isfinite(time_s):
             after_s = delays.get(name)
             yield _Shown(draft.drive.entry, False, time_s, wanted, after_s, name)
@@ -296,7 +294,7 @@ def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
     for draft in scene.drives.values():
         if draft.waits_s is None or draft.lets_by is not None:
             continue
-        again = next((phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON), None)
+        again = draft.course.going_on
         if again is None:
             continue  # it stays
         draft.goes_at = AtTime(time_s=round(max(draft.offset_s + again.begins_s, 0.0), 3))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import come_into_lane
-from scegen.concretization.hazards.parties import same_arm
+from scegen.concretization.hazards.parties import ahead_on_arm, same_arm
 from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.passing import be_faster, pass_drive
@@ -58,18 +58,11 @@ def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
         return None
     ahead = [
         other
-        for other in scene.drives.values()
-        if other is not draft
-        and same_arm(other, draft)
-        and other.drive.rank < draft.drive.rank
-        and other.drive.beside is None
-        and other.drive.reverses is None
+        for other in ahead_on_arm(scene, draft)
+        if other.drive.beside is None and other.drive.reverses is None
     ]
-
-    def slow(other: DriveDraft) -> bool:
-        return HazardKind.SLOW_DRIVING in scene.kinds_by(other.id)
-
-    return max(ahead, key=lambda other: (slow(other), other.drive.rank), default=None)
+    slow = [other for other in ahead if HazardKind.SLOW_DRIVING in scene.kinds_by(other.id)]
+    return next(reversed(slow or ahead), None)
 
 
 def _stands_on_its_way(scene: Setup, draft: DriveDraft, *, in_lane: bool) -> bool:
@@ -85,12 +78,7 @@ def _drives_past(scene: Setup, draft: DriveDraft) -> bool:
     Nor does passing one who reverses into its way: it gets no farther.
     """
     beside = _stands_on_its_way(scene, draft, in_lane=False)
-    reverses = any(
-        other.drive.reverses is not None
-        and same_arm(other, draft)
-        and other.drive.rank < draft.drive.rank
-        for other in scene.drives.values()
-    )
+    reverses = any(other.drive.reverses is not None for other in ahead_on_arm(scene, draft))
     return draft.drive.maneuver is Maneuver.OVERTAKE and (beside or reverses)
 
 

@@ -16,7 +16,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.boxes import outlines, taken_ground
+from scegen.concretization.boxes import box_at, corners, outlines, taken_ground
 from scegen.concretization.things import (
     SCREEN,
     Shape,
@@ -129,7 +129,7 @@ def _hide(
             sized = replace(shape, length_m=_LONG_M) if shape.long and drives else shape
             found = _best_place(traces[observer], traces[name], concrete, sized, ground)
             if found is not None and (best is None or found[0] > best[0]):
-                best = found[0], name, made_of(thing.id, sized, thing.called, Pose(*found[1:]))
+                best = found[0], name, made_of(thing.id, sized, thing.called, found[1])
         if best is not None:
             break
     if best is None:
@@ -175,8 +175,8 @@ def _best_place(
     concrete: ConcreteScenario,
     thing: Shape,
     ground: shapely.Geometry,
-) -> tuple[float, float, float, float] | None:
-    """(worth, x, y, heading) of the best place; None if none hides the target long enough."""
+) -> tuple[float, Pose] | None:
+    """(worth, pose) of the best place; None if none hides the target long enough."""
     eye, points = _points(concrete, observer)[0], _points(concrete, target)
     mark = points[0]
     nearest = int(np.hypot(*(eye - mark)).argmin())
@@ -198,29 +198,15 @@ def _best_place(
     n = int(worth.argmax())
     if worth[n] <= 0.0:
         return None
-    return (
-        float(worth[n]),
-        float(places.x_m[n]),
-        float(places.y_m[n]),
-        float(places.heading_rad[n]),
-    )
+    x, y, heading = (float(row[n]) for row in (places.x_m, places.y_m, places.heading_rad))
+    return float(worth[n]), Pose(x, y, heading)
 
 
 def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:
     """The middle and the corners of a body over time, (2, t) each."""
     body = concrete.participant(trace.participant).body
-    c, s = np.cos(trace.heading_rad), np.sin(trace.heading_rad)
-    along, left = body.length_m / 2, body.width_m / 2
-    places = [(0.0, 0.0), *product((-along, along), (-left, left))]
-    return [
-        np.array(
-            [
-                trace.x_m + (body.centre_ahead_m + ahead) * c - aside * s,
-                trace.y_m + (body.centre_ahead_m + ahead) * s + aside * c,
-            ]
-        )
-        for ahead, aside in places
-    ]
+    box = box_at(trace.x_m, trace.y_m, trace.heading_rad, body, np.zeros(1))
+    return [np.array([box.x, box.y]), *corners(box).transpose(1, 2, 0)]
 
 
 def _places(

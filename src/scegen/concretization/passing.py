@@ -8,7 +8,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
 from scegen.concretization.limits import LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
-from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import HazardKind
 
@@ -61,8 +61,9 @@ def pass_drive(
     Raises:
         NeedsLongerArms: the arm is too short for it.
     """
-    oncoming = lanes_in(scene, passer) == 1 or _is_to_stray(scene, passer)
-    if _is_to_stray(scene, passer):
+    strays = HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
+    oncoming = lanes_in(scene, passer) == 1 or strays
+    if strays:
         for draft in (passer, passed):
             if not draft.lane_changes:
                 draft.entry_lane = min(entry_lanes(scene, draft))
@@ -79,8 +80,7 @@ def pass_drive(
     after = passer.cruise_mps * (half + _AHEAD_M) / relative + change if back else 0.0
     middle = latest - after
     out = middle - passer.cruise_mps * (half + _BEHIND_M) / relative - change
-    if out < 0:
-        raise NeedsLongerArms(15.0 - out, passer.id)
+    require_room(passer.id, out, 0.0, 15.0)
     changes = [(out, change, aside)]
     if back:
         changes.append((latest - change, change, passer.entry_lane))
@@ -89,11 +89,6 @@ def pass_drive(
     return [
         Meeting(STRUCTURAL, passed.id, passer.id, middle + difference, middle, 0.0, "side by side")
     ]
-
-
-def _is_to_stray(scene: Setup, passer: DriveDraft) -> bool:
-    """Whether one who overtakes is said to do so through the oncoming lane."""
-    return HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
 
 
 def pass_standing(
@@ -112,7 +107,6 @@ def pass_standing(
     half = (passer.body.length_m + body.length_m) / 2
     centre = middle_m - passer.body.centre_ahead_m
     out = centre - half - _BEHIND_M - change
-    if out < passer.body.rear_m + 2.0:
-        raise NeedsLongerArms(15.0 - out, passer.id)
+    require_room(passer.id, out, passer.body.rear_m + 2.0, 12.0)
     back = (centre + half + _BEHIND_M, change, lane)
     change_lanes(scene, passer, [(out, change, aside), back])

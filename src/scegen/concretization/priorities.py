@@ -181,12 +181,12 @@ def _lets_by(late: DriveDraft, late_s: float, other: DriveDraft, other_s: float)
     waited_s, served = late.waits_s, late.lets_by
     late.waits_s = STOPS_FOR_S
     again = _going_on(late).begins_s
-    stops = next(phase for phase in late.course.phases if phase.target_mps == 0.0)
+    stops_s = late.course.stop.begins_s if late.course.stop is not None else again
     rests_s = again - STOPS_FOR_S
     # One that would still come too soon waits until the other is gone.
     early = served != other.id
     free_s = _free_s(late, again if early else None, other, other_s)
-    wait_s = max(free_s - late_s - rests_s, stops.begins_s + _BRAKES_S - rests_s)
+    wait_s = max(free_s - late_s - rests_s, stops_s + _BRAKES_S - rests_s)
     if late.stops_at_line:
         wait_s = max(wait_s, STOPS_FOR_S)
     late.waits_s, late.lets_by = wait_s, other.id
@@ -216,7 +216,7 @@ def _left_m(ground: Ground, other: DriveDraft) -> float:
 
 def _rests_s(draft: DriveDraft, offset_s: float) -> float:
     """When a drive comes to rest at its line; never if it does not."""
-    phase = next((p for p in draft.course.phases if p.target_mps == 0.0), None)
+    phase = draft.course.stop
     if phase is None:
         return inf
     return offset_s + draft.course.profile.settles_s(phase.begins_s)

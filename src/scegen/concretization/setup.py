@@ -42,6 +42,16 @@ class NeedsLongerArms(Exception):  # noqa: N818 - a signal between two parts, no
         super().__init__(f"{who} needs {metres:.0f} m more")
 
 
+def require_room(who: str, at_m: float, least_m: float, spare_m: float = 1.0) -> None:
+    """Ask for longer arms, and a little more, where somebody would begin something too early.
+
+    Raises:
+        NeedsLongerArms: it would.
+    """
+    if at_m < least_m:
+        raise NeedsLongerArms(least_m - at_m + spare_m, who)
+
+
 def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[Act, ...]:
     """What happens, in order.
 
@@ -125,10 +135,6 @@ class Setup(Tale):
             raise MotionInfeasibleError("the ego must drive through the junction", where=name)
         return self.drives[name]
 
-    def of_kind(self, kind: HazardKind) -> Iterator[Hazard]:
-        """The dangers of a kind."""
-        return (hazard for hazard in self.functional.hazards if hazard.kind is kind)
-
     @property
     def blocked(self) -> bool:
         """Whether somebody stands in a lane."""
@@ -136,8 +142,7 @@ class Setup(Tale):
 
     def concerned(self, name: str) -> list[DriveDraft]:
         """Whose way somebody may come into: named sufferers first, then the ego, then others."""
-        named = [to for hazard in self.functional.hazards if name in hazard.by for to in hazard.to]
-        ranked = dict.fromkeys([*named, self.ego.id, *self.drives])
+        ranked = dict.fromkeys([*self.endangered_by(name), self.ego.id, *self.drives])
         return [self.drives[other] for other in ranked if other in self.drives]
 
     def speed_acts(self, name: str) -> list[Act]:

@@ -18,7 +18,7 @@ from scegen.concretization.lane_choice import lanes_in, neighbour_lane
 from scegen.concretization.meetings import drives_meet
 from scegen.concretization.others import StandDraft
 from scegen.concretization.passing import calm_change_length_m, pass_standing
-from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.things import lying_in_the_way, made_of, shape_of
 from scegen.motion.standing import standing_path
@@ -176,8 +176,7 @@ def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[
         calm = 0.0 if stays else calm_change_length_m(draft, arm.lane_width_m)
         room = calm + draft.body.length_m + body.length_m + _ROOM_M
         station = draft.laid.turning_starts_m - max(BLOCKS_AT_M, room)
-        if station <= _LEAST_WAY_M:
-            raise NeedsLongerArms(_LEAST_WAY_M - station + 1.0, draft.id)
+        require_room(draft.id, station, _LEAST_WAY_M)
         near = min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)
         share = 0.0 if stays else near
     right = scene.network.driving_side is DrivingSide.RIGHT

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from scegen.concretization.profile import SpeedChange
@@ -11,11 +11,11 @@ from scegen.enumeration.ranges import speed_range
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.concrete import Change
-from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.parameters import ParameterRange
-from scegen.scenario.spacings import Spacing
+from scegen.scenario.spacings import Measure, Spacing
 from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 
@@ -147,6 +147,22 @@ class Tale:
         """The dangers that somebody causes."""
         return {hazard.kind for hazard in self.functional.hazards if name in hazard.by}
 
+    def of_kind(self, kind: HazardKind) -> Iterator[Hazard]:
+        """The dangers of a kind."""
+        return (hazard for hazard in self.functional.hazards if hazard.kind is kind)
+
+    def endangered_by(self, name: str, *kinds: HazardKind) -> list[str]:
+        """Who suffers the dangers that somebody causes, of some kinds or of any."""
+        caused = (hazard for hazard in self.functional.hazards if name in hazard.by)
+        return [to for hazard in caused if not kinds or hazard.kind in kinds for to in hazard.to]
+
+    @property
+    def impact_share(self) -> float:
+        """Where on one's width, from the left, another touches it; in the middle if not said."""
+        outcome = self.functional.outcome
+        percent = outcome.impact_percent if outcome is not None else None
+        return 0.5 if percent is None else percent.middle / 100
+
     def hazard_of(self, act: Act) -> HazardKind | None:
         """The danger that an act is, if it is one."""
         kinds = self.kinds_by(act.participant)
@@ -181,6 +197,12 @@ class Tale:
     def rests_at(self, act: str | None) -> Spacing | None:
         """How far from another one is said to be once an act has brought it to rest."""
         return next((s for s in self.functional.spacings if s.since == "end" and s.at == act), None)
+
+    def between(self, one: str, other: str, *measures: Measure) -> Spacing | None:
+        """How far apart two are said to be, by one of these measures."""
+        pair = {one, other}
+        said = (s for s in self.functional.spacings if {s.participant, s.reference} == pair)
+        return next((s for s in said if s.measure in measures and s.since == "begin"), None)
 
     def loose(self, changes: Sequence[SpeedChange], before_mps: float) -> SpeedChange | None:
         """The braking of which nothing says when it begins: the answer to who is ahead."""

@@ -80,7 +80,7 @@ def _speed(scene: Setup, participant: Participant, arm: int) -> float:
 
 def _setback_m(scene: Setup, arm: int, who: Participant, speed_mps: float) -> float:
     """How far outside the carriageway one starts: far enough to have its pace on it."""
-    hidden = any(h.kind is HazardKind.OCCLUSION and not h.by for h in scene.functional.hazards)
+    hidden = any(not hazard.by for hazard in scene.of_kind(HazardKind.OCCLUSION))
     behind = who.body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
     lanes = scene.network.arm_road(arm).lanes
     beside = CARRIAGEWAY - KERBED
@@ -148,11 +148,8 @@ def _contact(
     scene: Setup, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
 ) -> tuple[float, float]:
     """The front of the driver at the side of the walker, whose middle is where it is to be hit."""
-    outcome = scene.functional.outcome
-    percent = outcome.impact_percent if outcome is not None else None
-    from_left = 0.5 if percent is None else percent.middle / 100
     first_s, second_s, turn = crossing_at(draft.laid.path, walk.path, point)
-    aside = (from_left - 0.5) * draft.body.width_m * (1 if sin(turn) > 0 else -1)
+    aside = (scene.impact_share - 0.5) * draft.body.width_m * (1 if sin(turn) > 0 else -1)
     place = first_s - draft.body.front_m - walk.body.width_m / 2
     return max(1.0, place), second_s - walk.body.centre_ahead_m - aside
 
@@ -177,9 +174,8 @@ def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:
 
 def stop_in_the_way(scene: Setup) -> None:
     """End the ways of those who are said to stop where the driver whom they meet comes by."""
-    for hazard in scene.functional.hazards:
-        walks = [scene.walks[n] for n in hazard.by if n in scene.walks]
-        for walk in walks if hazard.kind is HazardKind.STOPPING else ():
+    for hazard in scene.of_kind(HazardKind.STOPPING):
+        for walk in (scene.walks[n] for n in hazard.by if n in scene.walks):
             found = partner_of(scene, walk)
             if found is None or walk.stops:
                 continue

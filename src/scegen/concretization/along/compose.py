@@ -240,19 +240,14 @@ def _written(
 
 
 def _caused(story: Story) -> tuple[Hazard, ...]:
-    """The dangers, those by a thing with the thing named."""
-    found = []
+    """The dangers, those by a thing or a door with that named."""
+    found, doors = [], opens(story.functional)
     for hazard in story.functional.hazards:
-        if any(name in opens(story.functional) for name in hazard.by):
-            by = tuple(door_of(n) if n in opens(story.functional) else n for n in hazard.by)
-            found.append(hazard.model_copy(update={"by": by}))
-            continue
-        if hazard.kind is HazardKind.OBSTACLE and story.things and not hazard.by:
+        by, to = tuple(door_of(n) if n in doors else n for n in hazard.by), hazard.to
+        if hazard.kind is HazardKind.OBSTACLE and story.things and not by:
             thing = story.things[0]
-            to = hazard.to or (thing.in_way_of or story.ego.id,)
-            found.append(hazard.model_copy(update={"by": (thing.id,), "to": to}))
-        else:
-            found.append(hazard)
+            by, to = (thing.id,), to or (thing.in_way_of or story.ego.id,)
+        found.append(hazard.model_copy(update={"by": by, "to": to}))
     return tuple(found)
 
 

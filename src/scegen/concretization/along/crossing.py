@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import chain
 from math import ceil, floor
 
 import numpy as np
@@ -39,6 +40,7 @@ _BEFORE_CROSSWALK_M = 0.3
 _STANDS_S = 0.5
 """Who waits for one who crosses stands at least so long."""
 _LOOK_S, _LATEST_S = 0.05, 40.0
+_OWES = HazardKind.FAILURE_TO_YIELD
 _BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
 
 
@@ -97,8 +99,10 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
         nearest = max(strip, body.front_m + 0.2)
         if way - to_aim > nearest or story.contact_wanted(participant.id, meets.id):
             setback = max(min(setback, way - to_aim), nearest)
-    waits = _waits_m(story, participant.id, meets, edge, into)
-    setback = waits if waits is not None else setback
+    said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
+    if said is not None:  # it waits so far aside of the other
+        left = said.value.middle * (1 if said.participant == participant.id else -1)
+        setback = max(0.0, (edge - meets.y_m(0.0) - meets.sign * left) * into)
     walk = Walk(
         participant.id,
         participant.kind,
@@ -130,43 +134,27 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
 
 
 def _meets(story: Story, name: str) -> str:
-    """Whose way it crosses: who lets it go first, else who suffers it, else the ego."""
+    """Whose way it crosses: who lets it go first, or should, who suffers it, else the ego."""
     for act in story.functional.acts:
         if act.kind in LETS_BY and act.into == name and act.participant in story.runners:
             return act.participant
-    for hazard in story.functional.hazards:
-        owing = [n for n in hazard.by if n in story.runners and _owes(story, n, name)]
-        if owing:
-            return owing[0]
-    for hazard in story.functional.hazards:
-        if name in hazard.by:
-            found = [n for n in hazard.to if n in story.runners]
-            if found:
-                return found[0]
-    return story.ego.id
+    owing = (n for n in story.runners if name in story.endangered_by(n, _OWES))
+    suffering = (n for n in story.endangered_by(name) if n in story.runners)
+    return next(chain(owing, suffering), story.ego.id)
 
 
 def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, into: int) -> float:
     """Where its middle is across the road when the front of the other comes to its line."""
     middle = meets.y_m(0.0)
-    outcome = story.functional.outcome
     if story.contact_wanted(name, meets.id):
-        percent = outcome.impact_percent if outcome is not None else None
-        share = 0.5 if percent is None else percent.middle / 100
-        return middle + meets.sign * (0.5 - share) * meets.body.width_m
+        return middle + meets.sign * (0.5 - story.impact_share) * meets.body.width_m
     if _brakes(story, meets.id):
         return middle
-    if _owes(story, meets.id, name):  # the other just passes before it
+    if name in story.endangered_by(meets.id, _OWES):  # the other just passes before it
         passes_s = meets.body.length_m / max(meets.speed_mps, 1.0) + _PASSES_BEFORE_S
         return middle - into * ((meets.body.width_m + body.length_m) / 2 + passes_s * speed)
     clear = (meets.body.width_m + body.length_m) / 2 + _PASSES_BEFORE_S * speed
     return middle + into * clear
-
-
-def _owes(story: Story, driver: str, name: str) -> bool:
-    """Whether somebody should let one who crosses go first, and does not."""
-    breaches = (h for h in story.functional.hazards if h.kind is HazardKind.FAILURE_TO_YIELD)
-    return any(driver in h.by and name in h.to for h in breaches)
 
 
 def _brakes(story: Story, name: str) -> bool:
@@ -174,17 +162,6 @@ def _brakes(story: Story, name: str) -> bool:
     kinds = story.kinds_by(name)
     acts = {a.kind for a in story.acts if a.participant == name and story.is_loose(a.id)}
     return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
-
-
-def _waits_m(story: Story, name: str, meets: Runner, edge: float, into: int) -> float | None:
-    """How far outside the carriageway it waits, if the text says how far aside of the other."""
-    for spacing in story.functional.spacings:
-        pair = (spacing.participant, spacing.reference)
-        if spacing.measure is Measure.LATERAL_OFFSET_M and set(pair) == {name, meets.id}:
-            left = spacing.value.middle if pair[0] == name else -spacing.value.middle
-            place = meets.y_m(0.0) + meets.sign * left
-            return max(0.0, (edge - place) * into)
-    return None
 
 
 def _until_met_s(story: Story, name: str, meets: Runner, act: Act | None) -> float | None:
@@ -239,12 +216,9 @@ def _spacing(
     story: Story, name: str, other: str, act: Act | None
 ) -> tuple[Measure, float, bool] | None:
     """A distance along the road that is said between the two; whether as it sets off, or first."""
-    for spacing in story.functional.spacings:
-        pair = {spacing.participant, spacing.reference}
-        if spacing.measure in LENGTHWISE and pair == {name, other} and spacing.since == "begin":
-            own = act is not None and spacing.at == act.id
-            return spacing.measure, spacing.value.middle, own
-    return None
+    said = story.between(name, other, *LENGTHWISE)
+    own = said is not None and act is not None and said.at == act.id
+    return None if said is None else (said.measure, said.value.middle, own)
 
 
 def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:

@@ -143,12 +143,7 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     All whom the danger is to are passed in one go.
     """
     own = story.runners[act.participant]
-    to = {
-        name
-        for hazard in story.functional.hazards
-        if hazard.kind is HazardKind.OVERTAKING and own.id in hazard.by
-        for name in hazard.to
-    }
+    to = {*story.endangered_by(own.id, HazardKind.OVERTAKING)}
     alike = {
         name: runner
         for name, runner in story.runners.items()
@@ -201,7 +196,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
             story.begins_s[back.id], story.ends_s[back.id] = past_s, past_s + lasts
         return
     at_once = any(spacing.at == act.id for spacing in story.functional.spacings)
-    if not at_once and _free_width_m(story, fast, slow) is None:
+    if not at_once and story.between(fast.id, slow.id, Measure.LATERAL_GAP_M) is None:
         begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
     clear_m = _CLEAR_M if back is None else _gap_at(story, back)
     clear = _when(partial(_is_past, fast, foremost, clear_m), begins + lasts)
@@ -252,9 +247,9 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
 
     As far beside the other as the text says; else in the next lane.
     """
-    width_m = _free_width_m(story, fast, slow)
-    if width_m is not None:
-        apart = width_m + (fast.body.width_m + slow.body.width_m) / 2
+    said = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
+    if said is not None:
+        apart = said.value.middle + (fast.body.width_m + slow.body.width_m) / 2
         kerb = -1 if not fast.keeps_left else 1
         wanted = slow.y_m(0.0) - kerb * fast.sign * apart
         return fast.lane, fast.sign * (wanted - fast.y_m(0.0)) + fast.offset_m
@@ -265,31 +260,17 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     return max(0, fast.lane - 1), 0.0
 
 
-def _free_width_m(story: Story, one: Runner, other: Runner) -> float | None:
-    """How much room is said to be between the two as one passes the other."""
-    for spacing in story.functional.spacings:
-        pair = {spacing.participant, spacing.reference}
-        if spacing.measure is Measure.LATERAL_GAP_M and pair == {one.id, other.id}:
-            return spacing.value.middle
-    return None
-
-
 def _return_of(story: Story, act: Act, fast: Runner, slow: Runner) -> Act | None:
     """The act by which one who overtakes comes back in front of the other, if the text has one."""
     later = story.acts[story.acts.index(act) + 1 :]
-    for other in later:
-        own = other.participant == fast.id and other.kind is ActKind.CHANGE_LANE
-        if own and other.into in {None, slow.id}:
-            return other
-    return None
+    own = (a for a in later if a.participant == fast.id and a.kind is ActKind.CHANGE_LANE)
+    return next((a for a in own if a.into in {None, slow.id}), None)
 
 
 def _gap_at(story: Story, act: Act) -> float:
     """How far ahead it is when an act begins, if that is said."""
-    for spacing in story.functional.spacings:
-        if spacing.at == act.id and spacing.measure is Measure.GAP_M:
-            return spacing.value.middle
-    return _CLEAR_M
+    said = (s for s in story.functional.spacings if s.at == act.id and s.measure is Measure.GAP_M)
+    return next((spacing.value.middle for spacing in said), _CLEAR_M)
 
 
 def _latest_out_s(
@@ -331,18 +312,12 @@ def come_back(story: Story) -> None:
         back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane, offset = max(1, runner.lane), 0.0
         if story.innermost:  # beyond a median, it dodges into the lane beside
-            lane, offset = 0, _dodge_m(story, runner)
+            lane, beside = 0, round(abs(runner.offset_m) / runner.lane_width_m) + 1
+            beside = beside if beside < story.lane_count else beside - 2
+            offset = (1 if not runner.keeps_left else -1) * beside * runner.lane_width_m
         runner.moves.append(Move(back, last.lasts_s, lane, offset, last.act, last.hazard))
         strays.add(runner.id)
     _meet_after(story, strays)
-
-
-def _dodge_m(story: Story, runner: Runner) -> float:
-    """How far left of the innermost lane one on the wrong side drives when it has dodged."""
-    outwards = 1 if not runner.keeps_left else -1
-    beside = round(abs(runner.offset_m) / runner.lane_width_m) + 1
-    beside = beside if beside < story.lane_count else beside - 2
-    return outwards * beside * runner.lane_width_m
 
 
 def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bools:

@@ -79,12 +79,7 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) ->
 
 def park(story: Story, walks: list[Walk]) -> list[Parked]:
     """Places for all who are parked: rows before those whom they hide, and others along the way."""
-    hiding = {
-        name
-        for hazard in story.functional.hazards
-        if hazard.kind is HazardKind.OCCLUSION
-        for name in hazard.by
-    }
+    hiding = {name for hazard in story.of_kind(HazardKind.OCCLUSION) for name in hazard.by}
     placed: list[Parked] = []
     ends: dict[tuple[bool, str], float] = {}
     free = 0

@@ -173,11 +173,9 @@ def _free_side(story: Story, runner: Runner, now: int) -> Side:
     """Towards whom it endangers; else towards the centre line, if there is a lane."""
     kerb = Side(story.functional.junction.driving_side.value)
     centre = Side.LEFT if kerb is Side.RIGHT else Side.RIGHT
-    for hazard in story.functional.hazards:
-        for name in hazard.to if runner.id in hazard.by else ():
-            other = story.runners.get(name)
-            if other is not None and other.forward == runner.forward and other.lane != now:
-                return kerb if other.lane > now else centre
-            if other is not None and other.forward != runner.forward:
-                return centre
+    for other in (story.runners.get(name) for name in story.endangered_by(runner.id)):
+        if other is not None and other.forward == runner.forward and other.lane != now:
+            return kerb if other.lane > now else centre
+        if other is not None and other.forward != runner.forward:
+            return centre
     return centre if now > 1 or now == story.lane_count else kerb

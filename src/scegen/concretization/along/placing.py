@@ -202,11 +202,9 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     for thing in story.things:
         if thing.id == name and thing.in_way_of in known:
             return thing.in_way_of
-    for hazard in story.functional.hazards:
-        if name in hazard.by:
-            found = [n for n in hazard.to if n in known]
-            if found and _neighbours(story, name, found[0], order):
-                return found[0]
+    for to in story.endangered_by(name):
+        if to in known and _neighbours(story, name, to, order):
+            return to
     runner = story.runners[name]
     line = [
         n for n in known

@@ -88,8 +88,7 @@ def _same_way(story: Story, first: str, second: str) -> bool:
 
 def brakes_for(story: Story, who: str, other: str) -> bool:
     """Whether the braking of one is said to be a danger to the other."""
-    braking = (hazard for hazard in story.functional.hazards if hazard.kind in BRAKING)
-    return any(who in hazard.by and other in hazard.to for hazard in braking)
+    return other in story.endangered_by(who, *BRAKING)
 
 
 def _running_in(story: Story, contact: Contact) -> Contact:

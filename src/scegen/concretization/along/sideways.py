@@ -48,7 +48,7 @@ def offset_all(story: Story) -> None:
     for name in outcome.between:
         runner = story.runners.get(name)
         if runner is not None and runner is not ego:
-            left = (0.5 - outcome.impact_percent.middle / 100) * ego.body.width_m
+            left = (0.5 - story.impact_share) * ego.body.width_m
             _put_aside(runner, ego, left, in_the_end=True)
 
 

@@ -100,9 +100,8 @@ def _speeds(story: Story) -> None:
             speed = max(min(pace.default, with_ego), pace.low)
             slow = runner.id in on_ramp and runner.id not in said
             runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
-    for hazard in functional.hazards:
-        if hazard.kind is HazardKind.OVERTAKING:
-            _make_faster(story, hazard.by, hazard.to)
+    for hazard in story.of_kind(HazardKind.OVERTAKING):
+        _make_faster(story, hazard.by, hazard.to)
     for act in functional.acts:
         if act.kind is ActKind.OVERTAKE and act.into:
             _make_faster(story, (act.participant,), (act.into,))

@@ -21,7 +21,7 @@ from scegen.concretization.limits import (
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.passing import change_length_m, slowing_s_m
 from scegen.concretization.profile import SpeedChange
-from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.stationary import blocked_lane_ahead
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
@@ -30,7 +30,7 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Side
 
 _BEFORE_SLOWING_M = 3.0
-_LEAST_RUN_UP_M, _RUN_UP_M = 10.0, 15.0
+_LEAST_RUN_UP_M, _SPARE_M = 10.0, 5.0
 _STAYS_M, _STAYS_ASTRAY_S = 1.0, 2.0
 _IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
@@ -55,7 +55,7 @@ def come_into_lane(
             act, _lane_width_m(scene, draft), length / draft.cruise_mps
         )
     end = min(slowing_s_m(each) for each in (draft, other) if each is not None) - _BEFORE_SLOWING_M
-    _require_run_up(draft, end - length)
+    require_room(draft.id, end - length, _LEAST_RUN_UP_M, _SPARE_M)
     change_lanes(scene, draft, [(end - length, length, target)], kind)
     return [] if other is None else [close_before(scene, draft, other, draft.laid.path_s_m(end))]
 
@@ -181,15 +181,10 @@ def _stray(
     """Out to the side and back into its lane; returns where it begins."""
     end = slowing_s_m(draft) - _BEFORE_SLOWING_M
     start = end - 2 * length_m - stays_m
-    _require_run_up(draft, start)
+    require_room(draft.id, start, _LEAST_RUN_UP_M, _SPARE_M)
     ways = [(start, length_m, aside), (end - length_m, length_m, draft.entry_lane)]
     change_lanes(scene, draft, ways, kind, offset_m=offset_m)
     return start
-
-
-def _require_run_up(draft: DriveDraft, start_m: float) -> None:
-    if start_m < _LEAST_RUN_UP_M:
-        raise NeedsLongerArms(_RUN_UP_M - start_m, draft.id)
 
 
 def swerve(scene: Setup, hazard: Hazard) -> list[Meeting]:

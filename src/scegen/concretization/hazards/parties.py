@@ -47,16 +47,10 @@ def same_arm(first: DriveDraft, second: DriveDraft) -> bool:
     return first.drive.entry == second.drive.entry
 
 
-def in_line_before(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
-    """Those ahead on the same arm and lane, the first in line first."""
-    ahead = [
-        other
-        for other in scene.drives.values()
-        if other is not draft
-        and same_arm(other, draft)
-        and other.entry_lane == draft.entry_lane
-        and other.drive.rank < draft.drive.rank
-    ]
+def ahead_on_arm(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
+    """Those who come before it on the same arm, the first first."""
+    same = (other for other in scene.drives.values() if same_arm(other, draft))
+    ahead = (other for other in same if other.drive.rank < draft.drive.rank)
     return sorted(ahead, key=lambda other: other.drive.rank)
 
 

@@ -21,7 +21,7 @@ from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.lane_choice import entry_lanes
 from scegen.concretization.meetings import DANGER, Meeting, sampled
 from scegen.concretization.others import WalkDraft
-from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.concrete import ArrivalBelow
@@ -157,8 +157,7 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
     event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
     rate = other.braking_mps2(_BRAKING_MPS2)
     brakes_s = brakes_from(other, stops_s, rate, 0.0)
-    if brakes_s < _LEAST_RUN_UP_M:
-        raise NeedsLongerArms(_LEAST_RUN_UP_M - brakes_s + 1.0, other.id)
+    require_room(other.id, brakes_s, _LEAST_RUN_UP_M)
     return event_s, brakes_s
 
 
