@@ -227,7 +227,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.CUT_IN: HazardRow(
         Definition(
             "comes into somebody's lane from the side, close in front of it",
-            f"a lane change that endangers nobody, {CUT_IN_S:g} s or more ahead; "
+            f"a lane change not called so that is {CUT_IN_S:g} s or more ahead and endangers nobody; "
             "`merging_conflict` where roads or lanes join; `failure_to_yield` across a junction",
             "the van squeezes in 8 m ahead of the ego",
         ),
@@ -336,7 +336,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.CROSSING_CYCLIST: HazardRow(
         Definition(
-            "a cyclist rides over the road from its edge, as on a cycle path or a crosswalk",
+            "a cyclist rides over the road from its edge, a cycle path or a side road",
             "a cyclist in the lanes, who drives as others do; any motorcyclist",
             "a cyclist crosses from the right on the crosswalk",
         ),

@@ -323,7 +323,8 @@ class Maneuver(Word):
 
     STRAIGHT = (
         "straight",
-        "goes on through the junction or along the road; on foot: walks along it",
+        "goes on through the junction or along the road, past others in its own lane too; on foot: "
+        "walks along it",
         "what the text leaves open",
         "goes straight through",
     )
@@ -342,7 +343,7 @@ class Maneuver(Word):
     U_TURN = "u_turn", "turns back the way that it came", "`left`", "makes a U-turn"
     LANE_CHANGE = (
         "lane_change",
-        "goes over to another lane, to stay there or until it hits somebody",
+        "goes over to another lane, to stay there or until it hits somebody; cuts out",
         "`overtake`, which ends before somebody; one broken off (`straight`); a forced reaction",
         "merges into the ego's lane",
     )
@@ -366,7 +367,7 @@ class Maneuver(Word):
     )
     CROSS = (
         "cross",
-        "goes over a road from its edge, on foot or by bicycle",
+        "goes over a road from its edge or out of a side road, on foot or by bicycle",
         "`straight`, for vehicles through a junction",
         "crosses the street",
     )
