@@ -227,7 +227,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.CUT_IN: HazardRow(
         Definition(
             "comes into somebody's lane from the side, close in front of it",
-            f"a lane change not called so that is {CUT_IN_S:g} s or more ahead and endangers nobody; "
+            f"a lane change not called so, {CUT_IN_S:g} s or more ahead, that endangers nobody; "
             "`merging_conflict` where roads or lanes join; `failure_to_yield` across a junction",
             "the van squeezes in 8 m ahead of the ego",
         ),
