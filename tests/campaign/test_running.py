@@ -340,19 +340,15 @@ def workers_of(pid):
     return {c for c, line in lines.items() if line.exists() and b"LokyProcess" in line.read_bytes()}
 
 
-@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="looks for workers in /proc")
-def test_a_dying_worker_and_ctrl_c_lose_nothing(started, order_file, tmp_path):
-    folder = tmp_path / "c"
-    process = started(order_file, "-o", folder, "--workers", "2")
-    until(lambda: batch_count(folder) >= 1, process)
-    before = workers_of(process.pid)
-    os.kill(min(before), signal.SIGKILL)  # others come once that has been noticed
-    until(lambda: workers_of(process.pid) and not workers_of(process.pid) & before, process)
-    known = batch_count(folder)
-    until(lambda: batch_count(folder) > known + 1, process)
+needs_proc = pytest.mark.skipif(
+    not Path("/proc/self/task").exists(), reason="looks for workers in /proc"
+)
+
+
+def goes_on(process, order_file, folder, started):
+    """An interrupted campaign ends with what is finished, and the same command does the rest."""
     os.killpg(process.pid, signal.SIGINT)
     out, err = process.communicate()
-    assert "a worker died" in err
     assert "Traceback" not in err
     if process.returncode == 130:  # unless all was made before
         assert "the same command goes on" in err
@@ -364,6 +360,46 @@ def test_a_dying_worker_and_ctrl_c_lose_nothing(started, order_file, tmp_path):
     last.communicate()
     assert last.returncode == 1
     assert whole(folder)
+    return err
+
+
+@needs_proc
+@pytest.mark.parametrize("noticed", [True, False])
+def test_a_dying_worker_and_ctrl_c_lose_nothing(started, order_file, tmp_path, noticed):
+    folder = tmp_path / "c"
+    process = started(order_file, "-o", folder, "--workers", "2")
+    until(lambda: batch_count(folder) >= 1, process)
+    before = workers_of(process.pid)
+    os.kill(min(before), signal.SIGKILL)  # others come once that has been noticed
+    if noticed:
+        until(lambda: workers_of(process.pid) and not workers_of(process.pid) & before, process)
+        known = batch_count(folder)
+        until(lambda: batch_count(folder) > known + 1, process)
+    err = goes_on(process, order_file, folder, started)
+    assert not noticed or "a worker died" in err
+
+
+@needs_proc
+def test_ctrl_c_while_workers_begin_is_silent(started, order_file, tmp_path):
+    process = started(order_file, "-o", tmp_path / "c", "--workers", "2")
+    until(lambda: workers_of(process.pid), process)
+    goes_on(process, order_file, tmp_path / "c", started)
+
+
+@needs_proc
+@pytest.mark.parametrize("step", ["planning", "making"])
+def test_nobody_works_on_after_ctrl_c_between_two_results(tmp_path, monkeypatch, step):
+    """Even where somebody still holds what was raised."""
+
+    def interrupted(_, done, *rest):
+        if done > 0:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(Notes, step, interrupted)
+    with pytest.raises(KeyboardInterrupt) as raised:
+        make(campaign(), tmp_path / "c", Workforce(Engine.JOBLIB, 2))
+    assert not workers_of(os.getpid())
+    assert raised.value
 
 
 def test_every_object_is_named_by_a_row_or_a_plan(first):

@@ -3,12 +3,25 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
+from multiprocessing import resource_tracker
+from signal import (
+    SIG_BLOCK,
+    SIG_SETMASK,
+    SIGINT,
+    getsignal,
+    pthread_sigmask,
+    raise_signal,
+    signal,
+)
 from socket import create_connection
+from threading import current_thread, main_thread
 from typing import Any, TypeVar
+from warnings import catch_warnings
 
 from scegen.errors import InputError, MissingToolError
 
@@ -42,8 +55,8 @@ class Workforce:
         tasks: Sequence[T],
         prepare: Callable[[], None],
         enlist: Callable[[int], None],
-    ) -> Iterator[R]:
-        """What ``work`` gives for every task, as it comes.
+    ) -> Generator[R, None, None]:
+        """What ``work`` gives for every task, as it comes; who is at work ends when it is closed.
 
         ``prepare`` runs first where the work is done; ``enlist`` instead of it, with the id of this
         process, in those that are ours alone.
@@ -54,13 +67,14 @@ class Workforce:
             InputError: the cluster cannot be reached.
         """
         if not tasks:
-            return iter(())
+            return
         if self.engine is Engine.RAY:
-            return _by_ray(self, work, tasks, prepare)
-        if self.workers == 1:
+            yield from _by_ray(self, work, tasks, prepare)
+        elif self.workers == 1:
             prepare()
-            return map(work, tasks)
-        return _by_joblib(self.workers, work, tasks, enlist)
+            yield from map(work, tasks)
+        else:
+            yield from _by_joblib(self.workers, work, tasks, enlist)
 
 
 def _by_joblib(
@@ -80,13 +94,44 @@ def _by_joblib(
         initializer=enlist,
         initargs=(os.getpid(),),
     )
-    results = pool(delayed(work)(task) for task in tasks)
     try:
-        yield from results
+        with ExitStack() as end:
+            with _uninterrupted():
+                results = end.enter_context(_closed(pool(delayed(work)(task) for task in tasks)))
+            for result in results:  # noqa: UP028 - so that it is not this loop that ends them
+                yield result
     except TerminatedWorkerError as error:
         raise WorkerLostError(str(error)) from error
+
+
+@contextmanager
+def _closed(results: Generator[R, None, None]) -> Iterator[Iterator[R]]:
+    """Results, and nobody at work after them."""
+    try:
+        yield results
     finally:
-        results.close()
+        with catch_warnings(action="ignore"):  # that some were still at work
+            results.close()
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Ctrl-C waits until all workers are there and known, and is left to this process by them."""
+    resource_tracker.ensure_running()  # as it starts it lets Ctrl-C through
+    caught: list[int] = []
+    before = getsignal(SIGINT)
+    here = current_thread() is main_thread()
+    if here:
+        signal(SIGINT, lambda number, _: caught.append(number))
+    mask = pthread_sigmask(SIG_BLOCK, {SIGINT})  # which those started meanwhile inherit
+    try:
+        yield
+    finally:
+        pthread_sigmask(SIG_SETMASK, mask)
+        if here:
+            signal(SIGINT, before)
+        for number in caught:
+            raise_signal(number)
 
 
 def _call(address: str) -> None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import gc
 import os
-import signal
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -57,6 +57,7 @@ _SHARE_DIGITS = 8
 _EMPLOYER = "SCEGEN_CAMPAIGN_EMPLOYER"
 """Where a worker process keeps the id of the process that started it."""
 _LOOKS_EACH_S = 1.0
+_OBJECTS_BEFORE_COLLECTING = 50_000
 
 Batch = tuple[tuple[Path, tuple[int, ...]], ...]
 """Plans, and rows of theirs."""
@@ -93,14 +94,15 @@ class Clock:
 
 
 def warm() -> None:
-    """Load what every batch needs, before the clock runs."""
+    """Load what every batch needs, before the clock runs; none of that is ever garbage."""
     warm_kernels()
     import_module("cmaes")  # the search waits with it until it is needed
+    gc.freeze()
+    gc.set_threshold(_OBJECTS_BEFORE_COLLECTING)
 
 
 def enlist(employer: int) -> None:
-    """Once in a worker process of ``employer``: leave Ctrl-C to it, remember it, get warm."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Once in a worker process of ``employer``: remember it, get warm."""
     os.environ[_EMPLOYER] = str(employer)
     Thread(target=_watch_employer, daemon=True).start()
     warm()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from functools import partial
 from pathlib import Path
 from time import perf_counter
@@ -97,8 +98,9 @@ def _plan(
     total = len(by_key)
     watch.planning(total - len(left), total)
     work = partial(plan_description, store, campaign)
-    for number, _ in enumerate(workforce.each(work, left, warm, enlist), start=1):
-        watch.planning(total - len(left) + number, total)
+    with closing(workforce.each(work, left, warm, enlist)) as planned:
+        for number, _ in enumerate(planned, start=1):
+            watch.planning(total - len(left) + number, total)
 
 
 def _examined(store: Store, keys: list[str], watch: Watch) -> Examined:
@@ -131,9 +133,10 @@ def _make(
         before_round = len(found.done)
         try:
             made: Done
-            for made in workforce.each(work, batches, warm, enlist):
-                done, failed = done + made.made + made.failed, failed + made.failed
-                watch.making(done, failed, total)
+            with closing(workforce.each(work, batches, warm, enlist)) as results:
+                for made in results:
+                    done, failed = done + made.made + made.failed, failed + made.failed
+                    watch.making(done, failed, total)
         except WorkerLostError as error:
             found = examine(store, keys)
             done = len(found.done)

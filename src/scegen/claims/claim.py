@@ -77,6 +77,9 @@ class Claim:
 
     def judge(self, view: View) -> Judged:
         """Whether it holds in every candidate."""
+        return view.once(self.test, lambda: self._judged(view))
+
+    def _judged(self, view: View) -> Judged:
         found = self.test(view)
         return found._replace(margin=np.where(found.margin > -np.inf, found.margin, -NEVER))
 

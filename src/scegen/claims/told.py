@@ -94,12 +94,12 @@ class Told:
 
         A door is a part of its vehicle.
         """
-        first, second = (self.doors.get(name, name) for name in (first, second))
         outcome = self.functional.outcome
-        if outcome is None and self.open_end:
-            return second in self.concerned_by(first)
-        if outcome is None or not self.collides:
+        if not (self.collides or (outcome is None and self.open_end)):
             return False
+        first, second = (self.doors.get(name, name) for name in (first, second))
+        if outcome is None:
+            return second in self.concerned_by(first)
         between = set(outcome.between) or {self.ego}
         return between <= {first, second} if len(between) > 1 else bool(between & {first, second})
 

@@ -74,6 +74,7 @@ class Manners:
     duties: tuple[Duty, ...] = ()
     patient: frozenset[str] = frozenset()
     _by_pair: dict[frozenset[str], Duty] = field(default_factory=dict)
+    _met: dict[tuple[str, str], tuple[Course, Course, list[Ground]]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._by_pair.update({frozenset((d.yields, d.other)): d for d in self.duties})
@@ -111,7 +112,27 @@ class Manners:
         yields, other = (one, two) if duty.yields == one[0].id else (two, one)
         if duty.by_arrival and _rests_s(*yields) < _rests_s(*other) - TOGETHER_S - _ROOM_S:
             yields, other = other, yields
-        return (yields, other) if _takes_way(*yields, *other) else None
+        return (yields, other) if self._takes_way(*yields, *other) else None
+
+    def _takes_way(
+        self, name: DriveDraft, name_s: float, other: DriveDraft, other_s: float
+    ) -> bool:
+        """Whether one that gives way comes before the other is gone, and is not long gone."""
+        return any(
+            name_s + own.enter_m < other_s + own.other_leaves_m + _ROOM_S
+            and name_s + own.leave_m + CLEAR_S + _ROOM_S > other_s + own.other_enters_m
+            for own in self._times_s(name, other)
+        )
+
+    def _times_s(self, name: DriveDraft, other: DriveDraft) -> list[Ground]:
+        """Their grounds in times, each on its own clock: asked for however late they are."""
+        one, two = name.course, other.course
+        known = self._met.get((name.id, other.id))
+        if known is None or known[0] is not one or known[1] is not two:
+            shared = grounds(name.laid.path, name.body, other.laid.path, other.body)
+            times_s = [Ground(*map(_when_s, (one, one, two, two), ground)) for ground in shared]
+            known = self._met[name.id, other.id] = one, two, times_s
+        return known[2]
 
 
 def patient_ones(
@@ -214,24 +235,13 @@ def _left_m(ground: Ground, other: DriveDraft) -> float:
     return ground.other_enters_m + other.body.length_m
 
 
+def _when_s(course: Course, place_m: float) -> float:
+    return course.time_at(place_m) if place_m < inf else inf
+
+
 def _rests_s(draft: DriveDraft, offset_s: float) -> float:
     """When a drive comes to rest at its line; never if it does not."""
     phase = draft.course.stop
     if phase is None:
         return inf
     return offset_s + draft.course.profile.settles_s(phase.begins_s)
-
-
-def _takes_way(name: DriveDraft, name_s: float, other: DriveDraft, other_s: float) -> bool:
-    """Whether one that gives way comes before the other is gone, and is not gone long before."""
-    shared = grounds(name.laid.path, name.body, other.laid.path, other.body)
-    for ground in shared:
-        comes = name_s + name.course.time_at(ground.enter_m)
-        goes = name_s + name.course.time_at(ground.leave_m) if ground.leave_m < inf else inf
-        they_come = other_s + other.course.time_at(ground.other_enters_m)
-        they_go = inf
-        if ground.other_leaves_m < inf:
-            they_go = other_s + other.course.time_at(ground.other_leaves_m)
-        if comes < they_go + _ROOM_S and goes + CLEAR_S + _ROOM_S > they_come:
-            return True
-    return False

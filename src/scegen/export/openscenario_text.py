@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET  # builds, never parses
 from collections.abc import Sequence
-from xml.sax.saxutils import escape
 
 LONGEST_TEXT = 2000
 """Characters kept of a description; players print it, and the whole lies in the other files."""
 
 _ILLEGAL = re.compile(r"[^\t\n\r\x20-\uD7FF\uE000-\uFFFD\U00010000-\U0010FFFF]")
 _SPECIAL = re.compile(r"[&<>\"\r\n\t]")
-_ESCAPES = {'"': "&quot;", "\r": "&#13;", "\n": "&#10;", "\t": "&#09;"}
+_NAMES = {"&": "amp", "<": "lt", ">": "gt", '"': "quot", "\r": "#13", "\n": "#10", "\t": "#09"}
+_ESCAPES = {ord(character): f"&{name};" for character, name in _NAMES.items()}
 _SPACES = re.compile(r"\s+")
 
 
@@ -55,7 +55,7 @@ def indented(root: ET.Element) -> str:
 
     def write(element: ET.Element, pad: str) -> None:
         told = "".join(
-            f' {name}="{escape(value, _ESCAPES) if _SPECIAL.search(value) else value}"'
+            f' {name}="{value.translate(_ESCAPES) if _SPECIAL.search(value) else value}"'
             for name, value in element.items()
         )
         inside = element.lines if isinstance(element, Lines) else ()

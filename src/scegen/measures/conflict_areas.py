@@ -116,6 +116,7 @@ def _comes_backwards(first: Path, second: Path, merge: tuple[float, float]) -> b
     )
 
 
+@remembered
 def _sample(path: Path, body: Body, spacing: float) -> _Sampled:
     count = int(np.ceil(path.length_m / spacing)) + 1
     return _at(path, body, np.linspace(0.0, path.length_m, count))
@@ -284,21 +285,31 @@ def merge_point(
     A position near 0 says that the path begins on the other: following, no merge.
     """
     second_s = np.linspace(s_second[0], s_second[-1], 4 * len(s_second))
-    h1 = np.interp(s_first, first.s_m, first.heading_rad)
-    h2 = np.interp(second_s, second.s_m, second.heading_rad)
-    nearest, away = nearest_points(
-        np.interp(s_first, first.s_m, first.x_m),
-        np.interp(s_first, first.s_m, first.y_m),
-        np.interp(second_s, second.s_m, second.x_m),
-        np.interp(second_s, second.s_m, second.y_m),
-        MERGED_ASIDE_M,
+    one, two = (
+        Way(s, *(np.interp(s, path.s_m, of) for of in (path.x_m, path.y_m, path.heading_rad)))
+        for path, s in ((first, s_first), (second, second_s))
     )
-    turn = np.abs(np.angle(np.exp(1j * (h1 - h2[nearest]))))
-    near = (away < MERGED_ASIDE_M) & (turn < MERGED_TURN_RAD)
-    for run in _runs(near, 0):
-        if s_first[run.stop - 1] - s_first[run.start] >= MERGED_FOR_M:
-            return float(s_first[run.start]), float(second_s[nearest[run.start]])
-    return None
+    begins, nearest = _merge(one, two)
+    return (float(s_first[begins]), float(second_s[nearest])) if begins >= 0 else None
+
+
+@kernel
+def _merge(one: Way, two: Way) -> tuple[int, int]:
+    """The first place of one from which on it runs along two, and the nearest of two; -1: none."""
+    step_m, best, begins, at = _longest_step_m(two.x_m, two.y_m), 0, -1, 0
+    for n in range(one.s_m.shape[0]):
+        best, gap = _nearest(one.x_m[n], one.y_m[n], two.x_m, two.y_m, best, MERGED_ASIDE_M, step_m)
+        turn = one.heading_rad[n] - two.heading_rad[best]
+        if not (
+            gap < MERGED_ASIDE_M and abs(np.arctan2(np.sin(turn), np.cos(turn))) < MERGED_TURN_RAD
+        ):
+            begins = -1
+            continue
+        if begins < 0:
+            begins, at = n, best
+        if one.s_m[n] - one.s_m[begins] >= MERGED_FOR_M:
+            return begins, at
+    return -1, -1
 
 
 @kernel
@@ -328,19 +339,27 @@ def nearest_points(
     step_m = _longest_step_m(fx, fy)
     index = np.zeros(x.shape[0], dtype=np.int64)
     away = np.full(x.shape[0], np.inf)
+    best = 0
     for n in range(x.shape[0]):
-        best = index[n - 1] if n else 0
-        dx, dy = x[n] - fx[best], y[n] - fy[best]
-        least = min(dx * dx + dy * dy, within_m * within_m)
-        m = 0
-        while m < fx.shape[0]:
-            dx, dy = x[n] - fx[m], y[n] - fy[m]
-            squared = dx * dx + dy * dy
-            if squared < least or (squared == least and m < best):
-                least, best = squared, m
-            m += _on_to(squared, least, step_m)
-        dx, dy = x[n] - fx[best], y[n] - fy[best]
+        best, away[n] = _nearest(x[n], y[n], fx, fy, best, within_m, step_m)
         index[n] = best
-        if dx * dx + dy * dy <= within_m * within_m:
-            away[n] = np.hypot(dx, dy)
     return index, away
+
+
+@inner_kernel
+def _nearest(
+    x: float, y: float, fx: Floats, fy: Floats, best: int, within_m: float, step_m: float
+) -> tuple[int, float]:
+    """One point of those, beginning with that nearest to the one before."""
+    dx, dy = x - fx[best], y - fy[best]
+    least = min(dx * dx + dy * dy, within_m * within_m)
+    m = 0
+    while m < fx.shape[0]:
+        dx, dy = x - fx[m], y - fy[m]
+        squared = dx * dx + dy * dy
+        if squared < least or (squared == least and m < best):
+            least, best = squared, m
+        m += _on_to(squared, least, step_m)
+    dx, dy = x - fx[best], y - fy[best]
+    near = dx * dx + dy * dy <= within_m * within_m
+    return best, np.hypot(dx, dy) if near else np.inf

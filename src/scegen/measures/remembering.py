@@ -1,7 +1,7 @@
 """What two ways have in common is asked again and again by those who judge one scenario.
 
 Speeds change from one candidate or trial to the next, ways hardly ever: an answer that rests on
-nothing but two paths and two bodies is kept by their content.
+nothing but paths, bodies and numbers is kept by their content.
 """
 
 from __future__ import annotations
@@ -10,34 +10,32 @@ from collections import OrderedDict
 from collections.abc import Callable
 from functools import wraps
 from threading import Lock
-from typing import TypeVar
+from typing import ParamSpec, TypeVar
 
-from scegen.measures.bodies import Body
 from scegen.motion.model import Path
 
+P = ParamSpec("P")
 R = TypeVar("R")
 MOST = 512
 """Answers that are kept of each function: enough for a scenario with ten participants."""
 
 
-def remembered(
-    function: Callable[[Path, Path, Body, Body], R],
-) -> Callable[[Path, Path, Body, Body], R]:
+def remembered(function: Callable[P, R]) -> Callable[P, R]:
     """The function, which gives the answer that it gave before to the same question.
 
     Nobody may change an answer.
     """
-    kept: OrderedDict[tuple[bytes, bytes, Body, Body], R] = OrderedDict()
+    kept: OrderedDict[tuple[object, ...], R] = OrderedDict()
     lock = Lock()
 
     @wraps(function)
-    def answer(first: Path, second: Path, a: Body, b: Body) -> R:
-        question = (first.digest, second.digest, a, b)
+    def answer(*asked: P.args, **_: P.kwargs) -> R:
+        question = tuple(part.digest if isinstance(part, Path) else part for part in asked)
         with lock:
             if question in kept:
                 kept.move_to_end(question)
                 return kept[question]
-        found = function(first, second, a, b)
+        found = function(*asked, **_)
         with lock:
             kept[question] = found
             if len(kept) > MOST:

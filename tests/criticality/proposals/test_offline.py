@@ -1,6 +1,6 @@
 """The offline rules: valid, without chance, a help to the search and never a harm."""
 
-from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
@@ -45,7 +45,7 @@ def test_a_danger_that_lacks_something_gets_more_of_it(ready):
     short = speeding.model_copy(update={"happened": False, "margin": -1.5, "by": ("car_1",)})
     before = search.before
     try:
-        search.before = replace(before, hazards=(short,))
+        search.before = SimpleNamespace(hazards=(short,))
         changes = search.advise(OfflineProposer()).advice.changes
     finally:
         search.before = before

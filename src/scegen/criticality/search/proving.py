@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -36,24 +36,32 @@ _AS_SAID = "what the text says of it decides, not the threshold"
 
 @dataclass(frozen=True)
 class Evidence:
-    """What one scenario shows, in fine steps and in ``coarse`` ones."""
+    """What one scenario shows in fine steps, and in coarse ones once that is asked for."""
 
     concrete: ConcreteScenario
     view: View
-    coarse: View | None
-    hazards: tuple[HazardProof, ...]
+    seen_in: Callable[[float], View]
     claimed: Sequence[Claim] = ()
+
+    @cached_property
+    def hazards(self) -> tuple[HazardProof, ...]:
+        """How every danger happens, by its threshold."""
+        return tuple(judge(self.view, hazard) for hazard in self.concrete.hazards)
+
+    @cached_property
+    def _coarse(self) -> View:
+        """Players take longer steps, in which triggers fire later: what is said holds in both."""
+        return self.seen_in(STEP_S)
 
     @cached_property
     def claims(self) -> tuple[ClaimProof, ...]:
         """How every claim holds: in the one and in the other."""
-        views = [self.view] if self.coarse is None else [self.view, self.coarse]
-        return prove(self.claimed, *views)
+        return prove(self.claimed, self.view, self._coarse) if self.claimed else ()
 
     @cached_property
     def dangers(self) -> tuple[HazardProof, ...]:
         """Whether every danger happens: its statement decides, where there is one."""
-        held = {claim.id: claim.holds for claim in self.claims}
+        held = {claim.id: claim.holds for claim in self.claims} if self.hazards else {}
         found = []
         for place, hazard in enumerate(self.hazards):
             happens = held.get(claim_id(place, hazard.kind), hazard.happened)
@@ -63,7 +71,10 @@ class Evidence:
 
     def holds(self, but: Collection[str] = ()) -> bool:
         """Whether every statement holds, but for those with these ids."""
-        return all(claim.holds or claim.id in but for claim in self.claims)
+        asked = [claim for claim in self.claimed if claim.id not in but]
+        return all(claim.judge(self.view).margin[0] >= 0.0 for claim in asked) and all(
+            claim.judge(self._coarse).margin[0] >= 0.0 for claim in asked
+        )
 
     def unwanted(self, target: Target, pair: Pair) -> tuple[Pair, ...]:
         """Pairs that touch although they should not."""
@@ -90,7 +101,6 @@ def examine(
     friction: float,
     *,
     claims: Sequence[Claim] = (),
-    dt_s: float = PROOF_DT_S,
 ) -> Evidence:
     """Simulate a scenario from nothing but its own numbers, and judge it and what is claimed of it.
 
@@ -105,11 +115,7 @@ def examine(
         traces = simulate_batch(program, own, duration_s=concrete.duration_s, dt_s=step_s)
         return view_of(concrete, ways, scene, traces, friction)
 
-    view = seen_in(dt_s)
-    hazards = tuple(judge(view, hazard) for hazard in concrete.hazards)
-    # Players take longer steps, in which triggers fire later: what is said holds in both.
-    coarse = None if dt_s == STEP_S or not claims else seen_in(STEP_S)
-    return Evidence(concrete, view, coarse, hazards, claims)
+    return Evidence(concrete, seen_in(PROOF_DT_S), seen_in, claims)
 
 
 def proof_of(

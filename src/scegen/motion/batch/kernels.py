@@ -21,14 +21,16 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
 
-if "scipy.linalg" not in sys.modules:
-    # numba asks whether there is a BLAS by loading all of scipy.linalg, a tenth of a short run; the
-    # answer only decides whether kernels may call numpy.cov.
-    sys.modules["scipy.linalg"] = None  # type: ignore[assignment]
-    try:
-        import numba.np.arraymath
-    finally:
-        del sys.modules["scipy.linalg"]
+_hidden = [name for name in ("scipy.linalg", "cffi") if name not in sys.modules]
+# numba asks whether these are there by loading them, a tenth of a short run; that only decides
+# whether kernels may call numpy.cov and functions of C.
+sys.modules.update(dict.fromkeys(_hidden))  # type: ignore[arg-type]
+try:
+    import numba.core.typing.cffi_utils
+    import numba.np.arraymath
+finally:
+    for _name in _hidden:
+        del sys.modules[_name]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
