@@ -14,7 +14,7 @@ from scegen.checking.opendrive import check_opendrive
 from scegen.checking.opendrive.curves import Arc, Cubic, Spiral
 from scegen.checking.opendrive.lanes import reference
 from scegen.checking.opendrive.locate import lanes_at
-from scegen.checking.openscenario import check_openscenario
+from scegen.checking.openscenario import CHECKER, check_openscenario
 
 bends = st.floats(-0.02, 0.02, allow_subnormal=False)
 lengths = st.floats(5.0, 200.0)
@@ -164,6 +164,22 @@ def test_a_scenario_from_elsewhere(position, status):
     )
     assert result.status is status, result.findings
     assert "xosc.ego" in {f.rule for f in result.findings if f.severity is Severity.WARNING}
+
+
+def test_a_road_may_be_named_by_a_parameter(tmp_path):
+    (tmp_path / "maps").mkdir()
+    (tmp_path / "maps" / "road.xodr").write_bytes(road(LINE))
+    text = SCENARIO.format(position=ON_ROAD.format(lane="-1", s="$far"))
+    text = text.replace('filepath="road.xodr"', 'filepath="$map"').replace(
+        "<ParameterDeclarations>",
+        '<ParameterDeclarations><ParameterDeclaration name="map" parameterType="string" '
+        'value="./maps/road.xodr"/>',
+    )
+    scenario = tmp_path / "their.xosc"
+    scenario.write_text(text)
+    (report,) = check_path(scenario, (CHECKER,))
+    assert not [f for r in report.results for f in r.findings if f.rule == "xosc.road_file"]
+    assert {r.checker: r.status for r in report.results}[CHECKER] is CheckStatus.PASSED
 
 
 def test_our_own_conventions_bind_our_own(folder):

@@ -23,6 +23,11 @@ class Document:
     content: bytes
     root: etree._Element = field(compare=False)
 
+    def declared(self) -> dict[str, str]:
+        """The values of an OpenSCENARIO file's parameters by ``$name``."""
+        found = self.root.iterfind(".//ParameterDeclaration")
+        return {"$" + e.get("name", "").removeprefix("$"): e.get("value", "") for e in found}
+
 
 class BrokenXmlError(Exception):
     """The file is not XML that can be trusted; carries the finding. Never leaves the package."""

@@ -177,10 +177,10 @@ def _named_road(scenario: File) -> File | None:
     """The road file that a scenario names, seen from where it lies."""
     if not scenario.sound:
         return None
-    logic = parse_document(scenario.name, scenario.content, "OpenSCENARIO").root.find(
-        "RoadNetwork/LogicFile"
-    )
-    named = logic.get("filepath") if logic is not None else None
+    document = parse_document(scenario.name, scenario.content, "OpenSCENARIO")
+    logic = document.root.find("RoadNetwork/LogicFile")
+    said = logic.get("filepath", "") if logic is not None else ""
+    named = document.declared().get(said, said)
     path = scenario.path.parent / named if named else None
     if path is None or path.suffix.lower() != ".xodr" or not path.is_file():
         return None

@@ -79,10 +79,7 @@ class _Reader:
     def __init__(self, document: Document) -> None:
         self.document = document
         self.findings: list[Finding] = []
-        declared = document.root.iterfind(".//ParameterDeclaration")
-        self.parameters = {
-            "$" + e.get("name", "").removeprefix("$"): e.get("value", "") for e in declared
-        }
+        self.parameters = document.declared()
 
     def storyboard(self) -> Storyboard:
         root = self.document.root
