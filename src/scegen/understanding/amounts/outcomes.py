@@ -208,6 +208,7 @@ class Judge(Teller):
                 chosen.append(entity)
         if len(chosen) == 1:
             near = [e for m in self._text.mentions if m.i < i for e in m.entities]
+            near.sort(key=lambda e: not e.parked)  # who stands beside the road last of all
             other = counterpart(chosen[0], self._context, near)
             chosen += [other] if other is not None else []
         return chosen if len(chosen) == 2 else []

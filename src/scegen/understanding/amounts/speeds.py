@@ -48,10 +48,7 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     )
     if hits is not None and any(e.speed not in (None, quantity.value) for e in hits.actors):
         return False  # "drives 50 km/h … and hits it at 30 km/h": as fast as it then is
-    afoot = _afoot(number, context) if not taken else []
-    whose = afoot or _able(
-        number, [e for e in _whose(number, text, context) if e not in taken], text
-    )
+    whose = _able(number, [e for e in _whose(number, text, context) if e not in taken], text)
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
@@ -100,13 +97,6 @@ def _fastest_mps(entity: Entity, near: list[Entity]) -> float:
     top = BODIES[entity.kind].top_speed_mps
     own = not near or entity in near or entity.kind not in _BY_MUSCLE
     return top if own else min(top, _RUNNING_MPS)
-
-
-def _afoot(number: Measured, context: Context) -> list[Entity]:
-    """``walking speed 5 km/h``: of who walks."""
-    if not any(number.around.preceded(w) for w in words()["afoot"]):
-        return []
-    return [e for e in context.draft.entities if not e.is_vehicle and e.speed is None][:1]
 
 
 def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | None:

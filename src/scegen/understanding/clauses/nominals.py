@@ -19,6 +19,7 @@ from scegen.understanding.phrases.lookahead import copula_follows, finite_follow
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
+_SMALL = frozenset({"prep", "manner"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
@@ -34,7 +35,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    if _emphasises(mention, state):
+    if _emphasises(mention, state) or _measured_aside(mention, k, chunks, state):
         return
     state.mentions.append(mention)
     within = state.prep is not None and state.prep.value == "of"
@@ -99,6 +100,16 @@ def _emphasises(mention: Mention, state: State) -> bool:
         return False
     mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
     return mention.same_as is not None
+
+
+def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``a van beside the ego, both at 60 km/h, moves over``: put in, of those named before."""
+    rest = chunks[k + 1 : k + 6]
+    after = [c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)]
+    measured = [getattr(c, "cat", "") for c in after[:1]] == ["quantity"]
+    ends = [getattr(c, "value", "") for c in after[1:2]] == [","]
+    waits = state.candidate is not None and not state.candidate_done and "," in state.between
+    return mention.pronoun in {"both", "all"} and measured and ends and waits
 
 
 def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:

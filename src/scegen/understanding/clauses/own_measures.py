@@ -8,6 +8,7 @@ from scegen.understanding.words.tokens import Token
 
 _LINKS = frozenset({"of", "be", "speed", "mild", ":"})
 _FARTHEST = 6
+_SMALL = frozenset({"prep", "manner"})
 _FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 
 
@@ -23,9 +24,7 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):
             continue
-        owner = (
-            _possessor(chunks, k, tokens) or _likewise(chunks, k, tokens) or _bracketed(chunks, k)
-        )
+        owner = _of_all(chunks, k) or _possessor(chunks, k, tokens) or _bracketed(chunks, k)
         told_by = [e for e in events if any(m is chunk.term for m in e.mods)]
         owner = owner or _awaited(chunks, k, told_by) or _from_a_side(chunks, k)
         owner = owner or _fronted(chunks, k) or _told_of(chunks, k, tokens)
@@ -34,6 +33,16 @@ def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         for holder in holders:
             holder.mods[:] = [m for m in holder.mods if m is not chunk.term]
         owner.mods.append(chunk.term)
+
+
+def _of_all(chunks: list[Chunk], k: int) -> Mention | None:
+    """``…, both at a steady 60 km/h, …``: of all of them."""
+    m = k - 1
+    while m > 0 and (isinstance(chunks[m], Thing) or getattr(chunks[m], "cat", "") in _SMALL):
+        m -= 1
+    who, opens = (chunks[n] if n >= 0 else None for n in (m, m - 1))
+    everybody = isinstance(who, Mention) and who.pronoun in {"both", "all"}
+    return who if isinstance(who, Mention) and everybody and _is_comma(opens) else None
 
 
 def _possessor(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
@@ -71,15 +80,6 @@ def _of_a_rate(chunks: list[Chunk], tokens: list[Token]) -> bool:
 
 def _rates(thing: Thing, tokens: list[Token]) -> bool:
     return tokens[thing.j - 1].low in word_list("rates")
-
-
-def _likewise(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
-    """``meets a van, also at 50 km/h``: the van."""
-    words = chunks[max(0, k - 3) : k]
-    said = [c for c in words if isinstance(c, Word) and tokens[c.i].low in word_list("likewise")]
-    comma = next((m for m in range(k - 1, max(0, k - 4), -1) if _is_comma(chunks[m])), None)
-    before = chunks[comma - 1] if comma else None
-    return before if said and isinstance(before, Mention) else None
 
 
 def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
@@ -135,5 +135,5 @@ def _fronted(chunks: list[Chunk], k: int) -> Mention | None:
     return who if led and isinstance(who, Mention) and not who.possessor else None
 
 
-def _is_comma(chunk: Chunk) -> bool:
+def _is_comma(chunk: Chunk | None) -> bool:
     return isinstance(chunk, Word) and chunk.value == ","

@@ -180,8 +180,10 @@ class Interpreter:
         kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
         if kind is HazardKind.SLOW_DRIVING:  # the ego under test may drive as slowly as it likes
             drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
+        own = all(e.ego for e in drivers) and "quantity" in term.data  # "I was only doing 25 km/h"
         if kind is not None and drivers:
-            self._draft.hazard(kind, basis, drivers)
+            if not (own and kind is HazardKind.SLOW_DRIVING):
+                self._draft.hazard(kind, basis, drivers)
             if "quantity" in term.data:
                 self._quantity(replace(term, cat="quantity", value="speed"), drivers)
         elif term.cat == "manner" and term.value == "close":

@@ -62,6 +62,8 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     who = title[0] if title and (len(title) == 1 or _goes_on(title, rest)) else None
     if not isinstance(who, Mention) or not who.heads or not rest or isinstance(rest[0], Mention):
         return False
+    if any("mass" in h.data for h in who.heads):
+        return False  # "Tail of a jam: 300 m to a stationary lorry"
     if isinstance(rest[0], Word) and rest[0].cat == "quantity":
         return True  # "Lead car: 100 km/h, ego …"
     return True
@@ -200,7 +202,8 @@ def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
     spoken = any(_finite(c) for c in title) or any(
         isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title
     )
-    bare = all(c.pronoun is None and not _introduced(c) for c in title if isinstance(c, Mention))
+    titled = [c for c in title if isinstance(c, Mention)]
+    bare = all(c.pronoun is None and (not _introduced(c) or _role(c, title)) for c in titled)
     named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)
     stated = any(isinstance(c, Word) and c.cat in {"aux", "copy"} for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
@@ -209,6 +212,14 @@ def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
 
 def _finite(chunk: Chunk) -> bool:
     return isinstance(chunk, Event) and not chunk.nominal and chunk.form == "s"
+
+
+def _role(mention: Mention, title: list[Chunk]) -> bool:
+    """``Deceleration of the preceding vehicle: …``: whoever is told of after it plays it."""
+    opened = [(m.cat, m.value) for m in mention.mods if m.cat in _FIRST_WORDS] == [("det", "def")]
+    generic = mention.head is not None and mention.head.value == "car" and not mention.label
+    doing = isinstance(title[0], Event) and not isinstance(title[-1], Event)
+    return opened and generic and bool(mention.dirs) and doing and not mention.is_ego
 
 
 def _introduced(mention: Mention) -> bool:

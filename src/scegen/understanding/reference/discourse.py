@@ -363,9 +363,12 @@ class Discourse:
         own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
         ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
         car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
-        own = own and ego not in exclude
+        own = own and ego not in exclude and "target" not in " ".join(reading.called)
         if own and car and len(only) == 1 and ego is not None and reading.det == "def":
             return [ego]  # "the ego reverses; a child stands behind the car"
+        rest = [e for e in self._draft.entities if not e.ego]
+        if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
+            return rest  # "a pedestrian target walks …; the target is hit"
         seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver
         if seen_by and reading.det == "def" and len(only) == 1 and not reading.labels:
             return only  # "as seen by the driver facing forward"

@@ -262,6 +262,8 @@ class Roster:
             return False
         if contradict(entity.named_by, reading.called):
             return False
+        if entity.ego and "target" in " ".join(reading.called):
+            return False  # a target is never the vehicle under test
         return kind and (entity.parked or not reading.parked)
 
     def _motorbike(self, entity: Entity, reading: Reading) -> bool:
