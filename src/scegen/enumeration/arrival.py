@@ -95,7 +95,12 @@ def queues(problem: Problem, solution: Solution) -> list[Queue]:
             queue.after.setdefault(reference, set()).add(name)
         else:
             queue.beside[name] = reference, Side(word.removeprefix("adjacent_"))
+    circulating = {v.id for v in problem.vehicles if v.circulating}
     for queue in found.values():
+        for first in queue.names:
+            for second in queue.names if first in circulating else ():
+                if second not in circulating:
+                    queue.put_before(first, second)
         for farther, nearer in _by_distance(problem.functional, queue.names):
             queue.put_before(farther, nearer)
         for name in queue.names:
