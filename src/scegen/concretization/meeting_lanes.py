@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 from itertools import combinations
 
 from scegen.concretization.drafts import DriveDraft
@@ -155,17 +156,15 @@ def _stays(scene: Setup, name: str, own: Lanes) -> LaneWish:
 
 def _meetings(scene: Setup) -> Iterator[LaneWish]:
     """Who is to meet, the most important first."""
-    ways: dict[tuple[str, Lanes], DriveDraft] = {}
-    known: dict[tuple[tuple[str, Lanes], ...], bool] = {}
+    way = cache(partial(_laid, scene))
+
+    @cache
+    def touch(first: str, lanes: Lanes, second: str, others: Lanes) -> bool:
+        return ways_touch(way(first, lanes), way(second, others))
 
     def meet(lanes: Choice, names: tuple[str, str]) -> bool:
-        key = tuple((name, lanes[name]) for name in names)
-        if key not in known:
-            for each in key:
-                if each not in ways:
-                    ways[each] = _laid(scene, *each)
-            known[key] = ways_touch(ways[key[0]], ways[key[1]])
-        return known[key]
+        first, second = names
+        return touch(first, lanes[first], second, lanes[second])
 
     for hazard in scene.functional.hazards:
         for cause, sufferer in pairs(scene, hazard):

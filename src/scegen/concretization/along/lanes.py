@@ -7,7 +7,7 @@ says how many there are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
 
 from scegen.concretization.along.doors import endangered, inner_doors
@@ -90,11 +90,11 @@ def cheapest(
     return least_broken(options, wishes)
 
 
-def _beside(a: str, b: str, step: int | None) -> Met:
+def _beside(a: str, b: str, weight: float, step: int | None, words: str) -> Wish[int]:
     """``a`` is next to ``b``, ``step`` lanes farther out if that is said."""
     if step is None:
-        return lambda lanes: abs(lanes[a] - lanes[b]) == 1
-    return lambda lanes: lanes[a] - lanes[b] == step
+        return Wish((a, b), weight, lambda lanes: abs(lanes[a] - lanes[b]) == 1, words)
+    return Wish((a, b), weight, lambda lanes: lanes[a] - lanes[b] == step, words)
 
 
 def _room(name: str, step: int, count: int) -> Met:
@@ -108,26 +108,23 @@ def _passes(name: str, whom: Sequence[str], step: int, count: int) -> Met:
     return lambda lanes: room(lanes) or any((lanes[name] - lanes[n]) * step > 0 for n in whom)
 
 
-def _among(name: str, allowed: frozenset[int]) -> Met:
-    return lambda lanes: lanes[name] in allowed
+def _among(name: str, weight: float, allowed: frozenset[int], words: str) -> Wish[int]:
+    return Wish((name,), weight, lambda lanes: lanes[name] in allowed, words)
 
 
-def _from_words(story: Story) -> list[Wish[int]]:
+def _from_words(story: Story) -> Iterator[Wish[int]]:
     """Lanes, sides, lines and lateral distances that are said."""
     functional, runners = story.functional, story.people
-    wishes: list[Wish[int]] = []
     aside = _lanes_aside(story)
     passing = {act.participant for act in story.acts if act.kind is ActKind.OVERTAKE}
     for (a, b), step in aside.items():
-        wishes.append(Wish((a, b), SAID, _beside(a, b, step), f"{a} is {step} lanes from {b}"))
+        yield _beside(a, b, SAID, step, f"{a} is {step} lanes from {b}")
     for name, runner in runners.items():
         participant = functional.participant(name)
         allowed = frozenset({runner.lane}) if runner.lane >= 1 else participant.lanes
         if allowed:
             numbers = ", ".join(str(lane) for lane in sorted(allowed))
-            wishes.append(
-                Wish((name,), SAID, _among(name, allowed), f"{name} is in lane {numbers}")
-            )
+            yield _among(name, SAID, allowed, f"{name} is in lane {numbers}")
         assignment = story.logical.assignment(name)
         seen = {r: words_between(functional, name, r) for r in runners if r != name}
         beside = assignment.beside if isinstance(assignment, InLine) else None
@@ -140,16 +137,13 @@ def _from_words(story: Story) -> list[Wish[int]]:
                 words_of -= {Approach.ADJACENT}  # one of these: in line
             if Approach.ADJACENT in words_of:
                 step_out = _step_out(story, assignment, reference)
-                met = _beside(name, reference, step_out)
                 words = f"{name} is in the lane beside {reference}"
-                wishes.append(Wish((name, reference), SAID, met, words))
+                yield _beside(name, reference, SAID, step_out, words)
             strips = {functional.participant(n).strip for n in (name, reference)}
             in_line = bool(words_of & {Approach.AHEAD, Approach.BEHIND}) and len(strips) == 1
             same_way = runners[reference].forward == runner.forward
             if in_line and same_way and Approach.ADJACENT not in words_of:
-                words = f"{name} is in the lane of {reference}"
-                wishes.append(Wish((name, reference), SAID, _beside(name, reference, 0), words))
-    return wishes
+                yield _beside(name, reference, SAID, 0, f"{name} is in the lane of {reference}")
 
 
 def _step_out(story: Story, assignment: Assignment, reference: str) -> int | None:
@@ -172,10 +166,9 @@ def _lanes_aside(story: Story) -> dict[tuple[str, str], int]:
     return found
 
 
-def _from_acts(story: Story, count: int) -> list[Wish[int]]:
+def _from_acts(story: Story, count: int) -> Iterator[Wish[int]]:
     """Who changes lanes needs one there: the one of the person into whose lane it comes."""
     functional, runners, acts = story.functional, story.people, story.acts
-    wishes: list[Wish[int]] = []
     passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
     for act in acts:
         name = act.participant
@@ -187,66 +180,59 @@ def _from_acts(story: Story, count: int) -> list[Wish[int]]:
             makes_room = any(a.participant in whom and a.kind is ActKind.CHANGE_LANE for a in acts)
             if not inwards and not makes_room:
                 words = f"{name} has a lane on its {act.side} to pass in, or drives there"
-                met = _passes(name, whom, step, count)
-                wishes.append(Wish((name, *whom), SAID, met, words))
+                yield Wish((name, *whom), SAID, _passes(name, whom, step, count), words)
             continue
         if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue
         into = runners.get(act.into or "")
         if into is not None and into.forward != runners[name].forward:
             words = f"{name} is next to the lane of {into.id}"
-            wishes += [Wish((n,), LIKELY, _among(n, _INNERMOST), words) for n in (name, into.id)]
+            yield from (_among(n, LIKELY, _INNERMOST, words) for n in (name, into.id))
         elif into is not None:
             back = None if step is None else -step
             words = f"{name} changes into the lane of {into.id}"
-            wishes.append(Wish((name, into.id), SAID, _beside(name, into.id, back), words))
+            yield _beside(name, into.id, SAID, back, words)
         elif step is not None:
             words = f"{name} has a lane on its {act.side}"
-            wishes.append(Wish((name,), LIKELY, _room(name, step, count), words))
-    return wishes
+            yield Wish((name,), LIKELY, _room(name, step, count), words)
 
 
-def _from_hazards(story: Story) -> list[Wish[int]]:
+def _from_hazards(story: Story) -> Iterator[Wish[int]]:
     """Who endangers another from beside is beside it, who does it in line is in its lane."""
-    wishes: list[Wish[int]] = []
     runners = story.people
     for hazard in story.functional.hazards:
-        for by, to in product(hazard.by, hazard.to):
-            if not {by, to} <= runners.keys() or by == to:
+        for who, to in product(hazard.by, hazard.to):
+            if not {who, to} <= runners.keys() or who == to:
                 continue
-            words = f"{hazard.kind} of {by} to {to}"
-            if runners[by].forward != runners[to].forward:
+            words = f"{hazard.kind} of {who} to {to}"
+            if runners[who].forward != runners[to].forward:
                 if hazard.kind in _OVER_THE_LINE:
-                    near = (Wish((n,), LIKELY, _among(n, _INNERMOST), words) for n in (by, to))
-                    wishes += near
+                    yield from (_among(n, LIKELY, _INNERMOST, words) for n in (who, to))
             elif hazard.kind in _FROM_BESIDE:
-                wishes.append(Wish((by, to), LIKELY, _beside(by, to, None), words))
+                yield _beside(who, to, LIKELY, None, words)
             elif hazard.kind in _IN_LINE:
-                wishes.append(Wish((by, to), LIKELY / 2, _beside(by, to, 0), words))
-    return wishes
+                yield _beside(who, to, LIKELY / 2, 0, words)
 
 
-def _usual(story: Story, count: int) -> list[Wish[int]]:
+def _usual(story: Story, count: int) -> Iterator[Wish[int]]:
     """Drive in line with the ego; change lanes where there is one to change into."""
-    wishes: list[Wish[int]] = []
     ego, people = story.ego.id, story.people
     for name in story.exiting & people.keys():
         words = f"{name} is in the outermost lane, beside which the exit begins"
-        wishes.append(Wish((name,), LIKELY, _among(name, frozenset({count})), words))
+        yield _among(name, LIKELY, frozenset({count}), words)
     for door in inner_doors(story):
         for name in endangered(story.functional, door) & people.keys():
             words = f"{name} passes the door of {door} in the lane next to it"
-            wishes.append(Wish((name,), LIKELY, _among(name, _INNERMOST), words))
+            yield _among(name, LIKELY, _INNERMOST, words)
     for name, runner in people.items():
         assignment = story.logical.assignment(name)
         beside = isinstance(assignment, InLine) and assignment.beside is not None
         beside = beside or story.functional.participant(name).strip is not None
         if name != ego and runner.forward and not beside:
-            wishes.append(Wish((ego, name), USUAL, _beside(name, ego, 0), f"{name} is in line"))
+            yield _beside(name, ego, USUAL, 0, f"{name} is in line")
         changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE
         side = assignment.changes_to if isinstance(assignment, Drive) and changes else None
         if name not in story.exiting and side is not None:
             step = outward(story.functional, side)
             words = f"{name} has a lane to change into"
-            wishes.append(Wish((name,), LIKELY, _room(name, step, count), words))
-    return wishes
+            yield Wish((name,), LIKELY, _room(name, step, count), words)
