@@ -169,7 +169,7 @@ def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     slows = max(begins_s + 0.5, ends_s - _CREEPS_M / 2 - braking)
     draft.marks.append(SpeedChange(CREEP_MPS, REVERSING_MPS2, s_m=slows))
     stop = SpeedChange(0.0, _STOPS_MPS2, s_m=_brakes_at(ends_s))
-    draft.add_speed_change(stop, holds_s=_PAUSE_S)
+    draft.hold(stop, _PAUSE_S)
 
 
 def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: float) -> float:

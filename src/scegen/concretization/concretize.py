@@ -12,12 +12,7 @@ from scegen.concretization.along.doors import opens
 from scegen.concretization.answering import answer
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
-from scegen.concretization.deeds import (
-    do_acts,
-    lead_in_missing_s,
-    set_triggers,
-    stand_in_line,
-)
+from scegen.concretization.deeds import do_acts, lead_in_missing_s, set_triggers, stand_in_line
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit

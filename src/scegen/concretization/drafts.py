@@ -107,11 +107,7 @@ class DriveDraft:
         if known is None or known[0] is not self.laid or known[1] != told:
             first_mps = CREEP_MPS if self.backs_out else self.cruise_mps
             changes = tuple(self.speed_changes())
-            known = (
-                self.laid,
-                told,
-                course_of(changes, first_mps, self.laid.path.length_m),
-            )
+            known = (self.laid, told, course_of(changes, first_mps, self.laid.path.length_m))
             self._told = known
         return known[2]
 
@@ -195,15 +191,15 @@ class DriveDraft:
             self.entry_lane = lane
             self.lay(network)
 
-    def add_speed_change(self, mark: SpeedChange, *, holds_s: float | None = None) -> None:
-        """Add a mark of a danger; held for so long, the speed then in force is resumed."""
-        if holds_s is not None:
-            faster = self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
-            on = SpeedChange(
-                self._in_force_mps(mark.s_m), faster, sort=Sort.GOES_ON, then_s=holds_s
-            )
-            mark = replace(mark, then=on)
-        self.marks.append(mark)
+    def hold(self, mark: SpeedChange, holds_s: float) -> None:
+        """Add a mark of a danger; held for so long, the speed in force there is resumed."""
+        speed = self.cruise_mps
+        for each in self.road_changes():
+            if each.s_m <= mark.s_m:
+                speed = (each.then or each).target_mps
+        faster = self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
+        on = SpeedChange(speed, faster, sort=Sort.GOES_ON, then_s=holds_s)
+        self.marks.append(replace(mark, then=on))
 
     def road_changes(self) -> list[SpeedChange]:
         """Slowing down for turns and at stop lines (red, a sign), and speeding up after them."""
@@ -225,11 +221,3 @@ class DriveDraft:
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in self.road_changes() if not low <= mark.s_m <= high]
         return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
-
-    def _in_force_mps(self, s_m: float) -> float:
-        """The target speed at a place, dangers apart."""
-        speed = self.cruise_mps
-        for mark in self.road_changes():
-            if mark.s_m <= s_m:
-                speed = (mark.then or mark).target_mps
-        return speed

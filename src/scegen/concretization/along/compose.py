@@ -49,7 +49,7 @@ from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario, Road
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario, Reverses
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 _WIDER = (1.0, 1.3, 1.7, 2.2, 3.0)
 _LATER_S, _LATEST_S = 8.0, 80.0
@@ -165,7 +165,6 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
     return reversing <= backing and not any(
         d.reverses not in {None, Reverses.BACKS_UP}
         or (d.reverses is not None and d.participant not in backing)
-        or d.turn is Maneuver.U_TURN
         or d.entry == d.exit
         for d in logical.drives
     )

@@ -103,18 +103,8 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     if said is not None:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
         setback = max(0.0, (edge - meets.y_m(0.0) - meets.sign * left) * into)
-    walk = Walk(
-        participant.id,
-        participant.kind,
-        body,
-        crossing,
-        speed,
-        from_left,
-        0.0,
-        setback,
-        0.0,
-        meets.id,
-    )
+    who = participant.id, participant.kind, body, crossing, speed
+    walk = Walk(*who, from_left, 0.0, setback, 0.0, meets.id)
     walk.act = None if act is None else act.id
     takes, number = walk.runs_s(to_aim + setback), len(walks)
     _time(story, walk, meets, act, takes)

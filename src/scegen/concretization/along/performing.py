@@ -110,36 +110,35 @@ def _swerve(
 ) -> list[Move]:
     lane = runner.lane_at(begins_s)
     side = act.side or _free_side(story, runner, lane)
-    door = door_before(story, runner.id)
+    door, stays_s = door_before(story, runner.id), 0.1
     if act.lateral_m is None and door is not None:
         away = runner.y_m(0.0) - door.y_m(0.0)
         needs = (door.body.width_m + runner.body.width_m) / 2 + _CLEAR_OF_DOOR_M - abs(away)
-        aside = runner.sign * copysign(max(needs, _CLEAR_OF_DOOR_M), away)
-        lasts = lasting_s(act, abs(aside), _SHIES_FOR_S)
-        out = Move(begins_s, lasts, lane, runner.offset_m + aside, act.id, hazard)
-        return [out, Move(out.ends_s + _PASSES_S, lasts, lane, runner.offset_m, act.id, hazard)]
-    if act.lateral_m is None:
+        aside_m = runner.sign * copysign(max(needs, _CLEAR_OF_DOOR_M), away)
+        lasts, stays_s = lasting_s(act, abs(aside_m), _SHIES_FOR_S), _PASSES_S
+        there, back = (lane, runner.offset_m + aside_m), runner.offset_m
+    elif act.lateral_m is None:
         aside = max(0, lane + outward(story.functional, side))
         if not story.innermost <= aside <= story.lane_count:
             side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
             aside = max(0, lane + outward(story.functional, side))
         lasts = lasting_s(act, runner.lane_width_m, ABRUPT_LANE_CHANGE_S)
-        out = Move(begins_s, lasts, aside, 0.0, act.id, hazard)
-        return [out, Move(out.ends_s + 0.1, lasts, lane, 0.0, act.id, hazard)]
-    width = act.lateral_m.middle
-    offset = width if side is Side.LEFT else -width
-    lasts = lasting_s(act, width, LANE_CHANGE_S)
-    start = runner.moves[-1].offset_m if runner.moves else runner.offset_m
-    if abs(start + offset) > MOST_OFFSET_M:
-        raise MotionInfeasibleError(
-            f"{runner.id} goes {width:g} m aside, off the road",
-            where=f"acts.{act.id}.lateral_m",
-            hint=f"Give at most {MOST_OFFSET_M:g} m from the middle of its lane.",
-        )
-    out = Move(begins_s, lasts, lane, start + offset, act.id, hazard)
+        there, back = (aside, 0.0), 0.0
+    else:
+        width = act.lateral_m.middle
+        lasts = lasting_s(act, width, LANE_CHANGE_S)
+        back = runner.moves[-1].offset_m if runner.moves else runner.offset_m
+        there = lane, back + (width if side is Side.LEFT else -width)
+        if abs(there[1]) > MOST_OFFSET_M:
+            raise MotionInfeasibleError(
+                f"{runner.id} goes {width:g} m aside, off the road",
+                where=f"acts.{act.id}.lateral_m",
+                hint=f"Give at most {MOST_OFFSET_M:g} m from the middle of its lane.",
+            )
+    out = Move(begins_s, lasts, *there, act.id, hazard)
     if act.kind is not ActKind.SWERVE:
         return [_in_lane(story, out)]
-    return [out, Move(out.ends_s + 0.1, lasts, lane, start, act.id, hazard)]
+    return [out, Move(out.ends_s + stays_s, lasts, lane, back, act.id, hazard)]
 
 
 def _in_lane(story: Story, move: Move) -> Move:

@@ -12,13 +12,7 @@ import numpy as np
 from scegen.concretization.along.runner import Runner, gap_m
 from scegen.concretization.along.spacing import keep_apart
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import (
-    BRAKING,
-    CHANGES_MPS,
-    CLOSEST_M,
-    SLOWING,
-    falls_back,
-)
+from scegen.concretization.amounts import BRAKING, CHANGES_MPS, CLOSEST_M, SLOWING, falls_back
 from scegen.concretization.braking import (
     Contact,
     answer_each,

@@ -209,4 +209,4 @@ def brake_out_of_control(scene: Setup, hazard: Hazard) -> None:
             rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
             place = draft.laid.path_s_m(change.position_m)
             slows = SpeedChange(2.0, rate, s_m=place, hazard=hazard.kind)
-            draft.add_speed_change(slows, holds_s=1.0)
+            draft.hold(slows, 1.0)
