@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
+from scegen.concretization.courses import Course
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
