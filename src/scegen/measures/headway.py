@@ -18,6 +18,8 @@ from scegen.motion.batch.kernels import inner_kernel, kernel
 
 CREEP_MPS = 0.1
 """Below this speed a follower counts as standing."""
+_ROUGHLY = 1.0 + 1e-9
+"""What is longer by more is not worth a division."""
 
 
 @inner_kernel
@@ -31,7 +33,8 @@ def least_headway(follower: Floats, gaps: Floats, last: int) -> float:
     """Smallest headway over the steps 0 to ``last``, s; ``gaps`` (steps,) to the leader, m."""
     best = inf
     for t in range(last + 1):
-        headway = time_headway(gaps[t], follower[SPEED, t])
-        if headway < best:  # noqa: PLR1730 -- never true of the undefined
-            best = headway
+        if gaps[t] <= _ROUGHLY * best * follower[SPEED, t]:
+            headway = time_headway(gaps[t], follower[SPEED, t])
+            if headway < best:  # noqa: PLR1730 -- never true of the undefined
+                best = headway
     return best if best < inf else nan

@@ -31,6 +31,8 @@ from scegen.motion.model import NEGLIGIBLE, STANDING_MPS
 
 _ROUNDING = 1e-9
 """A time or distance that misses its value by less counts as reached (as in the reference)."""
+_ROUGHLY = 1.0 + 1e-9
+"""Squares that differ by more need no root to be told apart."""
 _COS = (-1 / 2, 1 / 24, -1 / 720, 1 / 40320)
 _SIN = (-1 / 6, 1 / 120, -1 / 5040, 1 / 362880)
 """Taylor coefficients; up to 0.1 rad the terms left out are below 1e-16."""
@@ -132,7 +134,7 @@ def _place(paths: PathTable, i: int, vertex: int, s: float, tracks: Floats, t: i
 
     ``vertex`` is where the search begins: positions only grow.
     """
-    last = paths.first[i + 1] - 1
+    last, vertex = paths.first[i + 1] - 1, max(vertex, 0)  # no index counts from the end
     while vertex < last and paths.s_m[vertex + 1] <= s:
         vertex += 1
     if vertex == last or s <= paths.s_m[vertex]:
@@ -188,8 +190,13 @@ def _holds(
     x, y = tracks[j, X, t], tracks[j, Y, t]
     if kind == _DISTANCE_BELOW:
         dx, dy = tracks[i, X, t] - x, tracks[i, Y, t] - y
-        return bool(sqrt(dx * dx + dy * dy) < value)
+        squared = dx * dx + dy * dy
+        return bool(squared < _ROUGHLY * value * value and sqrt(squared) < value)
     dx, dy = phases.point_x_m[k] - x, phases.point_y_m[k] - y
+    squared, speed = dx * dx + dy * dy, state[j, 1]
+    soon = value * speed
+    if speed < NEGLIGIBLE or squared >= _ROUGHLY * soon * soon:
+        return False
     ahead = dx * tracks[j, COS, t] + dy * tracks[j, SIN, t] > 0.0
-    away, speed = sqrt(dx * dx + dy * dy), state[j, 1]
-    return bool(ahead and away >= NEGLIGIBLE and speed >= NEGLIGIBLE and away / speed < value)
+    away = sqrt(squared)
+    return bool(ahead and away >= NEGLIGIBLE and away / speed < value)
