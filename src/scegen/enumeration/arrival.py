@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import pairwise, product
 
 from scegen.enumeration import predicates as p
 from scegen.enumeration.on_foot import ALONG
@@ -97,12 +97,13 @@ def queues(problem: Problem, solution: Solution) -> list[Queue]:
             queue.beside[name] = reference, Side(word.removeprefix("adjacent_"))
     circulating = {v.id for v in problem.vehicles if v.circulating}
     for queue in found.values():
-        for first in queue.names:
-            for second in queue.names if first in circulating else ():
-                if second not in circulating:
-                    queue.put_before(first, second)
-        for farther, nearer in _by_distance(problem.functional, queue.names):
-            queue.put_before(farther, nearer)
+        inside = [name for name in queue.names if name in circulating]
+        after = [name for name in queue.names if name not in circulating]
+        for first, second in (
+            *product(inside, after),
+            *_by_distance(problem.functional, queue.names),
+        ):
+            queue.put_before(first, second)
         for name in queue.names:
             if problem.functional.participant(name).maneuvers == {Maneuver.OVERTAKE}:
                 queue.come_from_behind(name)
