@@ -81,7 +81,8 @@ def _implied(tale: Tale, hazard: Hazard) -> Iterator[Act]:
     late = hazard.kind is HazardKind.DELAYED_BRAKING
     for drive in tale.logical.drives:
         name = drive.participant
-        stays = drive.reverses is not None or drive.maneuver is Maneuver.STAY
+        reverses = drive.reverses is not None or HazardKind.REVERSING in tale.kinds_by(name)
+        stays = reverses or drive.maneuver is Maneuver.STAY
         runs_in = late and any(tale.contact_wanted(name, to) for to in hazard.to)
         if name not in hazard.by or name in own or stays or runs_in:
             continue
