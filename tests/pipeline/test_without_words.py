@@ -14,6 +14,7 @@ SOURCE = ROOT / "src" / "scegen"
 WORDS = {"description", "evidence", "unsupported"}
 MAY_SHOW_THEM = {
     "benchmark/agents.py": "names a run",
+    "benchmark/said.py": "says what was not expressed",
     "claims/told.py": "names the words that a claim rests on",
     "claims/numbers.py": "hands them on",
     "cli/console.py": "a progress bar's own description",
