@@ -77,3 +77,14 @@ def test_flashing_red_is_a_stop_for_everybody():
 def test_what_the_rules_say_is_not_reported():
     text = "The car from the left runs the red light and hits the ego, which has green."
     assert read(text).unsupported == ()
+
+
+def test_a_light_by_which_nobody_goes_is_reported():
+    scenario = read("The pedestrian light is red; a jogger crosses in front of the ego.")
+    assert any("nothing says who goes" in u.instead for u in scenario.unsupported)
+
+
+def test_who_circulates_is_in_a_roundabout():
+    scenario = read("The ego enters while a car already circulating brakes hard.")
+    assert scenario.junction.kind == "roundabout"
+    assert scenario.participant("car_1").circulating

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind
 from scegen.understanding.chunks import Chunk, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Danger
 from scegen.understanding.semantics.context import Clause, Context
@@ -31,6 +31,11 @@ def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
             continue
         for entity in clause.drivers:
             entity.circulates = entity.circulates or clause.words
+        road = context.junction
+        if words and words[0].forms[-1][0] == "circulate" and not (road.crossing or road.road):
+            reason = "who circulates is in a roundabout"
+            road.kind = JunctionKind.ROUNDABOUT
+            road.kind_basis = Basis(event.i, event.j, reason)
     context.draft.dangers[:] = [d for d in context.draft.dangers if not _comes_first(d)]
 
 

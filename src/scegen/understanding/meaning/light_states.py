@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from scegen.scenario.vocabulary import AtLight, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
@@ -13,6 +11,7 @@ from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 
 _TURNS = "nothing says what anybody does as the light changes; it changes by its plan"
+_NOBODYS = "nothing says who goes or waits by it"
 _AMBER = "nothing says who goes over the line on amber"
 _COLOURS = {
     "green": AtLight.GREEN,
@@ -39,7 +38,7 @@ def read_states(clauses: list[Clause], chunks: list[Chunk], context: Context) ->
     for change in changes:
         _answer(change, clauses, context)
     _has(chunks, clauses, context)
-    _report(clauses, changes, context)
+    _report(clauses, chunks, changes, context)
 
 
 def _colour(thing: object, context: Context) -> AtLight | None:
@@ -169,10 +168,17 @@ def _before(chunks: list[Chunk], k: int) -> Mention | None:
     return None
 
 
-def _report(clauses: Iterable[Clause], changes: list[Clause], context: Context) -> None:
+def _report(
+    clauses: list[Clause], chunks: list[Chunk], changes: list[Clause], context: Context
+) -> None:
     """What is said of a light, and of nobody who passes it."""
     told = [e.light[1] for e in context.draft.entities if e.light is not None]
     told += [d.basis for d in context.draft.dangers if d.kind is HazardKind.RED_LIGHT_RUNNING]
+    held = [e for e in context.draft.entities if e.held or e.stands is not None]
+    in_clauses = {id(place) for clause in clauses for place in clause.places()}
+    for chunk in chunks if not (told or held) else ():
+        if _colour(chunk, context) is not None and id(chunk) not in in_clauses:
+            context.draft.note(chunk.i, chunk.j, _NOBODYS)
     for clause in clauses:
         event = clause.event
         if any(b.i is not None and b.i <= event.i < (b.j or 0) for b in told):
