@@ -13,8 +13,8 @@ CROSSING = (
     "The ego goes straight at a four-way intersection at 50 km/h; a van comes from the right."
 )
 ROUNDABOUT = (
-    "A roundabout with multiple exits, where one vehicle changes lanes abruptly to exit, causing "
-    "potential conflict with another vehicle entering at high speed."
+    "The ego enters a three-arm roundabout at 30 km/h while a motorcyclist already circulating at "
+    "25 km/h has the right of way."
 )
 MANY = "Four cars meet at an uncontrolled four-way intersection."
 
