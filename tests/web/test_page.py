@@ -12,9 +12,9 @@ pytestmark = pytest.mark.browser
 CROSSING = (
     "The ego goes straight at a four-way intersection at 50 km/h; a van comes from the right."
 )
-ROUNDABOUT = (
-    "The ego enters a three-arm roundabout at 30 km/h while a motorcyclist already circulating at "
-    "25 km/h has the right of way."
+STOPPING = (
+    "The ego is entering the intersection; a car comes from the opposite direction, turns left and "
+    "stops, causing a near collision with the ego."
 )
 MANY = "Four cars meet at an uncontrolled four-way intersection."
 
@@ -215,13 +215,13 @@ def test_a_search_is_cancelled_and_survives_a_reload(server, visit):
 
 def test_where_nobody_chooses_what_shows_best_is_made(server, visit, tmp_path):
     visitor = visit(server.url)
-    visitor.understood(ROUNDABOUT)
+    visitor.understood(STOPPING)
     visitor.search()
     assert visitor.page.locator(".card .dot.held").count() == 1
     passed_over = visitor.page.inner_text(".results .remark")
     assert "passed over" in passed_over
     visitor.go("Watch")
-    visitor.page.wait_for_selector(".player .mark.danger")
+    visitor.page.wait_for_selector(".player .mark.closest")
     # every mark stands where its second is on the line
     marks = visitor.page.evaluate(
         """() => {
