@@ -114,8 +114,13 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
             continue  # past one who is parked beside the lanes leads no move aside
         always = frame.always or kind is ActKind.CHANGE_LANE
         always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
+        forced = _forced(entity, event)
+        # "must brake or swerve", "must go round it, giving way": not what it does as an answer.
+        either = [t.low for t in context.tokens[event.j : event.j + 1]] == ["or"]
+        loosely = forced and (either or kind is ActKind.GIVE_WAY)
+        always = always and not loosely
         doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
-        doing.forced = _forced(entity, event)
+        doing.forced = forced and not loosely
         if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
             doing.into, doing.into_basis = whom[0], basis
         to_the_side(doing, scene, text, context)
