@@ -44,14 +44,14 @@ def said(
             rows.append(row)
             if not json:
                 _tell(row)
-    right = sum(row.right for row in rows)
+    right, unsaid = sum(row.right for row in rows), sum(row.unsaid for row in rows)
     facts = tally(rows)
     if json:
         result_json(
             {
                 "right": right,
                 "sentences": len(rows),
-                "unsaid": sum(row.unsaid for row in rows),
+                "unsaid": unsaid,
                 "facts": {name: {"right": r, "asked": n} for name, (r, n) in facts.items()},
                 "rows": [row.to_data() for row in rows],
             }
@@ -63,7 +63,7 @@ def said(
         players = ", ".join(sorted({row.player for row in rows if row.player}))
         result(f"every fact right: {right} of {len(rows)} sentences; played by {players or '-'}")
     if right < len(rows):
-        wrong, unsaid = len(rows) - right, sum(row.unsaid for row in rows)
+        wrong = len(rows) - right
         say(f"{wrong} sentences run otherwise than said, {unsaid} of them without a word about it")
         raise typer.Exit(1)
 

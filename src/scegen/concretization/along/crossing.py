@@ -157,9 +157,6 @@ def _brakes(story: Story, name: str) -> bool:
 def _until_met_s(story: Story, name: str, meets: Runner, act: Act | None) -> float | None:
     """How long the other takes to its line from when it sets off, where that is said."""
     spacing = _spacing(story, name, meets.id, act)
-    when = act.when if act is not None else None
-    if isinstance(when, WhenMeasure) and not _hidden_behind_m(story, when):
-        spacing = when.measure, when.value.middle, True
     if spacing is None or not spacing[2] or meets.speed_mps <= 0.0:
         return None
     measure, value, _ = spacing
@@ -174,9 +171,6 @@ def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float
     walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, _LEAST_LEAD_S)
     if isinstance(when, AfterStart):
         walk.sets_off_s, walk.timed = when.delay_s.middle, True
-    elif isinstance(when, WhenMeasure):
-        behind_m = _hidden_behind_m(story, when)
-        spacing = when.measure, when.value.middle + behind_m, True
     if spacing is None:
         arrival = walk.sets_off_s + takes
         walk.x_m = meets.x_m(arrival) + meets.towards * (meets.leading_m + half)
@@ -206,6 +200,9 @@ def _spacing(
     story: Story, name: str, other: str, act: Act | None
 ) -> tuple[Measure, float, bool] | None:
     """A distance along the road that is said between the two; whether as it sets off, or first."""
+    when = act.when if act is not None else None
+    if isinstance(when, WhenMeasure):
+        return when.measure, when.value.middle + _hidden_behind_m(story, when), True
     said = story.between(name, other, *LENGTHWISE)
     own = said is not None and act is not None and said.at == act.id
     return None if said is None else (said.measure, said.value.middle, own)

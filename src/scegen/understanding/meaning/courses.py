@@ -23,7 +23,8 @@ def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
     for clause in clauses:
         event = clause.event
         words = context.tokens[event.i : event.j]
-        rounds = bool(words) and words[0].forms[-1][0] in {"circulate", "circle"}
+        lemma = words[0].forms[-1][0] if words else None
+        rounds = lemma in {"circulate", "circle"}
         gone = [t.low for t in words[1:]] in (["round"], ["around"]) and event.object is None
         rounds |= gone and not any(e.ego for e in clause.drivers)
         within = next((p for p in event.pps if _inside(p, context)), None)
@@ -32,7 +33,7 @@ def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
         for entity in clause.drivers:
             entity.circulates = entity.circulates or clause.words
         road = context.junction
-        if words and words[0].forms[-1][0] == "circulate" and not (road.crossing or road.road):
+        if lemma == "circulate" and not (road.crossing or road.road):
             reason = "who circulates is in a roundabout"
             road.kind = JunctionKind.ROUNDABOUT
             road.kind_basis = Basis(event.i, event.j, reason)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.scenario.vocabulary import AtLight, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
@@ -139,15 +141,24 @@ def _note(entity: Entity, light: AtLight, basis: Basis, context: Context) -> Non
 
 def _has(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
     """``which has green``, ``the ego's light is green``, ``green for the ego``: whose it is."""
-    named = {id(place) for clause in clauses for place in clause.places()}
-    for k, chunk in enumerate(chunks):
-        colour = _colour(chunk, context)
-        if id(chunk) in named or colour not in {AtLight.GREEN, AtLight.AMBER}:
+    for k, chunk, colour in _told_apart(chunks, clauses, context):
+        if colour is AtLight.RED:
             continue
         whose = _for(chunks, k) or _before(chunks, k)
         for entity in whose.entities if whose is not None else []:
             if entity.is_vehicle:
                 _note(entity, colour, Basis(chunk.i, chunk.j), context)
+
+
+def _told_apart(
+    chunks: list[Chunk], clauses: list[Clause], context: Context
+) -> Iterator[tuple[int, Chunk, AtLight]]:
+    """Lights of a colour that no clause names: where among the chunks, and which colour."""
+    named = {id(place) for clause in clauses for place in clause.places()}
+    for k, chunk in enumerate(chunks):
+        colour = _colour(chunk, context)
+        if colour is not None and id(chunk) not in named:
+            yield k, chunk, colour
 
 
 def _for(chunks: list[Chunk], k: int) -> Mention | None:
@@ -175,10 +186,8 @@ def _report(
     told = [e.light[1] for e in context.draft.entities if e.light is not None]
     told += [d.basis for d in context.draft.dangers if d.kind is HazardKind.RED_LIGHT_RUNNING]
     held = [e for e in context.draft.entities if e.held or e.stands is not None]
-    in_clauses = {id(place) for clause in clauses for place in clause.places()}
-    for chunk in chunks if not (told or held) else ():
-        if _colour(chunk, context) is not None and id(chunk) not in in_clauses:
-            context.draft.note(chunk.i, chunk.j, _NOBODYS)
+    for _, chunk, _ in () if told or held else _told_apart(chunks, clauses, context):
+        context.draft.note(chunk.i, chunk.j, _NOBODYS)
     for clause in clauses:
         event = clause.event
         if any(b.i is not None and b.i <= event.i < (b.j or 0) for b in told):
