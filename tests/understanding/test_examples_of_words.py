@@ -120,7 +120,6 @@ _OPEN = {
     "pulls out to overtake the truck": "read as the maneuver, without an act",
     "hit head-on": "the side of the body that is struck",
     "hit from behind": "the side of the body that is struck",
-    "struck in the driver's side": "the side of the body that is struck",
     "struck from the right": "the side of the body that is struck",
     "one can hardly see": "who sees badly is read as hidden",
 }

@@ -36,7 +36,8 @@ class Struck(Teller):
             whose = self._owner(place, i, ending)
             flank = part is not None and part not in _OPPOSED
             hit_by = place.prep is not None and place.prep.value in {"by", "with"}
-            on = place.prep is not None and place.prep.value == "in" and place.head is not None
+            on = place.prep is not None and place.prep.value == "in"
+            on = on and (place.head is not None or any("of_body" in m.data for m in place.mods))
             hit_by = hit_by or (on and ego is not None and self._is_hit(ego, i))
             into = place.prep is not None and place.prep.value in {"in", "into"}
             told = place.owner is not None or any(m.cat == "possessive" for m in place.mods)

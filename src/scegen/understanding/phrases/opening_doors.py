@@ -37,17 +37,9 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             ended = _opened_by(owned[0], chunk)
             k += 1 + 2 * len(owned[::2])
             continue
-        if isinstance(chunk, Event) and chunk.name == "door" and _its(chunk, found):
-            found = [*found[: -1 if _genitive(chunk) else None], _who(chunk, found)]
-            found.append(replace(chunk, mods=[], form="s"))
-            k += 1
-            continue
-        if isinstance(chunk, Event) and chunk.name == "door" and _by_itself(chunk, found, tokens):
-            found += [_who(chunk, found), replace(chunk, mods=[], form="s", nominal=False)]
-            k += 1
-            continue
         if _opens_one(chunks[k : k + 2], tokens):
-            found.append(Event("door", chunk.i, chunks[k + 1].j, "s", lemma="open"))
+            opened = Event("door", chunk.i, chunks[k + 1].j, "s", lemma="open")
+            found.append(replace(opened, mods=[*getattr(chunks[k + 1], "mods", ())]))
             k += 2
             continue
         after = k + 1 + 2 * len(owned[::2])
@@ -65,6 +57,8 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         before = found[-1] if found else None
         if genitive and owned and isinstance(before, Mention):
             found = [*found[:-1], *owned, *described]  # "the driver's door of a parked car"
+        elif genitive and isinstance(before, Mention) and _its(before) and _standing(found):
+            found[-1] = _who(chunk, found)
         elif genitive and isinstance(before, Mention):
             before.possessor = False
         else:
@@ -110,24 +104,9 @@ def _called(door: Event, before: list[Chunk]) -> bool:
     return article or (bool(before) and getattr(before[-1], "cat", "") == "det")
 
 
-def _by_itself(door: Event, before: list[Chunk], tokens: list[Token]) -> bool:
-    """``…; a door opens``: of nobody who is named."""
-    article = any((m.cat, m.value) == ("det", "indef") for m in door.mods)
-    opens = not before or (isinstance(before[-1], Word) and before[-1].cat in _JOINTS)
-    return article and opens and tokens[door.j - 1].low == "opens"
-
-
-def _genitive(door: Event) -> bool:
-    return any(m.value == "genitive" for m in door.mods)
-
-
-def _its(door: Event, before: list[Chunk]) -> bool:
-    """``its door opens``, ``its driver's door opens``: of somebody named before."""
-    mods = door.mods
-    if _genitive(door):
-        driver = before[-1] if before else None
-        mods = driver.mods if isinstance(driver, Mention) and _standing(before) else []
-    return any((m.cat, m.value) == ("possessive", "its") for m in mods)
+def _its(driver: Mention) -> bool:
+    """``its driver's door``: of somebody named before."""
+    return any((m.cat, m.value) == ("possessive", "its") for m in driver.mods)
 
 
 def _opened_by(owner: Chunk, door: Event) -> list[Chunk]:

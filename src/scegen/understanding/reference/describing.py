@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.reference.alighting import open_from_inside
 from scegen.understanding.reference.bystanders import mark_bystanders, put_there
 from scegen.understanding.reference.reference import tells
 from scegen.understanding.words.terms import Term
@@ -32,6 +33,7 @@ _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motor
 
 def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """Marks mentions by what they do, before it is decided whom they mean."""
+    open_from_inside(events, tokens)
     for event in events:
         for mention in event.subject:
             _by_doing(mention, event, tokens)
@@ -68,7 +70,7 @@ def _done_already(events: list[Event], tokens: list[Token]) -> None:
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
-    mention.seated = mention.seated or event.name == "door"
+    mention.seated = mention.seated or event.name in {"door", "alight"}
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
     alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)

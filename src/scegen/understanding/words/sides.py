@@ -29,7 +29,7 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
         if t.cat != "dir" or t.value not in values or _of_a_junction(terms, k):
             found.append(t)
             continue
-        if t.value == "far" and _over_there(terms, k):
+        if t.value == "far" and "of_body" not in t.data and _over_there(terms, k):
             found.append(replace(t, value="opposite", form="base"))
             continue
         if _bare(terms, k):
