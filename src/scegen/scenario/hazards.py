@@ -227,8 +227,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.CUT_IN: HazardRow(
         Definition(
             "comes into somebody's lane from the side, close in front of it",
-            f"a lane change not called so, {CUT_IN_S:g} s or more ahead, that endangers nobody; "
-            "`merging_conflict` where roads or lanes join; `failure_to_yield` across a junction",
+            f"a lane change not called so, {CUT_IN_S:g} s or more ahead (headway), and endangering "
+            "nobody; `merging_conflict` where ways join; `failure_to_yield` across a junction",
             "the van squeezes in 8 m ahead of the ego",
         ),
         causes=(Party.BESIDE, Party.OTHER, Party.EGO),
@@ -269,7 +269,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.MERGING_CONFLICT: HazardRow(
         Definition(
             "joins the way of another from a side road, a ramp or an ending lane, and leaves it "
-            "no room",
+            "no room, so that it has to slow down",
             "a merge that is said to go well (no danger); `cut_in` between lanes of one road",
             "a car merges from the right just as the ego passes",
         ),
@@ -285,7 +285,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         Definition(
             "passes another that moves, in a place or manner that is said or shown to be dangerous",
             "passing one that stands (the maneuver alone, or `oncoming_lane`); an overtaking "
-            "that nobody is endangered by (the maneuver alone)",
+            "that nobody is endangered by (the maneuver alone); before oncoming traffic: "
+            "`oncoming_lane` alone",
             "a car tries to overtake the ego within the junction",
         ),
         causes=(Party.FOLLOWER, Party.OTHER, Party.EGO),
@@ -297,7 +298,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.ONCOMING_LANE: HazardRow(
         Definition(
             "drives in the lane of those who come towards it",
-            "`overtaking`, unless the text speaks of the other lane or of oncoming traffic; a "
+            "`overtaking`, if the text speaks neither of the other lane nor of oncoming traffic; a "
             "vehicle that is merely oncoming",
             "the oncoming car drifts over the centre line",
         ),
@@ -397,7 +398,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "takes the way of one who has priority, or cuts it off at a junction",
             "`unprotected_left_turn` for a left turn before oncoming traffic, "
             "`red_light_running` at a red light; a conflict of which nobody says who is wrong",
-            "a van ignores the stop sign and pulls out before the ego",
+            "a van ignores the stop sign; a bus pulls out of its stop right before the ego",
         ),
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
         suffers=_EGO_OR_OTHERS,

@@ -14,7 +14,7 @@ class OutcomeKind(Word):
 
     NEAR_MISS = (
         "near_miss",
-        "they nearly touch and do not",
+        "they nearly touch and do not, or by a margin that is said",
         "`avoided`, where nothing is said about how close",
         "narrowly misses; a near-collision",
     )
@@ -26,8 +26,8 @@ class OutcomeKind(Word):
     )
     AVOIDED = (
         "avoided",
-        "nobody touches anybody, by whatever margin",
-        "`near_miss`; an attempt to avoid, whose end is open",
+        "nobody touches anybody",
+        "`near_miss`, if it is said to be close; an attempt to avoid, whose end is open",
         "there is no contact",
     )
 

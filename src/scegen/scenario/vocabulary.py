@@ -323,8 +323,8 @@ class Maneuver(Word):
 
     STRAIGHT = (
         "straight",
-        "goes on through the junction or along the road, past others in its own lane too; on foot: "
-        "walks along it",
+        "goes on through the junction or along the road, past others who are in another lane; "
+        "on foot: walks along it",
         "what the text leaves open",
         "goes straight through",
     )
