@@ -16,8 +16,8 @@ def timetable(path, late_s, speed_mps):
     """At steady speed along a path."""
     time = np.array([0.0, LASTS_S])
     return Timetable(
-        time, time * speed_mps, speed_mps, late_s, path.s_m, path.x_m, path.y_m, path.heading_rad,
-        AHEAD_M, LENGTH_M / 2, WIDTH_M / 2,
+        time, time * speed_mps, speed_mps, speed_mps, late_s,
+        path.s_m, path.x_m, path.y_m, path.heading_rad, AHEAD_M, LENGTH_M / 2, WIDTH_M / 2,
     )  # fmt: skip
 
 

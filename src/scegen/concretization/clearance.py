@@ -28,8 +28,8 @@ def _table(draft: DriveDraft, late_s: float) -> Timetable:
     course, path, body = draft.course, draft.laid.path, draft.body
     half = body.length_m / 2, body.width_m / 2
     way = path.s_m, path.x_m, path.y_m, path.heading_rad
-    first = float(course.speed_mps[0])
-    return Timetable(course.time_s, course.s_m, first, late_s, *way, body.centre_ahead_m, *half)
+    speeds = float(course.speed_mps[0]), course.fastest_mps
+    return Timetable(course.time_s, course.s_m, *speeds, late_s, *way, body.centre_ahead_m, *half)
 
 
 def clear_offset(

@@ -10,6 +10,7 @@ import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.measures.conflict_areas import least_gap_m, nearest_points
+from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
 
 _SAMPLE_M = 1.0
@@ -53,6 +54,7 @@ class MeetingPoint:
     opposed: bool = False
 
 
+@remembered
 def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     """s, x, y and heading about every metre."""
     count = max(2, int(path.length_m / _SAMPLE_M) + 1)

@@ -76,11 +76,13 @@ def _evident(tracks: Floats, bodies: Floats, way: Path, ego: int, other: int) ->
     in_front: Bools = (x - own[X]) * own[COS] + (y - own[Y]) * own[SIN] > 0.0
     s = np.linspace(0.0, way.length_m, max(2, int(way.length_m / _FINE_M)))
     px, py = np.interp(s, way.s_m, way.x_m), np.interp(s, way.s_m, way.y_m)
-    _, aside = nearest_points(x, y, px, py, inf)
+    # Once it is behind for good, nothing more is asked of it.
+    asked = slice(int(in_front.nonzero()[0].max(initial=-1)) + 1)
+    _, aside = nearest_points(x[asked], y[asked], px, py, inf)
     in_corridor = aside < mine.half_width_m + body.half_width_m
     nearer = np.maximum.accumulate(aside) - aside >= WANDERING_M
-    evident: Bools = in_front & (in_corridor | nearer)
-    return evident
+    in_front[asked] &= in_corridor | nearer
+    return in_front
 
 
 def _straight_on(track: Floats, _: Path, look: Floats) -> Floats:

@@ -32,6 +32,8 @@ MERGED_ASIDE_M = 0.3
 MERGED_TURN_RAD = np.deg2rad(10.0)
 MERGED_FOR_M = 5.0
 """Paths have merged where they lie within these for so long; crossings are shorter or steeper."""
+_ROUGHLY = 8
+"""Where only nearness is asked for, every so manieth is looked at first."""
 
 
 class AreaTable(NamedTuple):
@@ -173,18 +175,23 @@ def _reach_m2(one: _Sampled, two: _Sampled) -> float:
 
 @kernel
 def _near(one: _Sampled, two: _Sampled) -> tuple[int, int, int, int]:
-    """The first box of one and that behind the last one that may touch one of two, and of two."""
-    reach, step_m = _reach_m2(one, two), _longest_step_m(two.x, two.y)
+    """The first box of one and that behind the last one that may touch one of two, and of two.
+
+    Roughly: some more than those, as only every few are looked at.
+    """
+    step_m = _longest_step_m(two.x, two.y)
+    between_m = _ROUGHLY * (step_m + _longest_step_m(one.x, one.y))
+    reach = (np.sqrt(_reach_m2(one, two)) + between_m) ** 2
     top, bottom, left, right = one.x.shape[0], 0, two.x.shape[0], 0
-    for m in range(one.x.shape[0]):
+    for m in range(0, one.x.shape[0], _ROUGHLY):
         n = 0
         while n < two.x.shape[0]:
             dx, dy = two.x[n] - one.x[m], two.y[n] - one.y[m]
             squared = dx * dx + dy * dy
             if squared <= reach:
-                top, bottom = min(top, m), m + 1
-                left, right = min(left, n), max(right, n + 1)
-            n += _on_to(squared, reach, step_m)
+                top, bottom = min(top, m), m + _ROUGHLY
+                left, right = min(left, n), max(right, n + _ROUGHLY)
+            n += max(_ROUGHLY, _on_to(squared, reach, step_m))
     return (top, bottom, left, right) if bottom > 0 else (0, 0, 0, 0)
 
 
@@ -229,10 +236,10 @@ def _regions(touch: Bools) -> list[tuple[slice, slice]]:
             for r in _runs(np.logical_or.reduce(touch[rows, columns], axis=1), rows.start)
             for c in _runs(np.logical_or.reduce(touch[r, columns], axis=0), columns.start)
         ]
-        if parts == [(rows, columns)]:
-            done.append((rows, columns))
+        if len(parts) == 1:
+            done += parts
         else:
-            waiting.extend(parts)
+            waiting += parts
     return sorted(done, key=lambda part: (part[0].start, part[1].start))
 
 
@@ -313,18 +320,21 @@ def _merge(one: Way, two: Way) -> tuple[int, int]:
 
 
 @kernel
-def least_gap_m(x: Floats, y: Floats, fx: Floats, fy: Floats, within_m: float) -> float:
-    """The distance of the point that is nearest to one of a line; inf if it is not within that."""
+def least_gap_m(x: Floats, y: Floats, fx: Floats, fy: Floats, enough_m: float) -> float:
+    """The least distance of the points of two lines; or the first that is found below enough."""
     step_m = _longest_step_m(fx, fy)
-    least, gap = within_m * within_m, np.inf
-    for n in range(x.shape[0]):
-        m = 0
-        while m < fx.shape[0]:
-            dx, dy = x[n] - fx[m], y[n] - fy[m]
-            squared = dx * dx + dy * dy
-            if squared < least:
-                least, gap = squared, np.hypot(dx, dy)
-            m += _on_to(squared, least, step_m)
+    least, gap = np.inf, np.inf
+    for every in (_ROUGHLY, 1):  # the nearer the first are, the more of the others are passed over
+        for n in range(0, x.shape[0], every):
+            m = 0
+            while m < fx.shape[0]:
+                dx, dy = x[n] - fx[m], y[n] - fy[m]
+                squared = dx * dx + dy * dy
+                if squared < least:
+                    least, gap = squared, np.hypot(dx, dy)
+                    if gap < enough_m:
+                        return float(gap)
+                m += max(every, _on_to(squared, least, step_m))
     return float(gap)
 
 

@@ -20,21 +20,22 @@ from scegen.motion.batch.touching import Box
 
 _FINE_S, _COARSE_S = 0.05, 0.4
 _FINE_STEPS = round(_COARSE_S / _FINE_S)
-_CLOSING_MPS = 70.0
-"""Two cars approach each other by less than this."""
-_COARSE_M = _CLOSING_MPS * _COARSE_S / 2
+_TURNING = 2.0
+"""A side that swings round nears faster than the centre, by no more than so many times."""
 
 
 class Timetable(NamedTuple):
     """When a body is where, on the clock of its own drive, which begins ``late_s`` on the common.
 
-    ``time_s`` and ``way_m`` rise; before the first time it drives ``first_mps``. The way of its
-    reference point is given as in ``Path``, and goes straight on at both ends.
+    ``time_s`` and ``way_m`` rise; before the first time it drives ``first_mps``, and never more
+    than ``fastest_mps``. The way of its reference point is given as in ``Path``, and goes straight
+    on at both ends.
     """
 
     time_s: Floats
     way_m: Floats
     first_mps: float
+    fastest_mps: float
     late_s: float
     s_m: Floats
     x_m: Floats
@@ -72,9 +73,9 @@ def _free_m(a: Box, b: Box) -> float:
 
 
 @inner_kernel
-def _on_to(more_m: float, step_s: float) -> int:
-    """How many steps on they may be near at the soonest, who are so much farther apart."""
-    return max(1, int(more_m / (_CLOSING_MPS * step_s)))
+def _on_to(more_m: float, step_m: float) -> int:
+    """How many steps on they may be near at the soonest, who near by no more in one of them."""
+    return max(1, int(more_m / step_m))
 
 
 @kernel
@@ -82,14 +83,16 @@ def come_near(
     one: Timetable, two: Timetable, begins_s: float, ends_s: float, within_m: float
 ) -> bool:
     """Whether two come within a distance of each other between two times."""
-    reach = 2.0 * (one.half_length_m + two.half_length_m) + _COARSE_M
+    closing_mps = max(1.0, one.fastest_mps + two.fastest_mps)
+    coarse_m, fine_m = closing_mps * _COARSE_S, _TURNING * closing_mps * _FINE_S
+    reach = 2.0 * (one.half_length_m + two.half_length_m) + coarse_m / 2
     steps, n = int(np.ceil((ends_s - begins_s) / _COARSE_S)), 0
     while n < steps:
         coarse = begins_s + n * _COARSE_S
         a, b = _box(one, coarse), _box(two, coarse)
         more_m = np.hypot(b.x - a.x, b.y - a.y) - reach
         if more_m >= 0.0:
-            n += _on_to(more_m, _COARSE_S)
+            n += _on_to(more_m, coarse_m)
             continue
         m = 0
         while m < _FINE_STEPS:
@@ -97,6 +100,6 @@ def come_near(
             more_m = max(_free_m(a, b), _free_m(b, a)) - within_m
             if more_m < 0.0:
                 return True
-            m += _on_to(more_m, _FINE_S)
+            m += _on_to(more_m, fine_m)
         n += 1
     return False

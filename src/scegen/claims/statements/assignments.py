@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 from itertools import combinations
-from math import inf
 
 import numpy as np
 
@@ -277,6 +276,6 @@ def _cross(told: Told, first: str, second: str, view: View) -> Judged:
         excused |= touched(told, view, name) | (speed < STANDS_MPS)
     x, y, its_x, its_y = (np.ascontiguousarray(p[:, sparse]) for p in (a.x, a.y, b.x, b.y))
     for c in range(view.count):
-        apart[c] = least_gap_m(x[c], y[c], its_x[c], its_y[c], inf)
+        apart[c] = least_gap_m(x[c], y[c], its_x[c], its_y[c], 0.0)
     margin = np.where(excused, np.maximum(reach - apart, 0.0), reach - apart)
     return Judged(margin, apart, np.zeros(view.count))
