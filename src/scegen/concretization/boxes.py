@@ -107,26 +107,14 @@ def taken_ground(
     network: RoadNetwork, concrete: ConcreteScenario, paths: Mapping[str, Path]
 ) -> shapely.Geometry:
     """All ground on which nothing may stand."""
-    parts = [
-        strip.buffer(_OFF_THE_ROAD_M)
-        for road in network.roads
-        for strip in (_carriageway(road),)
-        if strip is not None
-    ]
-    for participant in concrete.participants:
-        path, body = paths[participant.id], participant.body
-        if len(path.s_m) > 1:
-            # All along its way: in bends the corners of a body go wide.
-            s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
-            parts.append(shapely.union_all(outlines(box_on(path, body, s))).buffer(_OFF_THE_WAY_M))
-        else:
-            parts.append(_standing_on(path, body))
-    parts += [_standing_on(object_path(thing), thing.body) for thing in concrete.objects]
+    parts = [_carriageway(road).buffer(_OFF_THE_ROAD_M) for road in network.roads]
+    standing = [(object_path(thing), thing.body) for thing in concrete.objects]
+    for path, body in [*((paths[p.id], p.body) for p in concrete.participants), *standing]:
+        # All along its way: in bends the corners of a body go wide.
+        s = np.linspace(0.0, path.length_m, int(path.length_m / _SAMPLE_M) + 1)
+        away_m = _OFF_THE_WAY_M if len(path.s_m) > 1 else _OFF_THE_ROAD_M
+        parts.append(shapely.union_all(outlines(box_on(path, body, s))).buffer(away_m))
     return shapely.union_all(parts)
-
-
-def _standing_on(path: Path, body: Body) -> shapely.Geometry:
-    return outlines(box_of(path.start, body))[0].buffer(_OFF_THE_ROAD_M)
 
 
 def corners(boxes: Boxes) -> Array:
@@ -144,11 +132,9 @@ def outlines(boxes: Boxes) -> NDArray[np.object_]:
     return found
 
 
-def _carriageway(road: Road) -> shapely.Geometry | None:
+def _carriageway(road: Road) -> shapely.Geometry:
     """What is driven or parked on of a road."""
     lanes = [lane for lane in road.lanes if lane.type in _TRAVELLED]
-    if not lanes:
-        return None
     edges = [
         road.lane_centre_t_m(lane.id) + side * lane.width_m / 2
         for lane in lanes

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.claims.boxes import Boxes
+from scegen.concretization.amounts import ASIDE, OUT_AND_BACK
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
@@ -15,9 +16,6 @@ from scegen.motion.model import Array
 from scegen.motion.standing import object_path
 from scegen.scenario.acts import Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import Spacing
-
-_TWICE = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
-_ASIDE = _TWICE | {ActKind.CHANGE_LANE}
 
 
 @dataclass
@@ -48,7 +46,7 @@ class Moments:
         if name not in self.scene.drives:
             return 0.0, 0.0
         draft, late = self.scene.drives[name], self.offsets_s[name]
-        if act.kind in _ASIDE:
+        if act.kind in ASIDE:
             places = self._aside_m(act)
             return late + draft.course.time_at(places[0]), late + draft.course.time_at(places[1])
         phase = draft.course.phase_of(act.id)
@@ -65,12 +63,12 @@ class Moments:
         """From where to where on its path somebody moves to the side by an act."""
         draft = self.scene.drives[act.participant]
         changes = list(draft.lane_changes)
-        own = [a for a in self.scene.acts if a.participant == act.participant and a.kind in _ASIDE]
+        own = [a for a in self.scene.acts if a.participant == act.participant and a.kind in ASIDE]
         for earlier in own[: own.index(act)]:
-            changes = changes[2 if earlier.kind in _TWICE else 1 :] or changes[-1:]
+            changes = changes[2 if earlier.kind in OUT_AND_BACK else 1 :] or changes[-1:]
         if not changes:
             return draft.junction_s_m, draft.junction_s_m
-        last = changes[min(1, len(changes) - 1)] if act.kind in _TWICE else changes[0]
+        last = changes[min(1, len(changes) - 1)] if act.kind in OUT_AND_BACK else changes[0]
         ends = draft.laid.path_s_m(last.position_m + last.length_m)
         return draft.laid.path_s_m(changes[0].position_m), ends
 

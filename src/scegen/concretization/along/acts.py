@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import spelled_out
+from scegen.concretization.amounts import ASIDE, GAINING, SLOWING, spelled_out
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
 
-_SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
-_ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
+_ALONG = SLOWING | GAINING | ASIDE | {ActKind.OPEN_DOOR}
 _OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
 """Who brakes late answers somebody: it is a reaction, no act of its own."""
 
@@ -36,16 +35,13 @@ def all_acts(story: Story) -> list[Act]:
     return acts
 
 
-_ALONG = _SLOWS | _ASIDE | {ActKind.ACCELERATE, ActKind.SET_OFF, ActKind.OPEN_DOOR}
-
-
 def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
     """Who comes in front of the one it overtakes, or brakes there, has passed it before."""
     runners = story.runners
     passed = next((name for name in hazard.to if name in runners), None)
     for n, act in enumerate(acts):
         back = act.kind is ActKind.CHANGE_LANE and act.into in hazard.to and act.into in runners
-        slows = act.kind in _SLOWS and act.when is None
+        slows = act.kind in SLOWING and act.when is None
         if act.participant not in hazard.by or not (back or slows):
             continue
         if passed is None or does(acts, act.participant, frozenset({ActKind.OVERTAKE})):
@@ -66,7 +62,7 @@ def _place_of(implied: Act, acts: list[Act]) -> int:
         for n, act in enumerate(acts)
         if (act.participant, act.kind) == (implied.participant, ActKind.STOP)
     )
-    return next(stops, len(acts)) if implied.kind in _ASIDE else len(acts)
+    return next(stops, len(acts)) if implied.kind in ASIDE else len(acts)
 
 
 def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:
@@ -88,20 +84,20 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
         joins = hazard.kind in FROM_BESIDE
         for kind in (ActKind.CHANGE_LANE,) if joins else HAZARDS[hazard.kind].acts:
             kind = ActKind.SWERVE if kind is ActKind.TURN else kind  # noqa: PLW2901
-            alike = next((s for s in (_SLOWS, _ASIDE) if kind in s), frozenset({kind}))
+            alike = next((s for s in (SLOWING, ASIDE) if kind in s), frozenset({kind}))
             own = does(acts, by, alike)
             stands = runners[by].stands or runners[by].speed_mps == 0.0
-            answers = by == story.ego.id and kind in _SLOWS and len(runners) > 1
+            answers = by == story.ego.id and kind in SLOWING and len(runners) > 1
             if kind in _ALONG and not own and not stands and not answers:
                 into = next((to for to in hazard.to if to in runners and to != by), None)
-                into = into if kind in _ASIDE else None
+                into = into if kind in ASIDE else None
                 name = f"{hazard.kind}_of_{by}"[:40]
                 yield Act(id=name, participant=by, kind=kind, into=into)
 
 
 def _manoeuvre(story: Story, drive: Drive, acts: list[Act]) -> Iterator[Act]:
     name = drive.participant
-    if name not in story.runners or does(acts, name, _ASIDE):
+    if name not in story.runners or does(acts, name, ASIDE):
         return
     if drive.maneuver is Maneuver.LANE_CHANGE:
         yield Act(

@@ -8,7 +8,7 @@ from scegen.concretization.along.auxiliary import GAINS_MPS2, LOSES_MPS2, RAMP_M
 from scegen.concretization.along.doors import door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import change_of_speed, lasting_s
+from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed, lasting_s
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S, REACTION_S
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import outward, pace_of
@@ -17,7 +17,6 @@ from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.vocabulary import HazardKind, Side
 
-_PACES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _SAME_MPS = 0.5
 _CLEAR_OF_DOOR_M = 1.2
 _PASSES_S, _SHIES_FOR_S = 1.0, 1.3
@@ -69,7 +68,9 @@ def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedC
     If nothing else is said of its speed.
     """
     functional = story.functional
-    if runner.steps or any(a.participant == runner.id and a.kind in _PACES for a in story.acts):
+    if runner.steps or any(
+        a.participant == runner.id and a.kind in SLOWING | GAINING for a in story.acts
+    ):
         return []
     if runner.id in story.merging:
         others = (r for r in story.runners.values() if r.forward and r is not runner)
