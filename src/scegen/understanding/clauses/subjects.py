@@ -145,6 +145,8 @@ def _clause(event: Event, state: State) -> None:
         return  # "a fallen tree that blocks the lane"
     if state.relating is not None and event.finite and between == {","}:
         event.subject, state.relating = [state.relating], None
+    elif _past_being(event, state) and state.candidate is not None:
+        event.subject, event.embedded = chain(state.candidate), False
     elif "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
@@ -170,6 +172,15 @@ def _clause(event: Event, state: State) -> None:
 def _waits(state: State) -> bool:
     """``a man with a walking frame crosses``: whether a noun still has no verb of its own."""
     return state.candidate is not None and not state.candidate_done
+
+
+def _past_being(event: Event, state: State) -> bool:
+    """``a van that is behind the ego brakes``: the van, as "is" has its end before the verb."""
+    if not {"rel", "aux:be"} <= state.between or "," in state.between or not _waits(state):
+        return False
+    helped = bool({"aux:do", "aux:will", "aux:can", "aux:modal"} & state.between)
+    beside = state.mentions[-1:] != [state.candidate] and event.name not in PASSIVE
+    return helped or event.form == "s" or (event.form == "ed" and beside)
 
 
 def _antecedent(state: State) -> Mention:

@@ -7,6 +7,9 @@ from scegen.understanding.chunks import Chunk, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Danger
 from scegen.understanding.semantics.context import Clause, Context
 
+_IN = frozenset({"in", "inside", "on", "within", "round", "around"})
+_THERE = frozenset({"already", "is", "are", "still"})
+
 
 def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
     """``already circulating``, ``is in the roundabout``: there before the others come.
@@ -25,10 +28,12 @@ def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> N
         words = context.tokens[event.i : event.j]
         lemma = words[0].forms[-1][0] if words else None
         rounds = lemma in {"circulate", "circle"}
-        gone = [t.low for t in words[1:]] in (["round"], ["around"]) and event.object is None
+        gone = [t.low for t in words[1:]] in (["round"], ["around"]) and (
+            event.object is None or (event.form == "ing" and _named(event.object))
+        )
         rounds |= gone and not any(e.ego for e in clause.drivers)
-        within = next((p for p in event.pps if _inside(p, context)), None)
-        if event.negated or not (rounds or within) or event.name in {"enter", "approach"}:
+        within = any(_inside(p, context) and _of_the_verb(p, clause, context) for p in event.pps)
+        if event.negated or not (rounds or within):
             continue
         for entity in clause.drivers:
             entity.circulates = entity.circulates or clause.words
@@ -46,10 +51,26 @@ def _comes_first(danger: Danger) -> bool:
     return yields and bool(danger.by) and all(e.circulates for e in danger.by)
 
 
+def _of_the_verb(prep: Prep, clause: Clause, context: Context) -> bool:
+    """Not "enters in the roundabout", "waits for a car in the roundabout"."""
+    before = context.tokens[prep.word.i - 1].low
+    comes = clause.event.name in {"enter", "approach"} and before not in _THERE
+    noun = prep.on_mention
+    own = noun is None or not noun.heads or noun.is_ego or noun in clause.event.subject
+    return own and not comes
+
+
 def _inside(prep: Prep, context: Context) -> bool:
-    """``in the roundabout``, not "at" or "into" it."""
-    place = prep.target
-    if not isinstance(place, Place) or place.kind != "junction" or place.head is None:
+    """``in the roundabout``, ``already on it``, not "at" or "into" it."""
+    if context.tokens[prep.word.i].low not in _IN:
         return False
-    named = place.head.data.get("kind") == "roundabout"
-    return named and context.tokens[prep.word.i].low in {"in", "inside", "on", "within", "round"}
+    it = isinstance(prep.target, Mention) and prep.target.pronoun == "it"
+    already = context.tokens[prep.word.i - 1].low in _THERE
+    round_it = it and already and context.junction.kind is JunctionKind.ROUNDABOUT
+    return round_it or _named(prep.target)
+
+
+def _named(place: object) -> bool:
+    """``the roundabout``."""
+    head = place.head if isinstance(place, Place) and place.kind == "junction" else None
+    return head is not None and head.data.get("kind") == "roundabout"
