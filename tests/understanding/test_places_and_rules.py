@@ -166,7 +166,6 @@ def test_who_does_not_stop_for_people_owes_it_to_them():
         ("A jam of six cars crawls in both lanes of a motorway, the ego comes.", "both lanes"),
         ("A man walks on the pavement and steps into the road in front of the ego.", "walks"),
         ("The ego follows a van past an exit of the motorway.", "exit"),
-        ("The ego drives third in a row of five cars; the first brakes.", "third"),
         ("A motorcycle splits lanes past the ego.", "splits lanes"),
         ("An ambulance drives through the rescue lane; the ego stands.", "rescue lane"),
         ("A car changes two lanes to the left in front of the ego.", "changes"),

@@ -76,6 +76,7 @@ class Mention(NounPhrase):
         same_as: the mention that it describes further ("vehicle 1, a sedan, …").
         partitive: one of a set named after it ("one of the cars").
         whole: the set that it is a part of.
+        ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
         landmark: others are placed by it ("behind it there is a van").
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
@@ -102,6 +103,7 @@ class Mention(NounPhrase):
     same_as: Mention | None = None
     partitive: bool = False
     whole: Mention | None = None
+    ranked: tuple[Mention, int] | None = None
     landmark: bool = False
     elsewhere: bool = False
     narrowed: bool = False

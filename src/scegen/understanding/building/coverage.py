@@ -59,6 +59,8 @@ def unattached(
             continue  # "a signalised intersection, whose lights are off"
         if term.cat == "num" and _counts(term, before, tokens, named):
             continue
+        if term.value == "between" and before is not None and before.cat == "quantity":
+            start = end = tokens[before.j - 1].end  # "1.5 s between them"
         if any(a <= start and b is not None and end <= b for a, b in spans):
             continue
         text = scenario.description[start:end]

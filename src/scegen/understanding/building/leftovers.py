@@ -20,7 +20,7 @@ ONE_RAMP = "one ramp, or lane that ends, is built; this other one is left out"
 _NOT_DRIVEN_OVER = "nobody is driven over one; who comes over it is on this side from the start"
 _NOBODY_THERE = "nobody is put on a median; where they are is left open"
 _ONE_LANE = "nobody is shared out among lanes: those told of together are in one"
-_PLACE_IN_A_ROW = "which place in a row it has is not read from that; it is behind the first"
+_PLACE_IN_A_ROW = "which place in a row it has is not read from that"
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
 
@@ -59,7 +59,11 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bo
 def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
     """``two lanes of stopped cars``, ``in both lanes``; ``drives fifth in a row of eight``."""
     for k, place in enumerate(chunks):
-        if isinstance(place, Word) and place.cat == "label" and place.value in POSITIONS:
+        row = [*chunks[k + 2 : k + 3], None][0]
+        unranked = not (isinstance(row, Mention) and row.ranked)
+        ordinal = isinstance(place, Word) and place.cat == "label"
+        ordinal = ordinal and draft.tokens[place.i].low in POSITIONS
+        if ordinal and unranked:
             draft.note(place.i, place.j, _PLACE_IN_A_ROW)
         if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
             continue

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.groups import Group, of_both, opened, vehicle_around
+from scegen.understanding.reference.groups import (
+    Group,
+    of_both,
+    opened,
+    vehicle_around,
+    with_the_ranked,
+)
 from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, read_mention
 from scegen.understanding.reference.pronouns import Pronouns, picked
 from scegen.understanding.reference.reference import (
@@ -196,7 +204,8 @@ class Discourse:
         if known:
             self._roster.enrich(known, reading)
             return known
-        found = self._roster.introduce(reading, basis)
+        reading = replace(reading, count=reading.count - (mention.ranked is not None))
+        found = with_the_ranked(mention, self._roster.introduce(reading, basis))
         opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
         numbered = mention.mod("num") is not None and not reading.parked
         numbered = numbered and reading.kind is ParticipantKind.CAR

@@ -12,6 +12,7 @@ from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import mark_generic
+from scegen.understanding.reference.groups import rank
 from scegen.understanding.words.tokens import Token
 
 _CLOSING_IN = frozenset({"avoid"})
@@ -30,6 +31,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     """
     describe(chunks, events, discourse.tokens)
     mark_generic(chunks, events)
+    rank(chunks, events, discourse.tokens)
     objects = {id(e.object) for e in events}
     subjects = {
         id(m)
