@@ -92,7 +92,7 @@ def stopping(view: View, by: str, _: str) -> list[Part]:
     way, place = view.ways[by], view.place_m(by)
     stands = view.speed_mps(by) < limits.STANDS_MPS
     all_along = stands.all(axis=1, keepdims=True)
-    if not way.sets_off:
+    if not way.sets_off or way.laid is None:  # who waits at the kerb is in nobody's way
         stands &= all_along | (place > place[:, :1] + _MOVING_MPS)
     if way.laid is not None:
         # Waiting at the end of the road is the end of the scenario, no danger.

@@ -10,6 +10,7 @@ import numpy as np
 from scegen.claims.claim import Claim, ClaimKind, Judged, yes_or_no
 from scegen.claims.hazards.judging import decisive
 from scegen.claims.moments import act_begins, speed_runs
+from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools
@@ -127,10 +128,17 @@ def _slower(told: Told, hazard: Hazard, view: View) -> Judged:
 
 
 def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
-    """Margins are relative to the scale of the weakest condition."""
+    """Margins are relative to the scale of the weakest condition.
+
+    Where it is said to end in a contact of who causes it, it happens before that.
+    """
     doors = {of: door for door, of in told.doors.items() if door in view.index}
     by = tuple(doors.get(name, name) for name in hazard.by)
     margin, time_s = decisive(view, hazard.model_copy(update={"by": by}))
+    hits_s = [hit_s(told, view, name) for name in hazard.by]
+    with np.errstate(invalid="ignore"):
+        late_s = time_s - view.dt_s - np.max(hits_s, axis=0, initial=-np.inf)
+        margin = np.where(late_s > 0.0, np.minimum(margin, -late_s), margin)
     return Judged(margin, margin, time_s)
 
 
