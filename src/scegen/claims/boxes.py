@@ -61,7 +61,7 @@ def boxes(view: View, name: str) -> Boxes:
 def box_at(view: View, name: str, step: Ints | int) -> Boxes:
     """The box of an entity at a step of each candidate (c,), in the frame of the road."""
     rows = np.arange(view.count)
-    at = np.clip(step, 0, view.steps - 1)
+    at = np.minimum(np.maximum(step, 0), view.steps - 1)
     track = view.laid[rows, view.index[name], :, at]
     return _box(view, name, *(track[:, row] for row in (X, Y, COS, SIN)))
 

@@ -81,7 +81,7 @@ class Claim:
 
     def _judged(self, view: View) -> Judged:
         found = self.test(view)
-        return found._replace(margin=np.where(found.margin > -np.inf, found.margin, -NEVER))
+        return Judged(np.where(found.margin > -np.inf, found.margin, -NEVER), *found[1:])
 
 
 def rule_claim(

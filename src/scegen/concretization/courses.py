@@ -59,7 +59,8 @@ class Course:
             ends = min(profile.times_s[-1], _LONGEST_S)
         count = max(2, int(np.ceil(ends / STEP_S)) + 1)
         edges = [time for time in profile.times_s if time < ends]
-        times = np.unique(np.concatenate([np.linspace(0.0, max(ends, STEP_S), count), edges]))
+        steps = np.linspace(0.0, max(ends, STEP_S), count)
+        times = np.sort(np.concatenate([steps, edges]), kind="stable")
         places, speeds = profile.at_times(times)
         # Strictly rising places, so that the time at a place is the first one.
         first = np.concatenate(([True], np.diff(places) > 1e-9))

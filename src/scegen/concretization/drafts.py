@@ -99,12 +99,11 @@ class DriveDraft:
     def course(self) -> Course:
         """When it is where if it starts at the outer end of its entry arm."""
         told = (
-            *(self.cruise_mps, self.lateral_mps2, self.alone_s_m),
-            *(self.stops_at_line, self.waits_s, self.goes_at),
-            *(tuple(self.marks), tuple(self.deeds)),
-        )
+            self.cruise_mps, self.lateral_mps2, self.alone_s_m, self.stops_at_line, self.waits_s,
+            self.goes_at, tuple(self.marks), tuple(self.deeds),
+        )  # fmt: skip
         known = self._told
-        if known is None or known[0] is not self.laid or known[1] != told:
+        if known is None or known[0] is not self.laid_ or known[1] != told:
             first_mps = CREEP_MPS if self.backs_out else self.cruise_mps
             changes = tuple(self.speed_changes())
             known = (self.laid, told, course_of(changes, first_mps, self.laid.path.length_m))

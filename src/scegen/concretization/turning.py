@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import sqrt
 
 from scegen.concretization.profile import Sort, SpeedChange
@@ -38,19 +38,11 @@ def bend_of(laid: LaidDrive, cruise_mps: float, lateral_mps2: float) -> Bend | N
 
     The comfortable speed is sqrt(lateral acceleration * radius) of the lane driven.
     """
-    found: list[Bend] = []
-    for piece in laid.stretches:
-        at = piece.start_m
-        segments = piece.road.line.segments
-        for segment in segments if piece.forward else reversed(segments):
-            after = at + segment.length_m * piece.scale
-            if segment.curvature_1pm:
-                bend = segment.curvature_1pm * (1 if piece.forward else -1)
-                radius = abs(1.0 / bend - piece.d_m)
-                speed = sqrt(lateral_mps2 * radius)
-                if speed < cruise_mps * _WORTH_IT:
-                    found.append(Bend(laid.path_s_m(at), laid.path_s_m(after), speed))
-            at = after
+    found = [
+        Bend(start_s_m, end_s_m, speed)
+        for start_s_m, end_s_m, radius_m in laid.bends
+        if (speed := sqrt(lateral_mps2 * radius_m)) < cruise_mps * _WORTH_IT
+    ]
     if not found:
         return None
     return Bend(found[0].start_s_m, found[-1].end_s_m, min(bend.speed_mps for bend in found))
@@ -81,7 +73,7 @@ def turning_changes(
             then_s=stop.stands_s,
             trigger=stop.goes_at,
         )
-        marks.append(replace(_slow_before(rest, cruise_mps, 0.0, slowing_mps2), then=on))
+        marks.append(_slow_before(rest, cruise_mps, 0.0, slowing_mps2, on))
     elif bend:
         marks.append(_slow_before(bend.start_s_m, cruise_mps, bend.speed_mps, slowing_mps2))
     if bend:
@@ -89,8 +81,10 @@ def turning_changes(
     return marks
 
 
-def _slow_before(s_m: float, from_mps: float, to_mps: float, rate_mps2: float) -> SpeedChange:
+def _slow_before(
+    s_m: float, from_mps: float, to_mps: float, rate_mps2: float, then: SpeedChange | None = None
+) -> SpeedChange:
     distance = (from_mps**2 - to_mps**2) / (2 * rate_mps2)
     by_m = s_m - _REACTION_M
     place = max(0.0, by_m - distance)
-    return SpeedChange(to_mps, rate_mps2, s_m=place, sort=Sort.SLOWS, by_m=by_m)
+    return SpeedChange(to_mps, rate_mps2, s_m=place, sort=Sort.SLOWS, then=then, by_m=by_m)

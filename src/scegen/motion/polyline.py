@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from math import ceil, hypot
 
@@ -44,6 +45,22 @@ class LaidDrive:
     def turning_ends_m(self) -> float:
         """Station of the inner end of the exit arm."""
         return self.stretches[-1].start_m
+
+    @cached_property
+    def bends(self) -> tuple[tuple[float, float, float], ...]:
+        """Where along the path each arc of the way begins and ends, and the radius driven, m."""
+        found = []
+        for piece in self.stretches:
+            at = piece.start_m
+            segments = piece.road.line.segments
+            for segment in segments if piece.forward else reversed(segments):
+                after = at + segment.length_m * piece.scale
+                if segment.curvature_1pm:
+                    bend = segment.curvature_1pm * (1 if piece.forward else -1)
+                    radius_m = abs(1.0 / bend - piece.d_m)
+                    found.append((self.path_s_m(at), self.path_s_m(after), radius_m))
+                at = after
+        return tuple(found)
 
     def path_s_m(self, station_m: float) -> float:
         """Arc length along the path where a station is first reached."""
@@ -124,7 +141,7 @@ def _stations(piece: Stretch, segment: Segment, low: float, high: float) -> Arra
             shift.u_m < middle < shift.end_m for shift in piece.shifts
         )
         count = max(1, ceil((b - a) / (CURVE_STEP_M if curved else LINE_STEP_M)))
-        parts.append(np.linspace(a, b, count + 1)[:-1])
+        parts.append(a + np.arange(count) * ((b - a) / count))
     return np.concatenate((*parts, [high]))
 
 

@@ -29,7 +29,7 @@ LARGEST = 1e9
 """Larger numbers are no metres, radians or seconds; computing with them could overflow."""
 BODIES = ("Vehicle", "Pedestrian", "MiscObject", "CatalogReference")
 
-_REFERRING: Any = etree.XPath("descendant-or-self::*[@entityRef]")
+_REFERRING: Any = etree.XPath("//@entityRef/..")
 _VERTICES = "Shape/Polyline/Vertex"
 _STATED: tuple[Any, ...] = tuple(
     etree.XPath(f"{_VERTICES}/{stated}", smart_strings=False)

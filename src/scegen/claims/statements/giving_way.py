@@ -126,9 +126,10 @@ def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:
         they_go = view.reaches_s(other, ground.other_leaves_m)
         with np.errstate(invalid="ignore"):
             own = np.fmax(comes - they_go, they_come - goes - CLEAR_S)
-        own = np.where(np.isfinite(comes) & np.isfinite(they_come), own, _ENOUGH_S)
-        own = np.clip(np.where(np.isnan(own), -NEVER, own), -_ENOUGH_S, _ENOUGH_S) + TIME_S
-        time_s = np.where(own < margin, np.where(np.isfinite(comes), comes, 0.0), time_s)
+        onto = np.isfinite(comes)
+        own = np.where(onto & np.isfinite(they_come), own, _ENOUGH_S)
+        own = np.minimum(np.fmax(own, -_ENOUGH_S), _ENOUGH_S) + TIME_S
+        time_s = np.where(own < margin, np.where(onto, comes, 0.0), time_s)
         margin = np.minimum(margin, own)
     return margin, time_s
 
