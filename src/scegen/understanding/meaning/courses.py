@@ -5,10 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
 from scegen.understanding.chunks import Chunk, Mention, Place, Prep
 from scegen.understanding.draft import Basis, Danger
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
-
-_IN = frozenset({"in", "inside", "on", "within", "round", "around"})
-_THERE = frozenset({"already", "is", "are", "still"})
 
 
 def circulate(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
@@ -54,7 +52,7 @@ def _comes_first(danger: Danger) -> bool:
 def _of_the_verb(prep: Prep, clause: Clause, context: Context) -> bool:
     """Not "enters in the roundabout", "waits for a car in the roundabout"."""
     before = context.tokens[prep.word.i - 1].low
-    comes = clause.event.name in {"enter", "approach"} and before not in _THERE
+    comes = clause.event.name in {"enter", "approach"} and before not in word_list("being_there")
     noun = prep.on_mention
     own = noun is None or not noun.heads or noun.is_ego or noun in clause.event.subject
     return own and not comes
@@ -62,10 +60,10 @@ def _of_the_verb(prep: Prep, clause: Clause, context: Context) -> bool:
 
 def _inside(prep: Prep, context: Context) -> bool:
     """``in the roundabout``, ``already on it``, not "at" or "into" it."""
-    if context.tokens[prep.word.i].low not in _IN:
+    if context.tokens[prep.word.i].low not in word_list("on_the_ring"):
         return False
     it = isinstance(prep.target, Mention) and prep.target.pronoun == "it"
-    already = context.tokens[prep.word.i - 1].low in _THERE
+    already = context.tokens[prep.word.i - 1].low in word_list("being_there")
     round_it = it and already and context.junction.kind is JunctionKind.ROUNDABOUT
     return round_it or _named(prep.target)
 
