@@ -6,6 +6,7 @@ from saying import made, missed, person, said
 
 from scegen.checking.esmini.layout import simulated_csv
 from scegen.checking.esmini.recording import read_recording
+from scegen.understanding import read
 
 
 def hit(side, approach="left"):
@@ -60,3 +61,11 @@ def test_a_corner_is_no_side():
     else:
         pytest.fail("every contact is of one side or the other")
     assert any(corner.values())
+
+
+@pytest.mark.parametrize("does", ["moves over", "drifts over", "cuts in"])
+def test_who_comes_over_from_the_lane_beside_touches_the_side_that_is_said(does):
+    text = f"A lorry beside the ego in the left lane of a motorway {does} and hits its left side."
+    functional = read(text)
+    assert functional.outcome.struck == "left"
+    assert not made(functional).proof.missed

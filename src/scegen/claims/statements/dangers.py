@@ -67,6 +67,8 @@ def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judge
         return _slower
     if _let_go_first(told, hazard):
         return _comes_close
+    if hazard.kind is HazardKind.STOPPING:
+        return _in_time
     hits = all(_struck(told, hazard, by) for by in hazard.by)
     return _too_late if hazard.kind is HazardKind.DELAYED_BRAKING and hits else _happens
 
@@ -128,18 +130,20 @@ def _slower(told: Told, hazard: Hazard, view: View) -> Judged:
 
 
 def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
-    """Margins are relative to the scale of the weakest condition.
-
-    Where it is said to end in a contact of who causes it, it happens before that.
-    """
+    """Margins are relative to the scale of the weakest condition."""
     doors = {of: door for door, of in told.doors.items() if door in view.index}
     by = tuple(doors.get(name, name) for name in hazard.by)
     margin, time_s = decisive(view, hazard.model_copy(update={"by": by}))
-    hits_s = [hit_s(told, view, name) for name in hazard.by]
-    with np.errstate(invalid="ignore"):
-        late_s = time_s - view.dt_s - np.max(hits_s, axis=0, initial=-np.inf)
-        margin = np.where(late_s > 0.0, np.minimum(margin, -late_s), margin)
     return Judged(margin, margin, time_s)
+
+
+def _in_time(told: Told, hazard: Hazard, view: View) -> Judged:
+    """Who stops and is said to be hit stands by then."""
+    stands = _happens(told, hazard, view)
+    hits_s = [hit_s(told, view, name) for name in hazard.by]
+    early_s = np.min([*hits_s, np.full(view.count, np.inf)], axis=0) + view.dt_s - stands.time_s
+    margin = np.where(early_s < 0.0, np.minimum(stands.margin, early_s), stands.margin)
+    return Judged(margin, margin, stands.time_s)
 
 
 def _struck(told: Told, hazard: Hazard, by: str) -> list[str]:

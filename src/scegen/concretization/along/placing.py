@@ -233,8 +233,9 @@ def _side_on(story: Story, front: Runner, back: Runner) -> bool:
     """Whether one who comes over is to touch the other's side: it neither cuts in nor is hit so."""
     if not story.contact_wanted(front.id, back.id) or story.functional.outcome is None:
         return False
+    struck = story.functional.outcome.struck
     cuts = HazardKind.CUT_IN in story.kinds_by(front.id)
-    return not cuts and story.functional.outcome.struck not in {BodySide.FRONT, BodySide.REAR}
+    return struck in {BodySide.LEFT, BodySide.RIGHT} or (struck is None and not cuts)
 
 
 def _usual(
