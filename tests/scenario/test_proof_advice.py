@@ -12,7 +12,7 @@ from scegen.scenario.proof import ClaimProof
     [
         ("acts.act_1.rate_mps2", "4.2 m/s in acts.act_1.rate_mps2"),
         ("junction.control", "leave junction.control out"),
-        ("outcome", "say that they collide"),
+        ("outcome", "give more room (start farther away"),
     ],
 )
 def test_what_would_help(field, helps):

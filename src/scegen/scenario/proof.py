@@ -69,7 +69,8 @@ class ClaimProof(FrozenModel):
         if self.fixed:
             return f"pick another scenario, or change {self.field}"
         if self.field == "outcome" and self.words is None:
-            return "say that they collide, or give more room: a greater distance, a lower speed"
+            room = "start farther away, drive more slowly, brake harder"
+            return f"give more room ({room}), or say that they collide"
         named = self.field.startswith("spacings.") or self.field.endswith(QUANTITIES)
         if self.measured is None or not named:
             return f"leave {self.field} out, or something that stands against it"

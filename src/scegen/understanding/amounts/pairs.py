@@ -87,6 +87,10 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     located = after is not None and isinstance(after[0], Word) and after[0].cat == "locus"
     scene = text.scene_at(number.i, number.j)
     subject = text.subject_before(number.i)
+    word = after[0] if located and after is not None else None
+    holder = [m for m in text.mentions for p in m.pps if p.word is word and m.i < number.i]
+    if holder and len(holder[0].entities) == 1 and named:
+        subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
     if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
         named = []  # "and the ego, 15 m behind it": not behind itself
     pairs = [m.entities for m in text.mentions if m.i < number.i and len(m.entities) == _PAIR]

@@ -12,6 +12,7 @@ from scegen.scenario.functional import (
     Relation,
     Unsupported,
 )
+from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import (
     Approach,
     AtLight,
@@ -86,6 +87,7 @@ class Builder:
         self._happenings = happenings
         self._around = surroundings
         self._proofs = Proofs(draft.text, tokens)
+        self._lengthwise = lengthwise
         self._layout = Layout(draft, reading, surroundings, lengthwise, self._proofs)
 
     def build(self) -> FunctionalScenario:
@@ -95,7 +97,8 @@ class Builder:
             entity.ego = entity is ego  # "the cops we are": several are called so, one is it
         settle_arms(self._draft, ego)
         relations = settle_positions(self._draft, ego)
-        at_the_edge(self._draft, self._happenings)
+        if Strip.PAVEMENT not in self._lengthwise.without:
+            at_the_edge(self._draft, self._happenings)
         junction = self._layout.build()
         onto_the_road(self._draft, junction.driving_side)
         if junction.kind is JunctionKind.STRAIGHT:

@@ -70,7 +70,7 @@ def stand(clause: Clause, context: Context) -> None:
     actors = _comes_to_rest(clause.actors, clause.words)
     if any(p.kind in _ROADSIDE for p in places):
         _beside_the_lanes(actors, clause, context)
-    if any(p.kind in _HELD for p in places):
+    if any(p.kind in _HELD for p in places) and not _lasting(event, context):
         return
     _stand_in_the_lane(actors, clause)
     for entity in actors:
@@ -91,6 +91,12 @@ def _beside_the_lanes(actors: list[Entity], clause: Clause, context: Context) ->
         d for d in context.draft.dangers
         if d.kind is not HazardKind.STOPPING or not d.by or not all(e in beside for e in d.by)
     ]  # fmt: skip
+
+
+def _lasting(event: Event, context: Context) -> bool:
+    """``stands at red the entire time``: it never goes on."""
+    after = " ".join(t.low for t in context.tokens[event.j : event.j + _FROM_REACH])
+    return any(f" {words} " in f" {after} " for words in word_list("all_the_time"))
 
 
 def _until_it_goes(clause: Clause) -> None:

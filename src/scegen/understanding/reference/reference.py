@@ -31,8 +31,10 @@ def is_pronoun(target: object) -> bool:
 def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
     prep = mention.prep.value if mention.prep is not None else ""
-    if prep == "without" and [m.value for m in mention.mods[:1]] == ["indef"]:
-        return True  # "without any target"
+    first = [m.value for m in mention.mods[:1]]
+    traffic = mention.head is not None and "mass" in mention.head.data
+    if prep == "without" and (first in (["indef"], ["other"]) or (traffic and first != ["def"])):
+        return True  # "without any target", "without other cars", "without oncoming traffic"
     mass = bool(mention.head and mention.head.data.get("mass")) and all(
         m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
     )

@@ -54,8 +54,9 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
             continue
         basis = Basis(term.i, term.j)
         if absent.negated(terms, k):
-            if "strip" in term.data:
-                found.without.setdefault(Strip(term.data["strip"]), basis)
+            denied = term.data.get("strip", term.data.get("stands_on"))
+            if denied is not None:
+                found.without.setdefault(Strip(denied), basis)
             continue
         presumed = bool(term.data.get("presumed"))
         known = found.carriageway is not None and (presumed or not found.presumed)
