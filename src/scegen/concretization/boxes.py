@@ -21,8 +21,6 @@ from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.spacings import Measure
 
-LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
-"""Measures along the road."""
 _OFF_THE_ROAD_M = 0.2
 _OFF_THE_WAY_M = 0.5
 _SAMPLE_M = 1.0

@@ -223,15 +223,13 @@ def _latest_s(
 
 def shortfall(scene: Setup, offsets_s: Mapping[str, float]) -> tuple[float, str]:
     """By how much the arms are too short (m), and for whom."""
-    short, who = 0.0, ""
-    for name, draft in scene.drives.items():
-        if draft.backs_out:
-            continue
-        start = draft.course.s_at(-offsets_s[name])
-        missing = draft.body.rear_m + _ARM_MARGIN_M - start
-        if missing > short:
-            short, who = missing, name
-    return short, who
+    short_m = {
+        name: draft.body.rear_m + _ARM_MARGIN_M - draft.course.s_at(-offsets_s[name])
+        for name, draft in scene.drives.items()
+        if not draft.backs_out
+    }
+    who = max(short_m, key=lambda name: short_m[name], default="")
+    return short_m.get(who, 0.0), who
 
 
 def _first_places(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:

@@ -12,7 +12,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from scegen.concretization.boxes import LENGTHWISE
 from scegen.concretization.deeds import is_open
 from scegen.concretization.moments import Moments
 from scegen.concretization.setup import Setup
@@ -26,7 +25,7 @@ from scegen.scenario.acts import (
     BeforeJunction,
     WhenMeasure,
 )  # fmt: skip
-from scegen.scenario.spacings import CONTACT, START
+from scegen.scenario.spacings import CONTACT, LENGTHWISE, START
 
 _AS_IT_WAS = 1e-6
 _PER_M = 0.1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.concretization.limits import LATERAL_MPS2
-from scegen.concretization.tale import SIDEWAYS
+from scegen.concretization.tale import SIDEWAYS, SWERVING
 from scegen.concretization.turning_ways import lanes_to_turn_back, with_turns
 from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
@@ -26,8 +26,6 @@ _RING_CHANGE_ROOM_M = 16.0
 _SPARE = 1.05
 _RING_RADII_M = (20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 50.0)
 _SIDE_BY_SIDE_HAZARDS = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING})
-
-_SWERVING_HAZARDS = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 
 
 def plan(
@@ -89,7 +87,7 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
     together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
-    swerves = roundabout and bool(kinds & _SWERVING_HAZARDS)
+    swerves = roundabout and bool(kinds & SWERVING)
     wide = sideways or swerves or (together and not roundabout)
     return 2 if beside or (wide and not oncoming) else 1
 

@@ -22,16 +22,6 @@ from scegen.scenario.objects import StaticObject
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
-_BY_SPEED = frozenset(
-    {
-        HazardKind.SUDDEN_ACCELERATION,
-        HazardKind.HARD_BRAKING,
-        HazardKind.DELAYED_BRAKING,
-        HazardKind.STOPPING,
-    }
-)
-"""The dangers that are a change of speed."""
-
 
 class NeedsLongerArms(Exception):  # noqa: N818 - a signal between two parts, not an error
     """The arms are ``metres`` too short for the plan; caught by ``concretize``."""
@@ -68,7 +58,7 @@ def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[A
     )
     tale = Tale(functional, logical, (*setting_off, *told))
     for hazard in functional.hazards:
-        if hazard.kind in _BY_SPEED:
+        if {*HAZARDS[hazard.kind].acts[:1]} & (SLOWING | GAINING):  # a change of speed
             tale.acts = (*tale.acts, *_implied(tale, hazard))
     return tuple(tale.acts)
 

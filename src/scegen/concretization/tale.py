@@ -21,6 +21,8 @@ from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 
 SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 """What leads out of the lane beside the way through a junction."""
+SWERVING = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
+"""The dangers of those who leave their lane and come back."""
 _ROUNDING_MPS = 1e-3
 _HAZARDS_OF = {
     ActKind.BRAKE: (

@@ -142,16 +142,14 @@ def _turn_back(logical: LogicalScenario) -> list[Drive]:
 
 def lanes_to_turn_back(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     """Lanes per direction on which a half circle is wide enough, on a road without a junction."""
-    drives = _turn_back(logical)
-    if functional.junction.kind is not JunctionKind.STRAIGHT or not drives:
-        return 1
-    if functional.junction.lanes:
+    drives, junction = _turn_back(logical), functional.junction
+    if junction.kind is not JunctionKind.STRAIGHT or junction.lanes or not drives:
         return 1
     radius = max(least_radius_m(drive, functional) for drive in drives)
     wide = [
         count
         for count in range(_HALF_CIRCLE_LANES, _MOST_LANES + 1)
-        if _half_circle_m(count, functional.junction.lanes_wide_m) >= radius
+        if _half_circle_m(count, junction.lanes_wide_m) >= radius
     ]
     return wide[0] if wide else _MOST_LANES
 
@@ -254,8 +252,5 @@ def _late_turns(
 
 def _meant(functional: FunctionalScenario, first: Drive, second: Drive) -> bool:
     """Whether these two are to meet: a danger between them, or the ego and nothing else said."""
-    pair = {first.participant, second.participant}
-    if not functional.hazards:
-        others = {d.id for d in functional.vehicles} | {c.id for c in functional.crossers}
-        return functional.ego.id in pair and len(others) == len(pair)
-    return may_endanger(functional, pair)
+    others = {d.id for d in functional.vehicles} | {c.id for c in functional.crossers}
+    return _at_odds(functional, first, second) and (bool(functional.hazards) or len(others) == 2)

@@ -63,6 +63,10 @@ class Measure(Word):
     )
 
 
+LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
+"""Measures along the road."""
+
+
 class Spacing(FrozenModel):
     """The ``measure`` of ``participant`` to ``reference`` is ``value``.
 

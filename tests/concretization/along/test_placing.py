@@ -12,10 +12,10 @@ from scegen.concretization.along.moments import time_what_is_known
 from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
-from scegen.concretization.boxes import LENGTHWISE, missing_m
+from scegen.concretization.boxes import missing_m
 from scegen.enumeration import enumerate_scenarios
 from scegen.scenario.acts import WhenMeasure
-from scegen.scenario.spacings import CONTACT, START
+from scegen.scenario.spacings import CONTACT, LENGTHWISE, START
 
 
 def story(functional):

@@ -14,10 +14,9 @@ from scegen.claims.moments import CHANGES_MPS2, LEAVES_M
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.scenario.acts import ActKind, AfterDistance, AfterStart, WhenMeasure
-from scegen.scenario.spacings import START, Measure
+from scegen.scenario.spacings import LENGTHWISE, START
 from scegen.scenario.vocabulary import Maneuver
 
-_LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 LEAD_IN_S = 1.0
 """The shortest time in which an observer sees what somebody does before it does something else."""
 
@@ -64,7 +63,7 @@ def _stays(told: Told, name: str) -> bool:
 def _close_at_first(told: Told, name: str) -> Iterator[str]:
     for spacing in told.functional.spacings:
         pair = {spacing.participant, spacing.reference}
-        if spacing.at == START and spacing.measure in _LENGTHWISE and name in pair:
+        if spacing.at == START and spacing.measure in LENGTHWISE and name in pair:
             yield from pair - {name}
 
 

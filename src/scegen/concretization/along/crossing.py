@@ -11,8 +11,7 @@ import numpy as np
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import goes_on_when_free, pace_across_mps
-from scegen.concretization.boxes import LENGTHWISE
+from scegen.concretization.amounts import BRAKING, goes_on_when_free, pace_across_mps
 from scegen.concretization.limits import HARD_BRAKING_MPS2, REACTION_S, starting_mps2
 from scegen.concretization.others import Walker, abreast_m, gained
 from scegen.concretization.profile import NEVER_S, SpeedChange
@@ -21,7 +20,7 @@ from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Crossing
-from scegen.scenario.spacings import Measure
+from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _MEETS_S = 6.0
@@ -41,7 +40,7 @@ _STANDS_S = 0.5
 """Who waits for one who crosses stands at least so long."""
 _LOOK_S, _LATEST_S = 0.05, 40.0
 _OWES = HazardKind.FAILURE_TO_YIELD
-_BRAKES = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
+_BRAKES = BRAKING | {HazardKind.STOPPING}
 
 
 @dataclass

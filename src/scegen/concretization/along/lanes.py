@@ -12,7 +12,7 @@ from itertools import product
 
 from scegen.concretization.along.doors import endangered, inner_doors
 from scegen.concretization.along.story import Story
-from scegen.concretization.tale import outward, side_of, words_between
+from scegen.concretization.tale import SWERVING, outward, side_of, words_between
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
@@ -28,7 +28,6 @@ _LANE = 0.1
 """What one lane more costs."""
 _INNERMOST = frozenset({1})
 _ANYWHERE = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT})
-_OVER_THE_LINE = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 _FROM_BESIDE = FROM_BESIDE | {HazardKind.CUT_IN}
 _IN_LINE = frozenset(
     {
@@ -206,7 +205,7 @@ def _from_hazards(story: Story) -> Iterator[Wish[int]]:
                 continue
             words = f"{hazard.kind} of {who} to {to}"
             if runners[who].forward != runners[to].forward:
-                if hazard.kind in _OVER_THE_LINE:
+                if hazard.kind in SWERVING:
                     yield from (_among(n, LIKELY, _INNERMOST, words) for n in (who, to))
             elif hazard.kind in _FROM_BESIDE:
                 yield _beside(who, to, LIKELY, None, words)

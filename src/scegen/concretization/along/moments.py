@@ -11,10 +11,10 @@ from scegen.concretization.along.doors import door_before
 from scegen.concretization.along.performing import perform
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import goes_on_when_free
-from scegen.concretization.boxes import LENGTHWISE, missing_m
+from scegen.concretization.boxes import missing_m
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
-from scegen.scenario.spacings import CONTACT
+from scegen.scenario.spacings import CONTACT, LENGTHWISE
 
 _HOLDS_S = 1.5
 """Between two acts of one participant, where nothing is said: long enough to see the speed held."""

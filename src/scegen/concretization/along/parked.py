@@ -28,7 +28,6 @@ class Parked:
     id: str
     body: Body
     standing: Standing
-    on_left: bool
     x_m: float
 
 
@@ -94,14 +93,14 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
         hidden = _hidden(standing, hiding, walks, left)
         if hidden is None:
             passed = story.ego.x_m(_PASSED_AT_S) + free * (2 * half + _BETWEEN_M)
-            placed.append(Parked(standing.participant, body, standing, left, passed))
+            placed.append(Parked(standing.participant, body, standing, passed))
             free += 1
             continue
         sign = story.runners[hidden.meets].sign
         key = (left, hidden.id)
         first = hidden.x_m - sign * (hidden.body.width_m / 2 + BEFORE_WALKER_M)
         end = ends.get(key, first)
-        placed.append(Parked(standing.participant, body, standing, left, end - sign * half))
+        placed.append(Parked(standing.participant, body, standing, end - sign * half))
         ends[key] = end - sign * (2 * half + _BETWEEN_M)
     return placed
 
@@ -129,7 +128,7 @@ def _in_a_row(story: Story, row: list[Standing]) -> Iterator[Parked]:
         away += sum(body.length_m + _BETWEEN_M for body in between)
         sense = (n > first) - (n < first)
         x = middle + door.sign * sense * away
-        yield Parked(standing.participant, bodies[n], standing, on_left(story, standing), x)
+        yield Parked(standing.participant, bodies[n], standing, x)
 
 
 def _hidden(standing: Standing, hiding: set[str], walks: list[Walk], left: bool) -> Walk | None:

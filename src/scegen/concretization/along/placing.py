@@ -16,12 +16,11 @@ from scegen.concretization.along.spacing import (
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M, SLOWING
-from scegen.concretization.boxes import LENGTHWISE
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.tale import words_between
 from scegen.scenario.acts import Act, ActKind, WhenMeasure
-from scegen.scenario.spacings import CONTACT, START, Measure
+from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
 from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
 
 _FOLLOWING_S = 1.8
@@ -82,15 +81,13 @@ def _said(story: Story) -> Iterator[GapAt]:
             time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
             if spacing.since == "end":
                 time_s = _ends_s(story, story.act(spacing.at), pair, time_s)
-            yield _gap_at(story, spacing.participant, spacing.reference, spacing.measure,
-                       spacing.value.middle, time_s)  # fmt: skip
+            yield _gap_at(story, spacing, time_s)
     for act in story.acts:
         when = act.when
         if not isinstance(when, WhenMeasure) or when.measure not in LENGTHWISE:
             continue
         if {when.participant, when.reference} <= story.runners.keys() and act.id in story.begins_s:
-            yield _gap_at(story, when.participant, when.reference, when.measure,
-                       when.value.middle, story.begins_s[act.id])  # fmt: skip
+            yield _gap_at(story, when, story.begins_s[act.id])
 
 
 def _ends_s(story: Story, act: Act, pair: set[str], since_s: float) -> float:
@@ -101,10 +98,10 @@ def _ends_s(story: Story, act: Act, pair: set[str], since_s: float) -> float:
     return max((r for r in rests if r < NEVER_S), default=since_s)
 
 
-def _gap_at(
-    story: Story, who: str, other: str, measure: Measure, value: float, time_s: float
-) -> GapAt:
-    return GapAt(who, other, measure, value, time_s, is_ahead(story, who, other), said=True)
+def _gap_at(story: Story, told: Spacing | WhenMeasure, time_s: float) -> GapAt:
+    who, other = told.participant, told.reference
+    ahead = is_ahead(story, who, other)
+    return GapAt(who, other, told.measure, told.value.middle, time_s, ahead, said=True)
 
 
 def is_ahead(story: Story, who: str, other: str) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import accumulate
 
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
@@ -115,21 +116,17 @@ def put_on_strips(story: Story) -> None:
     """
     if story.functional.junction.auxiliary is not None:
         return  # a lane of the road lies there, for a part of the way
-    strips = strips_along(story)
-    middles = tuple(
-        sum(width for _, width in strips[:k]) + width / 2 for k, (_, width) in enumerate(strips)
-    )
-    types = [kind for kind, _ in strips]
+    middles = _middles_m(story)
     for name, runner in story.people.items():
-        runner.lane_count, runner.strips_m = story.lane_count, middles
+        runner.lane_count, runner.strips_m = story.lane_count, tuple(middles.values())
         strip = story.functional.participant(name).strip
         if strip is None:
             continue
-        number = types.index(LANE_TYPES[strip])
+        number = list(middles).index(LANE_TYPES[strip])
         runner.lane, runner.offset_m = story.lane_count + 1 + number, 0.0
         if _against_traffic(story, name):
             outward = 1.0 if runner.keeps_left else -1.0
-            out_m = (story.lane_count - 0.5) * runner.lane_width_m + middles[number]
+            out_m = (story.lane_count - 0.5) * runner.lane_width_m + runner.strips_m[number]
             runner.lane, runner.offset_m = 0, -outward * out_m
 
 
@@ -144,12 +141,14 @@ def strip_middle_m(story: Story, name: str) -> float:
     """How far beyond the lanes the middle of the strip lies on which somebody stands."""
     said = story.functional.participant(name).strip
     wanted = {LaneType.PARKING, LaneType.SHOULDER} if said is None else {LANE_TYPES[said]}
-    before = 0.0
-    for kind, width in strips_along(story):
-        if kind in wanted:
-            return before + width / 2
-        before += width
-    raise KeyError(f"no strip for {name}")
+    return next(middle for kind, middle in _middles_m(story).items() if kind in wanted)
+
+
+def _middles_m(story: Story) -> dict[LaneType, float]:
+    """How far beyond the lanes the middles of the strips lie, outwards."""
+    strips = strips_along(story)
+    inside = accumulate((width for _, width in strips), initial=0.0)
+    return {kind: begin + width / 2 for begin, (kind, width) in zip(inside, strips, strict=False)}
 
 
 def _against_traffic(story: Story, name: str) -> bool:

@@ -8,9 +8,7 @@ from dataclasses import dataclass, field
 from scegen.scenario.acts import Act, WhenMeasure
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.model import Interval
-from scegen.scenario.spacings import CONTACT, START, Measure
-
-_LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
+from scegen.scenario.spacings import CONTACT, LENGTHWISE, START
 
 
 @dataclass(frozen=True)
@@ -34,7 +32,7 @@ class Stated:
         placed: set[str] = set()
         moments = {act.id for act in functional.acts if act.when is not None}
         for spacing in functional.spacings:
-            if spacing.measure in _LENGTHWISE and spacing.at != CONTACT:
+            if spacing.measure in LENGTHWISE and spacing.at != CONTACT:
                 placed |= {spacing.participant, spacing.reference}
                 moments |= {spacing.at} - {START}
         for act in functional.acts:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Literal
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.spacings import CONTACT, START, Measure
+from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.aside import Aside
 from scegen.understanding.amounts.pairs import pair_of, row_of
@@ -41,7 +41,6 @@ _EVADING = frozenset({"avoid", "react", "pull_over"})
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
-_ALONG = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 _MOVES_INTO = frozenset({ActKind.SWERVE, ActKind.CROSS, ActKind.OPEN_DOOR})
@@ -63,7 +62,7 @@ class Spacer(Teller):
             number: the number.
         """
         measure = MEASURES[number.frame.role]
-        if measure in _ALONG and self._releaser.sets_off(number, measure):
+        if measure in LENGTHWISE and self._releaser.sets_off(number, measure):
             return True
         if self._releaser.from_elsewhere(number):
             return False
@@ -208,7 +207,7 @@ class Spacer(Teller):
     def _in_file(self, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
         """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
         two = [e for e in (one, other) if not e.ego]
-        if measure not in _ALONG or len(two) != 1 or not two[0].is_vehicle:
+        if measure not in LENGTHWISE or len(two) != 1 or not two[0].is_vehicle:
             return
         entity, draft = two[0], self._context.draft
         placed = any(p.entity is entity or p.reference is entity for p in draft.placements)
@@ -274,7 +273,7 @@ class Spacer(Teller):
             acts = [] if entity.parked or reference.parked else acts
             passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < end]
             return passing[-1] if passing else START
-        if measure not in _ALONG:
+        if measure not in LENGTHWISE:
             return START
         if self._text.says("starts", start, end):
             named = self._text.low(start, end)
