@@ -88,7 +88,7 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
     chunks = name_roads(name_hiders(chunks), tokens)
-    chunks = spell_out(both_sides(in_brackets(chunks), tokens))
+    chunks = spell_out(both_sides(in_brackets(chunks, tokens), tokens))
     chunks = open_doors(repeat(silence(lead(chunks)), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)

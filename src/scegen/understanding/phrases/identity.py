@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING
 from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
 
 _GENERIC = frozenset({"car", "driver", "adversary"})
+_HELPS = frozenset({"aux", "manner"})
 _ENDS = frozenset({",", ".", ";", ")"})
 
 
-def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
+def in_brackets(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks with every second name of somebody in brackets of its own."""
     _announced(chunks)
+    _told_before_named(chunks, tokens)
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
@@ -25,6 +28,27 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
             found.append(chunks[k])
             k += 1
     return found
+
+
+def _told_before_named(chunks: list[Chunk], tokens: list[Token]) -> None:
+    """``the vehicle follows a van …; the vehicle under test stops``: the vehicle is that one.
+
+    Whom a text begins with by a mere noun is nobody new, if the ego is called by that noun later.
+    """
+    named = [c for c in chunks if isinstance(c, Mention) and c.heads]
+    first = named[0] if named else None
+    if first is None or first.head is None or first.is_ego:
+        return
+    if [(m.cat, m.value) for m in first.mods] != [("det", "def")]:
+        return
+    noun, after = tokens[first.head.i].low, chunks[chunks.index(first) + 1 :]
+    verb = next((c for c in after if not (isinstance(c, Word) and c.cat in _HELPS)), None)
+    if not isinstance(verb, Event):
+        return  # "the vehicle ahead"
+    for again in named[1:]:
+        if again.is_ego and noun in {t.low for t in tokens[again.i : again.j]}:
+            first.heads = [*again.heads, *first.heads]
+            return
 
 
 def _announced(chunks: list[Chunk]) -> None:
