@@ -7,7 +7,7 @@ from dataclasses import replace
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
-from scegen.understanding.amounts.letting_by import goes_first, let_by
+from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
@@ -47,6 +47,7 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
             if context.junction.crossing
             else []
         )
+        first += arrives_first(scene, text, context)
         for doing in [*_acts_of(scene, text, context), *first]:
             if not _continued(doing, found, text) and not _told_again(doing, found, text):
                 found.append(doing)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.context import Clause
+from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.tokens import Token
 
 _GOES = frozenset(
     {"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge", "through"}
 )
+_SOON, _ORDERS = 4, ("first", "before", "after")
 _HOLDING = frozenset({"wait", "stop"})
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
@@ -65,6 +66,37 @@ def goes_first(clause: Clause, tokens: list[Token], everybody: list[Entity]) -> 
     ]
 
 
+def arrives_first(clause: Clause, text: Sentences, context: Context) -> list[Doing]:
+    """``arrives before the ego``, ``after a truck``: at an all-way stop who comes later gives way.
+
+    Args:
+        clause: what happens.
+        text: the text with its clauses.
+        context: the scenario in the making.
+    """
+    event = clause.event
+    comes = event.lemma in word_list("arriving") and event.finite and not event.negated
+    if not comes or context.junction.control is not Control.ALL_WAY_STOP:
+        return []
+    after = [(k, t.low) for k, t in enumerate(text.tokens) if event.j <= k < event.j + _SOON]
+    k, word = next(((k, w) for k, w in after if w in _ORDERS), (event.j, ""))
+    named = next((m.entities for m in text.mentions if m.i == k + 1), [])
+    others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.drivers]
+    later, first = {
+        "first": (others, clause.drivers),
+        "before": (named, clause.drivers),
+        "after": (clause.drivers, named),
+    }.get(word, ([], []))
+    owes = [d.by for d in context.draft.dangers if d.kind is HazardKind.FAILURE_TO_YIELD]
+    basis = Basis(event.i, k + 1)
+    return [
+        Doing(ActKind.GIVE_WAY, e, basis, event.i, into=one, into_basis=basis)
+        for e in later
+        for one in first
+        if e.moving_vehicle and not any(e in by for by in owes)
+    ]
+
+
 def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     """``waits until a car has passed``, ``waits, and goes as soon as a car has passed``."""
     event = clause.event
@@ -74,8 +106,12 @@ def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     # "until a truck going straight on has passed": what tells only which one is no doing of its own
     later = [s for n, s in enumerate(later) if not _describes(s, later[n + 1 : n + 2])]
     following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
-    if following is None or following.event.name != "pass" or following.event.negated:
+    if following is None or following.event.negated:
         return []
+    if following.event.name != "pass" and not (
+        following.event.perfect and following.event.name in _GOES
+    ):
+        return []  # "until it has crossed"
     others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
     return [] if any(t in clause.actors for t in following.targets) else others
 
