@@ -73,7 +73,8 @@ def _by_phrases(preps: list[Prep], whom: list[Entity], context: Context) -> None
         main, onto = bool(words & word_list("major")), prep.value in _ONTO
         side = place.kind == "access" or bool(words & word_list("minor"))
         if place.kind in _ROADS and (main or (side and not onto)):
-            _note(whom, minor=side or onto, basis=basis)
+            past = context.tokens[prep.word.i].low in word_list("past")
+            _note(whom, minor=(side or onto) and not past, basis=basis)
 
 
 def _note(whom: list[Entity], *, minor: bool, basis: Basis) -> None:
