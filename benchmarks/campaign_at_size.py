@@ -8,7 +8,9 @@ resident memory of driver and workers together by tenths of the way (from /proc)
 suite and report with their times, and how long the report takes in headless Chromium until it is
 drawn. ``--compare`` makes the same twice, with one worker and with two, and holds the rows of one
 against the other's: scenarios per second of the wall clock, which tells something on a quiet
-machine only. Ends with 1 if something is missing or the second worker brings less than it should.
+machine only. Beside it stands what a second process brings that shares nothing: more no engine
+gets out of the machine. Ends with 1 if something is missing or the second worker brings less than
+it should.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ import os
 import sys
 import tempfile
 from dataclasses import asdict, dataclass, field
+from multiprocessing import get_context
 from pathlib import Path
 from time import perf_counter
 
@@ -37,6 +40,7 @@ GOAL_TIMES = 1.8
 SUITE = 100_000
 """More than any suite needs."""
 _MIB = 2**20
+_LOOPS = 20_000_000
 
 
 @dataclass
@@ -129,6 +133,22 @@ def at_size(campaign: Campaign, folder: Path, workers: int) -> dict[str, object]
     }
 
 
+def spin(_: int) -> float:
+    """The wall clock of a loop that touches nothing but itself, s."""
+    begin = perf_counter()
+    sum(n * n % 7 for n in range(_LOOPS))
+    return perf_counter() - begin
+
+
+def plain_times() -> float:
+    """How much more two processes do than one that have nothing in common; each at its best."""
+    with get_context("spawn").Pool(2) as pool:
+        pool.map(spin, range(2), chunksize=1)
+        one_s = min(pool.apply(spin, (0,)) for _ in range(5))
+        two_s = min(max(pool.map(spin, range(2), chunksize=1)) for _ in range(5))
+    return 2 * one_s / two_s
+
+
 def compared(campaign: Campaign) -> dict[str, object]:
     with tempfile.TemporaryDirectory() as place:
         # Whoever comes first would compile kernels for the other.
@@ -142,6 +162,7 @@ def compared(campaign: Campaign) -> dict[str, object]:
         "two_per_s": two.counted.rows / two.seconds,
         "times": one.seconds / two.seconds,
         "goal_times": GOAL_TIMES,
+        "plain_times": plain_times(),
         "load": os.getloadavg()[0],
     }
 
