@@ -16,8 +16,13 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, set_triggers
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.hazards.aside import brake_out_of_control, swerve, turn_the_wheel
-from scegen.concretization.hazards.cut_in import come_in, start_inside
+from scegen.concretization.hazards.aside import (
+    brake_out_of_control,
+    come_in,
+    start_inside,
+    swerve,
+    turn_the_wheel,
+)
 from scegen.concretization.hazards.reversing import (
     go_back_as_they_come,
     prepare_to_reverse,

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import Route
-from scegen.scenario.concrete import LaneChange
-from scegen.scenario.vocabulary import HazardKind
 
 
 def routes_of(scene: Setup, draft: DriveDraft) -> tuple[Route, ...]:
@@ -49,47 +45,3 @@ def choose_ring_lane(scene: Setup, draft: DriveDraft, *, inner: bool = False) ->
     rings = sorted(r.ring_lane for r in routes if r.ring_lane is not None)
     if rings:
         draft.ring_lane = rings[0] if inner else rings[-1]
-
-
-def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:
-    """The lane into which a drive pulls out: towards the centre line, else outwards.
-
-    ``oncoming`` allows (and where there is one lane, chooses) the oncoming lane.
-
-    Raises:
-        MotionInfeasibleError: there is only one lane and the oncoming one is not allowed.
-    """
-    if draft.entry_lane > 1:
-        return draft.entry_lane - 1
-    if oncoming:
-        return 0
-    if lanes_in(scene, draft) > 1:
-        return 2
-    raise MotionInfeasibleError(
-        f"arm {draft.drive.entry} has one lane: there is no lane to change into", where=draft.id
-    )
-
-
-def change_lanes(
-    scene: Setup,
-    draft: DriveDraft,
-    changes: Sequence[tuple[float, float, int]],
-    hazard: HazardKind | None = None,
-    *,
-    offset_m: float = 0.0,
-) -> None:
-    """Add lane changes (position, length, lane after) and lay the drive out anew.
-
-    The first ends ``offset_m`` to the left of its lane's centre.
-    """
-    draft.lane_changes += [
-        LaneChange(
-            position_m=round(max(0.0, position), 3),
-            length_m=round(length, 3),
-            lane_after=lane,
-            offset_m=offset_m if n == 0 else 0.0,
-            hazard=hazard,
-        )
-        for n, (position, length, lane) in enumerate(changes)
-    ]
-    draft.lay(scene.network)

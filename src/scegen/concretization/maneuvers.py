@@ -7,7 +7,7 @@ from scegen.concretization.hazards.aside import come_into_lane
 from scegen.concretization.hazards.parties import ahead_on_arm, same_arm
 from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
-from scegen.concretization.passing import be_faster, pass_drive
+from scegen.concretization.passing import FASTER, pass_drive
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import goes_round_a_thing
 from scegen.concretization.tale import SIDEWAYS
@@ -16,29 +16,27 @@ from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 
 def prepare_maneuvers(scene: Setup) -> None:
-    """Make those who change lanes round another faster than it."""
-    for draft in scene.drives.values():
-        if (slower := _passed(scene, draft)) is not None:
-            be_faster(scene, draft, slower)
+    """Make those who go round another clearly faster than it: it is slow, rather than they fast."""
+    for passer in scene.drives.values():
+        passed = _passed(scene, passer)
+        if passed is not None and passer.cruise_mps < FASTER * passed.cruise_mps:
+            slower, before = passer.cruise_mps / FASTER, passed.cruise_mps
+            scene.note(f"{passed.id}.speed_mps", slower, f"is overtaken by {passer.id}", before)
+            passed.cruise_mps = slower
 
 
 def shape_maneuvers(scene: Setup) -> list[Meeting]:
     """Lane changes and overtakes of those who have none yet, and the meetings they need."""
     meetings: list[Meeting] = []
     for draft in scene.drives.values():
-        passed = _passed(scene, draft)
-        aside = passed is not None or draft.drive.maneuver in SIDEWAYS
-        if draft.lane_changes or not aside:
+        maneuver = _goes(scene, draft)
+        if draft.lane_changes or maneuver not in SIDEWAYS:
             continue
+        passed = _passed(scene, draft)
         if passed is not None:
-            meetings += pass_drive(
-                scene, draft, passed, comes_back=_goes(scene, draft) is Maneuver.OVERTAKE
-            )
-        elif not (
-            _stands_on_its_way(scene, draft, in_lane=True)
-            or _drives_past(scene, draft)
-            or goes_round_a_thing(scene, draft)
-        ):
+            comes_back = maneuver is Maneuver.OVERTAKE
+            meetings += pass_drive(scene, draft, passed, comes_back=comes_back)
+        elif draft.drive.maneuver in SIDEWAYS and not _has_cause(scene, draft):
             meetings += _free_change(scene, draft)
     return [*meetings, *_side_by_side(scene, meetings)]
 
@@ -65,25 +63,21 @@ def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
     return next(reversed(slow or ahead), None)
 
 
-def _stands_on_its_way(scene: Setup, draft: DriveDraft, *, in_lane: bool) -> bool:
-    """Whether somebody stands in a lane, or beside, of an arm on which it drives."""
-    arms = {draft.drive.entry, draft.drive.exit}
-    standings = [stand.standing for stand in scene.stands.values()]
-    return any(s.in_lane is in_lane and s.arm in arms for s in standings)
+def _has_cause(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether it goes round what stands or lies in its lane, or "overtakes" without leaving it.
 
-
-def _drives_past(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether it "overtakes" one who is parked beside its lane, which needs no other lane.
-
-    Nor does passing one who reverses into its way: it gets no farther.
+    That is who passes one that is parked beside the lanes, or one that reverses into its way.
     """
-    beside = _stands_on_its_way(scene, draft, in_lane=False)
-    reverses = any(other.drive.reverses is not None for other in ahead_on_arm(scene, draft))
-    return draft.drive.maneuver is Maneuver.OVERTAKE and (beside or reverses)
+    arms = {draft.drive.entry, draft.drive.exit}
+    standing = {s.standing.in_lane for s in scene.stands.values() if s.standing.arm in arms}
+    past = False in standing
+    past |= any(other.drive.reverses is not None for other in ahead_on_arm(scene, draft))
+    stays = past and draft.drive.maneuver is Maneuver.OVERTAKE
+    return stays or True in standing or goes_round_a_thing(scene, draft)
 
 
 def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
-    """A change into the lane of one beside it, or into the one that leads on."""
+    """A change into the lane of one beside it, rather the ego's, or into the one that leads on."""
     if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
         raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
     if lanes_in(scene, draft) < 2 and draft.drive.maneuver is Maneuver.OVERTAKE:
@@ -92,11 +86,6 @@ def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
             where=draft.id,
             hint="Let another vehicle enter on that arm before it, or let it drive straight on.",
         )
-    return come_into_lane(scene, draft, _beside(scene, draft))
-
-
-def _beside(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
-    """The one next to whom it drives, and into whose lane it changes; rather the ego."""
     near = [
         other
         for other in scene.drives.values()
@@ -106,7 +95,8 @@ def _beside(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
         and other.entry_lane in entry_lanes(scene, draft)
         and not other.lane_changes
     ]
-    return max(near, key=lambda other: other is scene.ego, default=None)
+    beside = max(near, key=lambda other: other is scene.ego, default=None)
+    return come_into_lane(scene, draft, beside)
 
 
 def _side_by_side(scene: Setup, meetings: list[Meeting]) -> list[Meeting]:
@@ -126,13 +116,10 @@ def _side_by_side(scene: Setup, meetings: list[Meeting]) -> list[Meeting]:
             continue
         taken.add((beside.id, draft.entry_lane))
         point = drives_meet(beside, draft)
-        if point is not None:
-            reason = "side by side, one turns across the other"
-            places = point.first_s_m, point.second_s_m
-            found.append(Meeting(DANGER, beside.id, draft.id, *places, 0.0, reason))
-            continue
         place = draft.junction_s_m * 0.6
-        found.append(
-            Meeting(STRUCTURAL + 1, beside.id, draft.id, place, place, 0.0, "side by side")
-        )
+        priority, places, words = STRUCTURAL + 1, (place, place), "side by side"
+        if point is not None:
+            priority, places = DANGER, (point.first_s_m, point.second_s_m)
+            words += ", one turns across the other"
+        found.append(Meeting(priority, beside.id, draft.id, *places, 0.0, words))
     return found

@@ -1,24 +1,29 @@
-"""Passing another: pull out, draw level at a chosen place, pull in again."""
+"""Out of the lane and back at a junction: past another, round what stands there, or for no reason.
+
+A move is told from where it is over.
+"""
 
 from __future__ import annotations
 
 from math import pi, sqrt
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
+from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.limits import LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.setup import Setup, require_room
+from scegen.errors import MotionInfeasibleError
 from scegen.scenario.bodies import Body
+from scegen.scenario.concrete import LaneChange
 from scegen.scenario.vocabulary import HazardKind
 
 FASTER = 1.5
 """One who overtakes drives this much faster than the one overtaken (own choice)."""
-_BEHIND_M = 3.0
-_AHEAD_M = 6.0
-_BEFORE_TURNING_M = 3.0
+_BEHIND_M, _AHEAD_M = 3.0, 6.0
+BEFORE_TURNING_M = 3.0
 _OF_GRIP = 0.8
 _BEFORE_JUNCTION_M = 5.0
+_LEAST_RUN_UP_M, _SPARE_M = 10.0, 5.0
 
 
 def change_length_m(speed_mps: float, seconds: float = LANE_CHANGE_S) -> float:
@@ -36,19 +41,67 @@ def calm_change_length_m(passer: DriveDraft, width_m: float) -> float:
     return max(change_length_m(min(passer.cruise_mps, 10.0)), least)
 
 
-def slowing_s_m(draft: DriveDraft) -> float:
-    """Where a drive begins to slow down for its turn, or its arm ends."""
-    places = [mark.s_m for mark in draft.road_changes()]
-    return min([draft.junction_s_m - _BEFORE_JUNCTION_M, *places])
+def over_by_m(*drafts: DriveDraft | None) -> float:
+    """Where moves are over: before any of them slows down for its turn, or its arm ends."""
+    places = [mark.s_m for draft in drafts if draft for mark in draft.road_changes()]
+    ends = [draft.junction_s_m - _BEFORE_JUNCTION_M for draft in drafts if draft]
+    return min([*ends, *places]) - BEFORE_TURNING_M
 
 
-def be_faster(scene: Setup, passer: DriveDraft, passed: DriveDraft) -> None:
-    """Make the passer clearly faster: slow the other down rather than break the limit."""
-    if passer.cruise_mps < FASTER * passed.cruise_mps:
-        slower = passer.cruise_mps / FASTER
-        reason = f"is overtaken by {passer.id}"
-        scene.note(f"{passed.id}.speed_mps", slower, reason, passed.cruise_mps)
-        passed.cruise_mps = slower
+def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:
+    """The lane into which a drive pulls out: towards the centre line, else outwards.
+
+    ``oncoming`` allows (and where there is one lane, chooses) the oncoming lane.
+
+    Raises:
+        MotionInfeasibleError: there is only one lane and the oncoming one is not allowed.
+    """
+    if draft.entry_lane > 1 or oncoming:
+        return draft.entry_lane - 1
+    if lanes_in(scene, draft) > 1:
+        return 2
+    raise MotionInfeasibleError(
+        f"arm {draft.drive.entry} has one lane: there is no lane to change into", where=draft.id
+    )
+
+
+def move_aside(
+    scene: Setup,
+    draft: DriveDraft,
+    lane: int,
+    *,
+    ends_m: float,
+    over_m: float,
+    stays_m: float | None = None,
+    hazard: HazardKind | None = None,
+    offset_m: float = 0.0,
+    least_m: float = _LEAST_RUN_UP_M,
+    spare_m: float = _SPARE_M,
+) -> float:
+    """Lay a drive anew with a change of lane over ``over_m``, and back again after ``stays_m``.
+
+    All is over at station ``ends_m``. It goes ``offset_m`` left of the middle of that lane. Returns
+    the station at which it begins.
+
+    Raises:
+        NeedsLongerArms: that is before ``least_m``; they are to be ``spare_m`` longer than needed.
+    """
+    moves = [(ends_m - over_m, draft.entry_lane if stays_m is not None else lane)]
+    if stays_m is not None:
+        moves.insert(0, (ends_m - 2 * over_m - stays_m, lane))
+    require_room(draft.id, moves[0][0], least_m, spare_m)
+    draft.lane_changes += [
+        LaneChange(
+            position_m=round(max(0.0, position_m), 3),
+            length_m=round(over_m, 3),
+            lane_after=after,
+            offset_m=0.0 if n else offset_m,
+            hazard=hazard,
+        )
+        for n, (position_m, after) in enumerate(moves)
+    ]
+    draft.lay(scene.network)
+    return moves[0][0]
 
 
 def pass_drive(
@@ -62,33 +115,32 @@ def pass_drive(
         NeedsLongerArms: the arm is too short for it.
     """
     strays = HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
-    oncoming = lanes_in(scene, passer) == 1 or strays
-    if strays:
-        for draft in (passer, passed):
-            if not draft.lane_changes:
-                draft.entry_lane = min(entry_lanes(scene, draft))
-                draft.lay(scene.network)
+    for draft in (passer, passed) if strays else ():
+        if not draft.lane_changes:
+            draft.take_lane(scene.network, min(entry_lanes(scene, draft)))
     lanes = entry_lanes(scene, passer)
     if comes_back or passed.entry_lane in lanes:
         passer.entry_lane = passed.entry_lane
-    aside = neighbour_lane(scene, passer, oncoming=oncoming)
+    aside = neighbour_lane(scene, passer, oncoming=strays or lanes_in(scene, passer) == 1)
     back = passer.entry_lane in lanes and (comes_back or aside not in lanes)
-    relative = max(passer.cruise_mps - passed.cruise_mps, 1.0)
+    per_m = passer.cruise_mps / max(passer.cruise_mps - passed.cruise_mps, 1.0)
     half = (passer.body.length_m + passed.body.length_m) / 2
-    latest = min(slowing_s_m(passer), slowing_s_m(passed)) - _BEFORE_TURNING_M
-    change = change_length_m(passer.cruise_mps)
-    after = passer.cruise_mps * (half + _AHEAD_M) / relative + change if back else 0.0
-    middle = latest - after
-    out = middle - passer.cruise_mps * (half + _BEHIND_M) / relative - change
-    require_room(passer.id, out, 0.0, 15.0)
-    changes = [(out, change, aside)]
-    if back:
-        changes.append((latest - change, change, passer.entry_lane))
-    change_lanes(scene, passer, changes)
-    difference = passer.body.centre_ahead_m - passed.body.centre_ahead_m
-    return [
-        Meeting(STRUCTURAL, passed.id, passer.id, middle + difference, middle, 0.0, "side by side")
-    ]
+    ends, change = over_by_m(passer, passed), change_length_m(passer.cruise_mps)
+    after = per_m * (half + _AHEAD_M) if back else 0.0
+    middle = ends - after - (change if back else 0.0)
+    before = per_m * (half + _BEHIND_M)
+    move_aside(
+        scene,
+        passer,
+        aside,
+        ends_m=ends if back else middle - before,
+        over_m=change,
+        stays_m=before + after if back else None,
+        least_m=0.0,
+        spare_m=15.0,
+    )
+    level = middle + passer.body.centre_ahead_m - passed.body.centre_ahead_m
+    return [Meeting(STRUCTURAL, passed.id, passer.id, level, middle, 0.0, "side by side")]
 
 
 def pass_standing(
@@ -101,12 +153,15 @@ def pass_standing(
     Raises:
         NeedsLongerArms: there is no room before or behind it.
     """
-    lane = passer.entry_lane
-    aside = neighbour_lane(scene, passer, oncoming=True)
     change = over_m or change_length_m(min(passer.cruise_mps, 10.0))
-    half = (passer.body.length_m + body.length_m) / 2
-    centre = middle_m - passer.body.centre_ahead_m
-    out = centre - half - _BEHIND_M - change
-    require_room(passer.id, out, passer.body.rear_m + 2.0, 12.0)
-    back = (centre + half + _BEHIND_M, change, lane)
-    change_lanes(scene, passer, [(out, change, aside), back])
+    clear = (passer.body.length_m + body.length_m) / 2 + _BEHIND_M
+    move_aside(
+        scene,
+        passer,
+        neighbour_lane(scene, passer, oncoming=True),
+        ends_m=middle_m - passer.body.centre_ahead_m + clear + change,
+        over_m=change,
+        stays_m=2 * clear,
+        least_m=passer.body.rear_m + 2.0,
+        spare_m=12.0,
+    )

@@ -14,10 +14,10 @@ import numpy as np
 from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clock import same_lane
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lane_choice import lanes_in, neighbour_lane
+from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.meetings import drives_meet
 from scegen.concretization.others import StandDraft
-from scegen.concretization.passing import calm_change_length_m, pass_standing
+from scegen.concretization.passing import calm_change_length_m, neighbour_lane, pass_standing
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.things import lying_in_the_way, made_of, shape_of

@@ -2,15 +2,17 @@
 
 One mechanism serves dangers and manoeuvres. The lane is the one that is said, that of who suffers
 it, or the free one; the move is over just before the drive slows down for its turn; and who comes
-into another's lane is close before it then.
+into another's lane is close before it then. In a ring a cut-in crosses to the outer lane just
+before its exit, or to the inner one, in which it is then that both go; between ways that enter on
+different arms it is one vehicle turning in front of another: they meet.
 """
 
 from __future__ import annotations
 
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import culprits, same_arm, victims
-from scegen.concretization.lane_choice import change_lanes, entry_lanes, lanes_in, neighbour_lane
+from scegen.concretization.hazards.parties import culprits, pairs, same_arm, victims
+from scegen.concretization.lane_choice import choose_ring_lane, entry_lanes, lanes_in, routes_of
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,
@@ -18,28 +20,90 @@ from scegen.concretization.limits import (
     LANE_CHANGE_S,
     LATE_BRAKING_MPS2,
 )
-from scegen.concretization.meetings import STRUCTURAL, Meeting
-from scegen.concretization.passing import change_length_m, slowing_s_m
+from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
+from scegen.concretization.passing import change_length_m, move_aside, neighbour_lane, over_by_m
 from scegen.concretization.profile import SpeedChange
-from scegen.concretization.setup import Setup, require_room
+from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocked_lane_ahead
+from scegen.concretization.tale import outward
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.lanes import is_ring
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Side
 
-_BEFORE_SLOWING_M = 3.0
-_LEAST_RUN_UP_M, _SPARE_M = 10.0, 5.0
 _STAYS_M, _STAYS_ASTRAY_S = 1.0, 2.0
 _IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
 _BEND_RAD = 0.35
 _ABRUPT = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.SUDDEN_TURN})
+_RING_MARGIN_M, _LEAST_RING_CHANGE_M = 0.25, 7.0
+_SAME_LINE_M = 2.0
 
 
-def _lane_width_m(scene: Setup, draft: DriveDraft) -> float:
-    return scene.road.arms[draft.drive.entry].lane_width_m
+def start_inside(scene: Setup, hazard: Hazard) -> None:
+    """In a ring, who changes outwards starts on the inner lane, else who is cut in on does."""
+    for culprit, victim in pairs(scene, hazard) if _is_ring(scene) else ():
+        draft = culprit if _outwards(scene, culprit) else victim
+        inner = min(routes_of(scene, draft), key=lambda route: route.ring_lane or 0)
+        draft.entry_lane = draft.exit_lane = inner.entry_lane
+        choose_ring_lane(scene, draft, inner=True)
+
+
+def _is_ring(scene: Setup) -> bool:
+    return scene.road.kind is JunctionKind.ROUNDABOUT
+
+
+def _outwards(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether it changes from the inner ring lane to the outer one, as towards an exit."""
+    side = draft.drive.changes_to
+    return side is None or outward(scene.functional, side) > 0
+
+
+def come_in(scene: Setup, hazard: Hazard) -> list[Meeting]:
+    """The changes of lane into the sufferers' way, and the meetings that they need."""
+    meetings: list[Meeting] = []
+    done: set[str] = set()
+    for culprit, victim in pairs(scene, hazard):
+        if culprit.id in done:
+            continue
+        if _is_ring(scene):
+            meetings += _in_ring(scene, culprit, victim, hazard.kind)
+        elif same_arm(culprit, victim) and lanes_in(scene, culprit) > 1:
+            meetings += come_into_lane(scene, culprit, victim, hazard.kind)
+        else:
+            continue
+        done.add(culprit.id)
+    return meetings
+
+
+def _in_ring(
+    scene: Setup, culprit: DriveDraft, victim: DriveDraft, kind: HazardKind
+) -> list[Meeting]:
+    rooms = {
+        piece.end_m - _RING_MARGIN_M: (piece.end_m - piece.start_m - 2 * _RING_MARGIN_M, piece.road)
+        for piece in culprit.laid.stretches
+        if is_ring(piece.road)
+    }
+    usable = [end_m for end_m, (room_m, _) in rooms.items() if room_m >= _LEAST_RING_CHANGE_M]
+    if not usable or scene.road.ring_lanes < 2:
+        raise MotionInfeasibleError(
+            "the longest ring road between two arms on the way is "
+            f"{max((room_m for room_m, _ in rooms.values()), default=0.0):.1f} m long; a change of "
+            f"ring lane needs two ring lanes and {_LEAST_RING_CHANGE_M:.0f} m",
+            where=culprit.id,
+            hint="Make the roundabout larger.",
+        )
+    theirs = {piece.road.id for piece in victim.laid.stretches}
+    end_m = ([end for end in usable if rooms[end][1].id in theirs] or usable)[-1]
+    length = min(rooms[end_m][0], change_length_m(culprit.cruise_mps, ABRUPT_LANE_CHANGE_S))
+    end_s = culprit.laid.path_s_m(end_m)
+    target = scene.road.ring_lanes if _outwards(scene, culprit) else 1
+    move_aside(scene, culprit, target, ends_m=end_m, over_m=length, hazard=kind)
+    pose = culprit.laid.path.pose(end_s)
+    place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
+    return [] if apart > _SAME_LINE_M else [close_before(scene, culprit, victim, end_s, place)]
 
 
 def come_into_lane(
@@ -51,12 +115,10 @@ def come_into_lane(
     length = change_length_m(draft.cruise_mps, seconds)
     act = scene.first_act(draft.id, ActKind.CHANGE_LANE)
     if act is not None and kind is not None:
-        length = draft.cruise_mps * lasting_s(
-            act, _lane_width_m(scene, draft), length / draft.cruise_mps
-        )
-    end = min(slowing_s_m(each) for each in (draft, other) if each is not None) - _BEFORE_SLOWING_M
-    require_room(draft.id, end - length, _LEAST_RUN_UP_M, _SPARE_M)
-    change_lanes(scene, draft, [(end - length, length, target)], kind)
+        width_m = scene.functional.junction.lanes_wide_m
+        length = draft.cruise_mps * lasting_s(act, width_m, length / draft.cruise_mps)
+    end = over_by_m(draft, other)
+    move_aside(scene, draft, target, ends_m=end, over_m=length, hazard=kind)
     return [] if other is None else [close_before(scene, draft, other, draft.laid.path_s_m(end))]
 
 
@@ -65,37 +127,36 @@ def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None)
 
     Where nothing is said, one comes from the inside, a rider from the kerb.
     """
-    goals, count = entry_lanes(scene, draft), lanes_in(scene, draft)
+    own, count = draft.entry_lane, lanes_in(scene, draft)
+    lanes = [*entry_lanes(scene, draft)]
+    outward = False
     if other is None:
-        target = draft.entry_lane if draft.entry_lane in goals else goals[0]
-        start = target - 1 if target > 1 else target + 1
-        if start > count:
+        target = own if own in lanes else lanes[0]
+        taking = [each for each in scene.drives.values() if each.drive.beside == draft.id]
+    else:
+        lanes = [lane for lane in lanes if lane in entry_lanes(scene, other)]
+        if not lanes:
             raise MotionInfeasibleError(
-                f"arm {draft.drive.entry} has one lane: there is no lane to change into",
+                f"no lane of arm {draft.drive.entry} leads both {draft.id} and {other.id} where "
+                "they go",
                 where=draft.id,
             )
-        for each in scene.drives.values():
-            # Who travels beside it is in the lane that it wants.
-            if each.drive.beside == draft.id and target in entry_lanes(scene, each):
-                each.take_lane(scene.network, target)
-        return start, target
-    own, lanes = draft.entry_lane, [lane for lane in goals if lane in entry_lanes(scene, other)]
-    if not lanes:
+        if abs(own - other.entry_lane) == 1 and other.entry_lane in lanes:
+            return own, other.entry_lane
+        said = is_outward(scene.functional, draft.id, other.id)
+        inner = [lane for lane in lanes if lane < count]
+        outward = bool(inner) and (draft.kind is ParticipantKind.BICYCLE if said is None else said)
+        target, taking = (inner if outward else lanes)[0], [other]
+    start = target - 1 if target > 1 and not outward else target + 1
+    if start > count:
         raise MotionInfeasibleError(
-            f"no lane of arm {draft.drive.entry} leads both {draft.id} and {other.id} where they "
-            "go",
+            f"arm {draft.drive.entry} has one lane: there is no lane to change into",
             where=draft.id,
         )
-    if abs(own - other.entry_lane) == 1 and other.entry_lane in lanes:
-        return own, other.entry_lane
-    outward = is_outward(scene.functional, draft.id, other.id)
-    if outward is None:
-        outward = draft.kind is ParticipantKind.BICYCLE
-    inner = [lane for lane in lanes if lane < count]
-    target = inner[0] if outward and inner else lanes[0]
-    other.take_lane(scene.network, target)
-    inside = target > 1 and not (outward and inner)
-    return target - 1 if inside else target + 1, target
+    for each in taking:  # who travels beside it is in the lane that it wants
+        if target in entry_lanes(scene, each):
+            each.take_lane(scene.network, target)
+    return start, target
 
 
 def close_before(
@@ -123,15 +184,26 @@ def close_before(
     return Meeting(STRUCTURAL, draft.id, other.id, place_s_m, met, 0.0, reason)
 
 
-def out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
-    """Out of the lane and back: as is said, else towards who suffers it, close before it.
+def swerve(scene: Setup, hazard: Hazard) -> list[Meeting]:
+    """Out of the lane and back, everybody who causes a danger.
 
     One that leaves its lane for another danger already does both in one.
     """
-    if draft.lane_changes:
-        return []
-    if hazard.kind is HazardKind.ONCOMING_LANE:
-        return _over_the_line(scene, draft, hazard)
+    free = [draft for draft in culprits(scene, hazard) if not draft.lane_changes]
+    if hazard.kind is not HazardKind.ONCOMING_LANE:
+        return [meeting for draft in free for meeting in _out_and_back(scene, draft, hazard)]
+    for draft in free:  # whom it then meets it meets head-on
+        if blocked_lane_ahead(scene, draft):
+            continue
+        draft.entry_lane = min(entry_lanes(scene, draft))
+        quick = scene.kinds_by(draft.id) & _ABRUPT
+        length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S)
+        _stray(scene, draft, 0, length, hazard.kind, stays_m=_STAYS_ASTRAY_S * draft.cruise_mps)
+    return []
+
+
+def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
+    """Out of the lane and back: as is said, else towards who suffers it, close before it."""
     act = scene.first_act(draft.id, ActKind.SWERVE)
     near = (other for other in victims(scene, hazard, draft) if same_arm(draft, other))
     beside = next((o for o in near if abs(o.entry_lane - draft.entry_lane) == 1), None)
@@ -139,57 +211,33 @@ def out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meetin
     aside = draft.entry_lane
     usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
     if not width and act is not None and act.side is not None:
-        aside += 1 if act.side.value == scene.functional.junction.driving_side.value else -1
+        aside += outward(scene.functional, act.side)
         if aside > lanes_in(scene, draft):
             # Towards the kerb, where there is no lane: as far as its own one lets it.
             aside, width, usual = draft.entry_lane, _IN_LANE_M, _IN_LANE_S
     elif not width and beside is not None:
         aside = beside.entry_lane
     elif not width:
-        ring = scene.road.kind is JunctionKind.ROUNDABOUT
-        aside = neighbour_lane(scene, draft, oncoming=not ring)
+        aside = neighbour_lane(scene, draft, oncoming=not _is_ring(scene))
     offset = width if act is not None and act.side is Side.LEFT else -width
-    lasts = usual if act is None else lasting_s(act, width or _lane_width_m(scene, draft), usual)
-    length = lasts * draft.cruise_mps
-    out = _stray(scene, draft, aside, length, _STAYS_M, hazard.kind, offset_m=offset)
+    over_m = width or scene.functional.junction.lanes_wide_m
+    length = draft.cruise_mps * (usual if act is None else lasting_s(act, over_m, usual))
+    out = _stray(scene, draft, aside, length, hazard.kind, offset_m=offset)
     if beside is None or beside.entry_lane != aside:
         return []
     return [close_before(scene, draft, beside, draft.laid.path_s_m(out + length))]
 
 
-def _over_the_line(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
-    """Over the centre line; whom it then meets it meets head-on."""
-    if not blocked_lane_ahead(scene, draft):
-        draft.entry_lane = min(entry_lanes(scene, draft))
-        quick = scene.kinds_by(draft.id) & _ABRUPT
-        seconds = ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S
-        length = change_length_m(draft.cruise_mps, seconds)
-        _stray(scene, draft, 0, length, _STAYS_ASTRAY_S * draft.cruise_mps, hazard.kind)
-    return []
-
-
 def _stray(
-    scene: Setup,
-    draft: DriveDraft,
-    aside: int,
-    length_m: float,
-    stays_m: float,
-    kind: HazardKind,
-    *,
-    offset_m: float = 0.0,
-) -> float:
+    scene: Setup, draft: DriveDraft, aside: int, over_m: float, kind: HazardKind, *,
+    stays_m: float = _STAYS_M, offset_m: float = 0.0,
+) -> float:  # fmt: skip
     """Out to the side and back into its lane; returns where it begins."""
-    end = slowing_s_m(draft) - _BEFORE_SLOWING_M
-    start = end - 2 * length_m - stays_m
-    require_room(draft.id, start, _LEAST_RUN_UP_M, _SPARE_M)
-    ways = [(start, length_m, aside), (end - length_m, length_m, draft.entry_lane)]
-    change_lanes(scene, draft, ways, kind, offset_m=offset_m)
-    return start
-
-
-def swerve(scene: Setup, hazard: Hazard) -> list[Meeting]:
-    """Out of the lane and back, everybody who causes a danger."""
-    return [m for draft in culprits(scene, hazard) for m in out_and_back(scene, draft, hazard)]
+    ends = over_by_m(draft)
+    return move_aside(
+        scene, draft, aside, ends_m=ends, over_m=over_m, stays_m=stays_m, hazard=kind,
+        offset_m=offset_m,
+    )  # fmt: skip
 
 
 def turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
@@ -197,8 +245,8 @@ def turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
     meetings: list[Meeting] = []
     for draft in culprits(scene, hazard):
         heading = draft.laid.path.heading_rad
-        if abs(heading - heading[0]).max() <= _BEND_RAD:
-            meetings += out_and_back(scene, draft, hazard)
+        if not draft.lane_changes and abs(heading - heading[0]).max() <= _BEND_RAD:
+            meetings += _out_and_back(scene, draft, hazard)
     return meetings
 
 
