@@ -16,7 +16,6 @@ from scegen.understanding.clauses.own_measures import own_measures
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
-from scegen.understanding.meaning.afoot import note_runners
 from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
@@ -40,6 +39,7 @@ from scegen.understanding.road.lengthwise import read_lengthwise
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
+from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.angles import read_angles, set_apart
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
@@ -106,7 +106,8 @@ def read(text: str) -> FunctionalScenario:
     scenes = Interpreter(context, numbers, surroundings.measured).run(chunks, events)
     ego = choose_ego(draft)
     happenings = read_amounts(numbers, chunks, scenes, context)
-    note_runners(scenes)
+    for scene in scenes:
+        say("movements.runs", scene, context)
     too_fast(draft, surroundings.speed_limit_mps)
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)

@@ -12,7 +12,7 @@ from scegen.understanding.lexicon import load
 from scegen.understanding.semantics.rows import _row, families
 
 FRAMES = files("scegen.understanding.frames")
-KINDS = ("constructions", "dangers", "movements", "omissions", "positions")
+KINDS = ("constructions", "dangers", "movements", "nouns", "omissions", "positions")
 
 
 def rows():
@@ -43,6 +43,8 @@ def test_every_family_is_reached():
         f"dangers.{name}" for name in ("onto_the_road", "after_a_thing", "answered", "unnamed")
     }
     asked |= {"dangers.drives_on", "dangers.move_off", "movements.past_a_light"}
+    asked |= {f"movements.{name}" for name in ("sets_off", "overtakes", "runs")}
+    asked |= {f"nouns.{name}" for name in ("noun", "named", "idle", "place", "text")}
     known = set(verbs(load().root))
     assert not {
         f for f in families() if f not in asked and f.partition(".")[2] not in known | {"tailgate"}

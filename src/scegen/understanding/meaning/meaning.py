@@ -12,22 +12,16 @@ from scegen.understanding.clauses import bearing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning import (
-    afoot,
-    breaches,
-    courses,
     crossed_arms,
     dangers,
     detours,
     implied,
-    lane_moves,
     on_strips,
     red_lights,
-    roles,
     rows,
     screen_sides,
     screens,
     side_roads,
-    signed_roads,
     standing,
 )
 from scegen.understanding.meaning.light_states import read_states
@@ -35,14 +29,18 @@ from scegen.understanding.meaning.movements import follow_movement
 from scegen.understanding.meaning.out_of_turn import out_of_turn
 from scegen.understanding.meaning.placing import Placer
 from scegen.understanding.meaning.reactions import mark_answers, mark_late
-from scegen.understanding.meaning.reciprocal import towards_each_other
 from scegen.understanding.meaning.roadside import read_thing
-from scegen.understanding.meaning.setting_off import set_off
 from scegen.understanding.meaning.sides_left import sides_left
 from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.semantics import numbered_lanes
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.roles import clause_of
+from scegen.understanding.semantics.roles import (
+    clause_of,
+    clause_of_everybody,
+    clause_of_noun,
+    clauses_of_fronted,
+    without_nouns,
+)
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.terms import Term
 
@@ -117,7 +115,9 @@ class Interpreter:
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
-        set_off(events, self._context)
+        told = [clause_of(e) for e in events]
+        for clause in told:
+            say("movements.sets_off", clause, self._context)
         standing.note_braking(events, self._context)
         numbered_lanes.note_lanes(chunks, events, self._context.tokens, self._context.draft)
         handled = {
@@ -129,37 +129,37 @@ class Interpreter:
                 self._mention(chunk)
                 if id(chunk) not in acting:
                     standing.jam(chunk, self._context)
-                    afoot.comes_from_the_side(chunk, self._context)
+                    say("nouns.idle", clause_of_noun(chunk), self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
         mark_answers(events)
         mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
-        for event in events:
-            self._event(event)
+        for clause in told:
+            self._event(clause)
         red_lights.on_red(chunks, events, self._context)
         read_states(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)
-        towards_each_other(events, self._context)
         screen_sides.share(chunks, self._clauses, self._context)
         screens.come_out(self._context)
         detours.get_past(chunks, self._clauses, self._context)
         implied.positions(self._clauses, self._context)
-        breaches.subsume(self._context)
-        courses.circulate(chunks, self._clauses, self._context)
         on_strips.on_strips(chunks, self._clauses, self._context)
-        signed_roads.note_roads(chunks, self._clauses, self._context)
+        nouns = [clause_of_noun(c) for c in chunks if isinstance(c, Mention)]
+        nouns += clauses_of_fronted(chunks)
+        for clause in (*nouns, *map(without_nouns, self._clauses)):
+            say("nouns.place", clause, self._context)
+        say("nouns.text", clause_of_everybody(self._draft.entities), self._context)
         sides_left(chunks, self._context)
         crossed_arms.note_arms(chunks, self._clauses, self._context)
         return self._clauses
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
-        afoot.on_the_road(mention, self._context)
+        clause = clause_of_noun(mention)
+        say("nouns.noun", clause, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
-        lane_moves.on_the_wrong_side(mention, self._context)
-        lane_moves.between_lanes(mention, self._context)
         for prep in mention.pps:
             if id(prep) in self._of_verbs or bearing.facing(mention, prep):
                 continue  # "approaches the ego from the left": not the ego comes from there
@@ -169,10 +169,7 @@ class Interpreter:
             screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
-        at_light = [p.word for p in mention.pps if getattr(p.target, "kind", "") == "signal"]
-        for entity in mention.entities if at_light else []:
-            entity.waits = entity.waits or Basis(mention.i, at_light[0].j)
-        roles.act_by_name(mention, self._context)
+        say("nouns.named", clause, self._context)
 
     def _quality(self, term: Term, entities: list[Entity]) -> None:
         basis = Basis(term.i, term.j)
@@ -213,8 +210,8 @@ class Interpreter:
                 entity.speed = quantity.value
                 entity.speed_basis = Basis(term.i, term.j, quantity.note)
 
-    def _event(self, event: Event) -> None:
-        clause = clause_of(event)
+    def _event(self, clause: Clause) -> None:
+        event = clause.event
         say("dangers.move_off", clause, self._context)
         self._told_again(clause)
         say("constructions.any", clause, self._context)

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.meaning.lane_moves import apply
 from scegen.understanding.semantics import ways
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
@@ -36,7 +35,7 @@ def overtake(clause: Clause, context: Context) -> None:
     basis = Basis(event.i, event.j)
     means = event.parent if event.link == "inf" else None
     if not (means is not None and _changes_lane(means)):
-        apply(clause, context, {Maneuver.OVERTAKE}, basis)
+        say("movements.overtakes", clause, context)
     if any(entity.moving_vehicle for entity in clause.targets):
         draft = context.draft
         draft.passing_implied = draft.passing_implied or basis

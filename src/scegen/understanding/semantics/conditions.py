@@ -1,6 +1,7 @@
 """Conditions of rows: what must hold of a clause, in a few words each.
 
-* ``path PATTERN``: a phrase of the verb; ``at PATTERN``: a place named with it; ``object``,
+* ``path PATTERN``: a phrase of the verb; ``at PATTERN``: a place named with it; ``noun``: the one
+  that stands without a verb, or who acts; ``object``,
   ``goal`` (the lane it ends in) and ``over PATTERN`` (what is crossed);
 * ``some|no|one WHO``: there is somebody; ``any|all|no WHO is WORD``: of whom something holds;
 * ``own WORD…``: a word of the verb itself; ``before``, ``next``, ``soon``: around it; ``via``: of
@@ -44,7 +45,9 @@ FACTS: dict[str, Test] = {
     "subject": lambda clause, _: bool(clause.event.subject),
     "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
     "directed": lambda clause, _: bool(clause.event.dirs),
+    "verbless": lambda clause, _: not clause.event.name,
     "crossing": lambda _, context: context.junction.crossing,
+    "on_a_road": lambda _, context: context.junction.road is not None,
     "highway": lambda _, context: context.junction.highway,
     "meeting": lambda _, c: c.junction.crossing or c.draft.crossing_implied is not None,
     "kerbwards": lambda clause, c: any(
@@ -81,6 +84,11 @@ def _path(rest: str) -> Test:
 def _at(rest: str) -> Test:
     test = patterns.noun(rest.split())
     return lambda clause, c: any(test(p, c) for p in clause.places())
+
+
+def _noun(rest: str) -> Test:
+    test = patterns.noun(rest.split())
+    return lambda clause, c: any(test(m, c) for m in clause.event.subject)
 
 
 def _object(rest: str) -> Test:
@@ -226,7 +234,8 @@ def _no(rest: str) -> Test:
 
 
 _KINDS: dict[str, Callable[[str], Test]] = {
-    "path": _path, "at": _at, "object": _object, "goal": _goal, "how": _how, "own": _own,
+    "path": _path, "at": _at, "noun": _noun, "object": _object, "goal": _goal, "how": _how,
+    "own": _own,
     "mod": _mod, "lemma": _lemma, "event": _event, "parent": _parent, "child": _child,
     "form": _form, "ends": _ends, "link": _link, "control": _control, "junction": _junction,
     "danger": _danger, "before": _before, "next": _next, "soon": _soon, "said": _said,

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from scegen.scenario.model import Interval
 from scegen.understanding.draft import Basis, Entity
+
+_RUNNING = Interval(low=2.2, high=3.8)
+"""From Euro NCAP's running adult (8 km/h, AEB VRU protocol) up; the upper end is our own."""
 
 
 def _pulls_out(entity: Entity, _: Basis) -> None:
@@ -43,6 +47,31 @@ def _exits(entity: Entity, basis: Basis) -> None:
     entity.exits = entity.exits or basis
 
 
+def _circulates(entity: Entity, basis: Basis) -> None:
+    entity.circulates = entity.circulates or basis
+
+
+def _on_minor(entity: Entity, basis: Basis) -> None:
+    entity.on_minor = entity.on_minor or (True, basis)
+
+
+def _on_major(entity: Entity, basis: Basis) -> None:
+    entity.on_minor = entity.on_minor or (False, basis)
+
+
+def _sets_off(entity: Entity, basis: Basis) -> None:
+    """Whoever is parked and then drives is not parked for the whole scenario."""
+    entity.sets_off = max(entity.sets_off, basis.i or 0)
+    if entity.parked and not entity.ego:
+        entity.was_parked = entity.parked_basis or entity.basis
+        entity.parked, entity.parked_basis, entity.pulls_out = False, None, True
+
+
+def _runs(entity: Entity, basis: Basis) -> None:
+    if entity.speed is None:
+        entity.speed, entity.speed_basis = _RUNNING, basis
+
+
 def _forgets(entity: Entity, _: Basis) -> None:
     entity.maneuvers = set()
 
@@ -78,6 +107,11 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "by_ramp": _by_ramp,
     "exits": _exits,
     "walks_up": _walks_up,
+    "circulates": _circulates,
+    "on_minor": _on_minor,
+    "on_major": _on_major,
+    "sets_off": _sets_off,
+    "runs": _runs,
     "forgets": _forgets,
 }
 """Mark -> what it sets; ``forgets``: what was said of its way before no longer holds."""

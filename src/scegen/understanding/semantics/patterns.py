@@ -1,10 +1,12 @@
 """Patterns of phrases and nouns: ``into lane -opposite``, ``=across road``, ``from<behind who``.
 
-A phrase is one or more prepositions by their value, with ``=`` by the word itself, with ``!`` by
-any other value and ``~`` any other word, after ``<`` the one inside ("from behind"); then a noun.
-A noun is a kind of place, ``who`` (participants), ``thing`` or ``thing.view``, ``event``, ``place``
-(any), ``none``, ``named`` (any but none); ``any`` is whatever stands there.
-``+x`` and ``-x`` ask for, and rule out, a direction or one of `_FILTERS`.
+A phrase is one or more prepositions by their value, with ``=`` by the word itself (``=@NAME``: a
+list of the lexicon), with ``!`` by any other value and ``~`` any other word, after ``<`` the one
+inside ("from behind"); then a noun. A noun is a kind of place, ``who`` (participants), ``who.it``
+(that pronoun), ``thing`` or ``thing.view``, ``event``, ``place`` (any), ``none``, ``named`` (any
+but none); ``any`` is whatever stands there. ``+x`` and ``-x`` ask for, and rule out, a direction,
+one of `_FILTERS`, a word of a list (``@NAME``), one before its preposition (``led@NAME``), or what
+the lexicon says of its head (``does.overtaking``).
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from typing import Any, TypeAlias
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 NounTest: TypeAlias = Callable[[Any, Context], bool]
@@ -56,7 +59,7 @@ _FILTERS: dict[str, NounTest] = {
 def _alternative(word: str) -> NounTest:
     kind, _, detail = word.partition(".")
     if kind == "who":
-        return lambda n, _: isinstance(n, Mention)
+        return lambda n, _: isinstance(n, Mention) and detail in {"", n.pronoun}
     if kind == "thing":
         return lambda n, _: isinstance(n, Thing) and (not detail or n.kind == detail)
     if kind == "event":
@@ -74,9 +77,21 @@ def _alternative(word: str) -> NounTest:
 
 def _filter(word: str) -> NounTest:
     wanted, names = word[0] == "+", word[1:].split("|")
-    tests = [_FILTERS[name] for name in names if name in _FILTERS]
-    dirs = {name for name in names if name not in _FILTERS}
+    tests = [test for name in names if (test := _FILTERS.get(name) or _of_words(name))]
+    dirs = {name for name in names if name.isidentifier() and name not in _FILTERS}
     return lambda n, c: (any(t(n, c) for t in tests) or bool(dirs and dirs & set(n.dirs))) == wanted
+
+
+def _of_words(name: str) -> NounTest | None:
+    """What ``@NAME``, ``led@NAME`` and ``key.value`` ask of the words of a noun."""
+    if name[0] == "@":
+        listed = word_list(name[1:])
+        return lambda n, c: any(t.low in listed for t in c.tokens[n.i : n.j])
+    if name.startswith("led@"):
+        before = word_list(name[4:])
+        return lambda n, c: n.prep is not None and c.tokens[n.prep.i - 1].low in before
+    key, _, value = name.partition(".")
+    return (lambda n, _: any(h.data.get(key) == value for h in n.heads)) if value else None
 
 
 def noun(words: list[str]) -> NounTest:
@@ -125,7 +140,8 @@ def prep(words: list[str]) -> PrepTest:
         elif word[0] == "!":
             apart.add(word[1:])
         elif word[0] in "=~":
-            (spelled if word[0] == "=" else other).add(word[1:])
+            named_words = word_list(word[2:]) if word[1] == "@" else {word[1:]}
+            (spelled if word[0] == "=" else other).update(named_words)
         else:
             values.add(value)
     target = noun(words[1:])

@@ -7,7 +7,7 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``hazard`` of ``by`` (those who act; ``maybe WHO``: it may be nobody) and ``to``;
 * ``maneuver``, ``light`` (how it meets that) of ``of``; ``place``: where ``of`` comes from, seen
   by ``from`` (the ego);
-* ``lanes``, ``crossing``: why the road has lanes, a junction;
+* ``lanes``, ``crossing``: why the road has lanes, a junction; ``implies``: what else is there;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
 * ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
 * ``then``: further families; ``words``, ``reason``: what it rests on.
@@ -22,7 +22,7 @@ from importlib.resources import files
 from typing import Any, TypeAlias
 
 from scegen.scenario.parsing import parse
-from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context, span
@@ -34,11 +34,11 @@ from scegen.understanding.semantics.who import who
 
 Effect: TypeAlias = Callable[[Clause, Context], None]
 Words: TypeAlias = Callable[[Clause, Context], Basis]
-_FILES = ("constructions", "dangers", "movements", "omissions", "positions")
+_FILES = ("constructions", "dangers", "movements", "nouns", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
                    "also",
-                   "as", "targets", "actors", "rewrite", "rules_out"})  # fmt: skip
+                   "as", "targets", "actors", "rewrite", "rules_out", "implies"})  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,13 +55,13 @@ def _words(expression: str, reason: str | None) -> Words:
     """What a row rests on.
 
     Args:
-        expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``to PATTERN``
-            and ``upto PATTERN``, from the verb to the end of a phrase or place; one of `VALUES`
-            or `WORDS`.
+        expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``phrase
+            PATTERN``; ``to PATTERN`` and ``upto PATTERN``, from the verb to the end of a phrase
+            or place; ``danger KIND``, those of a danger; one of `VALUES` or `WORDS`.
         reason: why, where the words do not say it themselves.
     """
     name, _, rest = expression.partition(" ")
-    find = phrases(rest) if name == "to" else lambda _clause, _context: []
+    find = phrases(rest) if name in {"to", "phrase"} else lambda _clause, _context: []
     named = noun(rest.split())
 
     def basis(clause: Clause, context: Context) -> Basis:
@@ -70,9 +70,11 @@ def _words(expression: str, reason: str | None) -> Words:
             found = clause.sudden
         elif name == "how":
             found = clause.how(*rest.split())
-        elif name == "to":
-            phrase = next(iter(find(clause, context)), None)
-            found = Basis(clause.event.i, end(phrase)) if phrase is not None else None
+        elif name in {"to", "phrase"}:
+            for phrase in find(clause, context)[:1]:
+                found = Basis(clause.event.i if name == "to" else phrase.word.i, end(phrase))
+        elif name == "danger":
+            found = next((d.basis for d in context.draft.dangers if d.kind == rest), None)
         elif name == "upto":
             place = next((p for p in clause.places() if named(p, context)), None)
             found = Basis(clause.words.i, max(clause.event.j, place.j)) if place else None
@@ -205,6 +207,26 @@ def _rule_out(said: str) -> Effect:
     return effect
 
 
+def _imply(name: str, words: Words) -> Effect:
+    def effect(clause: Clause, context: Context) -> None:
+        if name == JunctionKind.ROUNDABOUT:
+            junction = context.junction
+            junction.kind, junction.kind_basis = JunctionKind(name), words(clause, context)
+            return
+        known = getattr(context.draft, name)
+        setattr(context.draft, name, known or (name == "from_kerb") or words(clause, context))
+
+    return effect
+
+
+def _note(instead: str, words: Words) -> Effect:
+    def effect(clause: Clause, context: Context) -> None:
+        basis = words(clause, context)
+        context.draft.note(basis.i or 0, basis.j or 0, instead)
+
+    return effect
+
+
 def _then(family: str) -> Effect:
     def effect(clause: Clause, context: Context) -> None:
         say(family, clause, context)
@@ -252,8 +274,10 @@ def _effects(row: dict[str, Any]) -> Iterable[Effect]:
     if "crossing" in row:
         yield lambda clause, c: c.crossing_implied(words(clause, c), row["crossing"])
     yield from _statements(row, by, row.get("of", by), words)
+    if "implies" in row:
+        yield _imply(row["implies"], words)
     if "note" in row:
-        yield lambda clause, c: c.draft.note(clause.event.i, clause.event.j, row["note"])
+        yield _note(row["note"], words)
     yield from map(_then, row.get("then", ()))
 
 

@@ -80,6 +80,9 @@ ENTITY: dict[str, EntityTest] = {
     "unplaced": _unplaced,
     "unseen": _unseen,
     "slow": _slow,
+    "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
+    "circulates": lambda e, _: e.circulates is not None,
+    "kept_by_sign": lambda e, _: bool(e.on_minor and e.on_minor[0]) and e.stands is None,
 }
 
 
@@ -105,9 +108,13 @@ def _owners(clause: Clause, context: Context) -> list[Entity]:
     return ways.owners(ways.into_lane(clause.event), clause, context)
 
 
-def _path_owners(clause: Clause, _: Context) -> list[Entity]:
-    ways_ = [p for p in clause.places() if p.kind == "path"]
-    return [e for p in ways_ if p.owner is not None for e in p.owner.entities]
+def _owners_of(kind: str) -> Who:
+    return lambda clause, _: [
+        e
+        for p in clause.places()
+        if p.kind == kind and p.owner is not None
+        for e in p.owner.entities
+    ]
 
 
 def _hit(clause: Clause, _: Context) -> list[Entity]:
@@ -157,7 +164,8 @@ NAMED: dict[str, Who] = {
     "others": lambda clause, c: [e for e in c.draft.entities if e not in clause.actors],
     "named": lambda clause, _: people([p for p in clause.event.pps if p.word.cat == "locus"]),
     "owners": _owners,
-    "path_owners": _path_owners,
+    "path_owners": _owners_of("path"),
+    "lane_owners": _owners_of("lane"),
     "hit": _hit,
     "pullers": _pullers,
     "met": _met,
