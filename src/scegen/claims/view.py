@@ -19,7 +19,7 @@ from scegen.measures.evaluation import Summary, measure
 from scegen.measures.following import gaps_behind
 from scegen.measures.tables import Tables
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -162,7 +162,7 @@ class View:
         """When somebody first reaches a place on its path; inf: never (c,)."""
         key = ("reaches", name, place_m)
         return self.once(
-            key, lambda: _reaches_s(self.traces.tracks, self.index[name], place_m, self.dt_s)
+            key, lambda: _reach_s(self.traces.tracks, self.index[name], place_m, self.dt_s)
         )
 
     def areas(self, name: str, other: str) -> list[Area]:
@@ -202,15 +202,21 @@ class View:
         return time_s
 
 
+@inner_kernel
+def reaches_s(place_m: Floats, goal_m: float, dt_s: float) -> float:
+    """When a place of a series (t,) first comes up to a goal; inf: never."""
+    for t in range(place_m.shape[0]):
+        if place_m[t] >= goal_m:
+            return t * dt_s
+    return np.inf
+
+
 @kernel
-def _reaches_s(tracks: Floats, participant: int, place_m: float, dt_s: float) -> Floats:
+def _reach_s(tracks: Floats, participant: int, place_m: float, dt_s: float) -> Floats:
     """When somebody first reaches a place on its path; inf: never (c,)."""
-    reached = np.full(tracks.shape[0], np.inf)
+    reached = np.empty(tracks.shape[0])
     for c in range(tracks.shape[0]):
-        for t in range(tracks.shape[3]):
-            if tracks[c, participant, S, t] >= place_m:
-                reached[c] = t * dt_s
-                break
+        reached[c] = reaches_s(tracks[c, participant, S], place_m, dt_s)
     return reached
 
 

@@ -15,10 +15,8 @@ from scegen.concretization.limits import (
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.turning import Stop, turning_changes
 from scegen.motion.friction import GRAVITY_MPS2
-from scegen.motion.paths import END_MARGIN_M
+from scegen.motion.paths import lay_towards
 from scegen.motion.polyline import LaidDrive
-from scegen.motion.reversing import lay_way
-from scegen.motion.routing import walk_route
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import AtTime, DriveMotion, LaneChange, Travelled
@@ -180,9 +178,7 @@ class DriveDraft:
         self.lane_changes.sort(key=lambda change: change.position_m)
         motion = self.motion()
         self.line_back_m = network.arm_road(motion.entry).stop_line_m
-        stretches, self.exit_lane = walk_route(network, motion, self.id)
-        end_m = stretches[-1].end_m - END_MARGIN_M
-        self.laid_ = lay_way(network, motion, stretches, end_m, self.id)
+        self.laid_, self.exit_lane = lay_towards(network, motion, self.id)
 
     def take_lane(self, network: RoadNetwork, lane: int) -> None:
         """Enter in another lane."""

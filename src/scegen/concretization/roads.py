@@ -19,7 +19,7 @@ from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 FIRST_ARM_M = 100.0
-_PER_FURTHER_DRIVE_M, _FEW_DRIVES = 35.0, 3
+_PER_FURTHER_DRIVE_M, _FEW_DRIVES = 45.0, 3
 """Where many take part, most start so far out that the first arms would be too short."""
 LONGEST_ARM_M = 1500.0
 _RING_CHANGE_ROOM_M = 16.0

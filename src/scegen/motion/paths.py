@@ -10,7 +10,7 @@ from scegen.motion.doors import door_path
 from scegen.motion.model import Path
 from scegen.motion.polyline import LaidDrive
 from scegen.motion.reversing import lay_way
-from scegen.motion.routing import route_stretches
+from scegen.motion.routing import walk_route
 from scegen.motion.standing import crossing_path, standing_path
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import Body
@@ -72,13 +72,28 @@ def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
         MotionInfeasibleError: no such route or lane, a lane change without room, or a start
             beyond the entry arm.
     """
-    return _laid(_This(network), motion, who)
+    laid, arrived = lay_towards(network, motion, who)
+    if arrived != motion.exit_lane:
+        raise MotionInfeasibleError(
+            f"the way ends in lane {arrived} of arm {motion.exit}, "
+            f"not in exit_lane {motion.exit_lane}",
+            where=who,
+            hint=f"Set exit_lane to {arrived}, or change lanes on the exit arm.",
+        )
+    return laid
+
+
+def lay_towards(network: RoadNetwork, motion: DriveMotion, who: str) -> tuple[LaidDrive, int]:
+    """The same, and the lane in which it ends; ``exit_lane`` is only a wish here."""
+    # Where it turns is told of a way and does not shape it.
+    way = motion.model_copy(update={"turning_starts_m": 0.0, "turning_ends_m": 0.0})
+    return _laid(_This(network), way, who)
 
 
 @lru_cache(maxsize=KEPT)
-def _laid(this: _This, motion: DriveMotion, who: str) -> LaidDrive:
+def _laid(this: _This, motion: DriveMotion, who: str) -> tuple[LaidDrive, int]:
     network = this.network
-    stretches = route_stretches(network, motion, who)
+    stretches, arrived = walk_route(network, motion, who)
     entry_m = stretches[0].end_m
     end_m = stretches[-1].end_m - END_MARGIN_M
     latest = end_m if network.plain else entry_m
@@ -89,4 +104,4 @@ def _laid(this: _This, motion: DriveMotion, who: str) -> LaidDrive:
             where=who,
             hint="Start earlier or make the arm longer.",
         )
-    return lay_way(network, motion, stretches, end_m, who)
+    return lay_way(network, motion, stretches, end_m, who), arrived

@@ -68,28 +68,6 @@ class _Walk:
         )
 
 
-def route_stretches(network: RoadNetwork, motion: DriveMotion, who: str) -> tuple[Stretch, ...]:
-    """The stretches of a drive from the outer end of its entry arm to that of its exit arm.
-
-    Args:
-        network: the roads.
-        motion: the drive.
-        who: name of the participant for messages.
-
-    Raises:
-        MotionInfeasibleError: no such route or lane, or a lane change without room.
-    """
-    stretches, arrived = walk_route(network, motion, who)
-    if arrived != motion.exit_lane:
-        raise MotionInfeasibleError(
-            f"the way ends in lane {arrived} of arm {motion.exit}, "
-            f"not in exit_lane {motion.exit_lane}",
-            where=who,
-            hint=f"Set exit_lane to {arrived}, or change lanes on the exit arm.",
-        )
-    return stretches
-
-
 def walk_route(
     network: RoadNetwork, motion: DriveMotion, who: str
 ) -> tuple[tuple[Stretch, ...], int]:

@@ -13,9 +13,10 @@ from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
 from scegen.claims.moments import at, first
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
-from scegen.claims.view import View
+from scegen.claims.view import View, reaches_s
 from scegen.measures.grounds import Ground, grounds
-from scegen.motion.batch.arrays import Floats
+from scegen.motion.batch.arrays import Floats, S
+from scegen.motion.batch.kernels import kernel
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
 from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS
 from scegen.scenario.acts import LETS_BY, Act
@@ -119,19 +120,33 @@ def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:
 
     Below 0 it takes the other's way. One that does not come onto their ground gives way.
     """
-    margin, time_s = np.full(view.count, _ENOUGH_S), np.zeros(view.count)
-    for ground in _grounds(view, name, other):
-        comes, goes = view.reaches_s(name, ground.enter_m), view.reaches_s(name, ground.leave_m)
-        they_come = view.reaches_s(other, ground.other_enters_m)
-        they_go = view.reaches_s(other, ground.other_leaves_m)
-        with np.errstate(invalid="ignore"):
-            own = np.fmax(comes - they_go, they_come - goes - CLEAR_S)
-        onto = np.isfinite(comes)
-        own = np.where(onto & np.isfinite(they_come), own, _ENOUGH_S)
-        own = np.minimum(np.fmax(own, -_ENOUGH_S), _ENOUGH_S) + TIME_S
-        time_s = np.where(own < margin, np.where(onto, comes, 0.0), time_s)
-        margin = np.minimum(margin, own)
-    return margin, time_s
+    shared = np.array(_grounds(view, name, other), dtype=np.float64).reshape(-1, 4)
+    who = view.index[name], view.index[other]
+    left_s, comes_s = _time_left_s(view.traces.tracks, *who, shared, view.dt_s, CLEAR_S)
+    margin = np.minimum(left_s + TIME_S, _ENOUGH_S)
+    return margin, np.where(margin < _ENOUGH_S, comes_s, 0.0)
+
+
+@kernel
+def _time_left_s(
+    tracks: Floats, name: int, other: int, shared: Floats, dt_s: float, clear_s: float
+) -> tuple[Floats, Floats]:
+    """The least time between the two on any of the grounds (``Ground``) and when one comes.
+
+    Before the other, one is to be off it so much earlier (``clear_s``).
+    """
+    left_s, time_s = np.full(tracks.shape[0], np.inf), np.zeros(tracks.shape[0])
+    for c in range(tracks.shape[0]):
+        own, theirs = tracks[c, name, S], tracks[c, other, S]
+        for ground in shared:
+            comes, they_come = reaches_s(own, ground[0], dt_s), reaches_s(theirs, ground[2], dt_s)
+            if comes == np.inf or they_come == np.inf:
+                continue
+            goes, they_go = reaches_s(own, ground[1], dt_s), reaches_s(theirs, ground[3], dt_s)
+            between = max(comes - they_go, they_come - goes - clear_s, -_ENOUGH_S)
+            if between < left_s[c]:
+                left_s[c], time_s[c] = between, comes
+    return left_s, time_s
 
 
 def _grounds(view: View, name: str, other: str) -> tuple[Ground, ...]:
