@@ -43,7 +43,8 @@ class Way:
     ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
     it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
     ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm,
-    ``line_m`` where that has its stop line.
+    ``line_m`` where that has its stop line; ``whole`` is the same way from the outer end of its
+    entry arm, on which it starts at ``starts_m``: None of one that is no such part.
     """
 
     participant: ConcreteParticipant
@@ -59,6 +60,8 @@ class Way:
     lanes_in: int = 0
     line_m: float = 0.0
     halts: bool = False
+    whole: Path | None = None
+    starts_m: float = 0.0
 
     @property
     def sets_off(self) -> bool:
@@ -119,6 +122,10 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     goal = max([*leaves, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
     goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
     at, curvature = _curvature(laid.path)
+    whole = None
+    if motion.reversal is None:
+        outer = motion.model_copy(update={"start_m": 0.0})
+        whole = lay_drive(network, outer, participant.id)
     return Way(
         participant=participant,
         path=laid.path,
@@ -133,6 +140,8 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         lanes_in=arms[motion.entry].lanes_in,
         line_m=laid.path_s_m(laid.turning_starts_m) - network.arm_road(motion.entry).stop_line_m,
         halts=halts(participant),
+        whole=None if whole is None else whole.path,
+        starts_m=0.0 if whole is None else whole.path_s_m(motion.start_m),
     )
 
 

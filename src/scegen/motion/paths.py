@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 from scegen.errors import MotionInfeasibleError
@@ -26,6 +25,7 @@ END_MARGIN_M = 2.0
 """Paths end this far before the outer end of the exit arm: esmini must not run off the road."""
 KEPT = 256
 """Drives that are kept: trials of one scenario differ in speeds more often than in ways."""
+_TOLD = frozenset({"turning_starts_m", "turning_ends_m"})
 
 
 def build_paths(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Path]:
@@ -52,17 +52,22 @@ def build_path(motion: Motion, body: Body, network: RoadNetwork, who: str) -> Pa
     return standing_path(network, motion, body, who)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class _This:
-    """A network, itself: one that is only equal is another."""
+class _Asked:
+    """One question for a way: the network itself, and all of a drive but where it turns.
 
-    network: RoadNetwork
+    That is told of a way and does not shape it; nor does who drives it.
+    """
+
+    def __init__(self, network: RoadNetwork, motion: DriveMotion, who: str) -> None:
+        self.network, self.motion, self.who = network, motion, who
+        shape = (part for name, part in motion if name not in _TOLD)
+        self._same = id(network), *shape
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _This) and other.network is self.network
+        return isinstance(other, _Asked) and other._same == self._same
 
     def __hash__(self) -> int:
-        return id(self.network)
+        return hash(self._same)
 
 
 def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
@@ -85,14 +90,12 @@ def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
 
 def lay_towards(network: RoadNetwork, motion: DriveMotion, who: str) -> tuple[LaidDrive, int]:
     """The same, and the lane in which it ends; ``exit_lane`` is only a wish here."""
-    # Where it turns is told of a way and does not shape it.
-    way = motion.model_copy(update={"turning_starts_m": 0.0, "turning_ends_m": 0.0})
-    return _laid(_This(network), way, who)
+    return _laid(_Asked(network, motion, who))
 
 
 @lru_cache(maxsize=KEPT)
-def _laid(this: _This, motion: DriveMotion, who: str) -> tuple[LaidDrive, int]:
-    network = this.network
+def _laid(asked: _Asked) -> tuple[LaidDrive, int]:
+    network, motion, who = asked.network, asked.motion, asked.who
     stretches, arrived = walk_route(network, motion, who)
     entry_m = stretches[0].end_m
     end_m = stretches[-1].end_m - END_MARGIN_M

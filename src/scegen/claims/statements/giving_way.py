@@ -140,7 +140,7 @@ def _time_left_s(
         own, theirs = tracks[c, name, S], tracks[c, other, S]
         for ground in shared:
             comes, they_come = reaches_s(own, ground[0], dt_s), reaches_s(theirs, ground[2], dt_s)
-            if comes == np.inf or they_come == np.inf:
+            if max(comes, they_come) == np.inf:
                 continue
             goes, they_go = reaches_s(own, ground[1], dt_s), reaches_s(theirs, ground[3], dt_s)
             between = max(comes - they_go, they_come - goes - clear_s, -_ENOUGH_S)
@@ -149,7 +149,16 @@ def _time_left_s(
     return left_s, time_s
 
 
-def _grounds(view: View, name: str, other: str) -> tuple[Ground, ...]:
-    """The grounds that two use; of any two, not only of those whose measures are asked for."""
+def _grounds(view: View, name: str, other: str) -> list[Ground]:
+    """The grounds ahead that two use; of any two, not only of those who are measured."""
     one, two = view.ways[name], view.ways[other]
-    return grounds(one.path, one.participant.body, two.path, two.participant.body)
+    bodies = one.participant.body, two.participant.body
+    if one.whole is None or two.whole is None:
+        return [*grounds(one.path, bodies[0], two.path, bodies[1])]
+    a, b = one.starts_m, two.starts_m
+    # Many share whole ways: their grounds are found once for all.
+    return [
+        Ground(come - a, go - a, they_come - b, they_go - b)
+        for come, go, they_come, they_go in grounds(one.whole, bodies[0], two.whole, bodies[1])
+        if go > a and they_go > b
+    ]
