@@ -192,8 +192,6 @@ class Draft:
     """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
     lying: list[Any] = field(default_factory=list)
     """The things that lie in the way, in the order of the text."""
-    screened: list[tuple[Entity, Basis, list[Entity]]] = field(default_factory=list)
-    """Who waits behind something, the words for it, and which vehicles screen them."""
 
     def add(self, kind: ParticipantKind, basis: Basis) -> Entity:
         """A new participant.

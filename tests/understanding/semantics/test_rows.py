@@ -45,6 +45,8 @@ def test_every_family_is_reached():
     asked |= {"dangers.drives_on", "dangers.move_off", "movements.past_a_light"}
     asked |= {f"movements.{name}" for name in ("sets_off", "overtakes", "runs")}
     asked |= {f"nouns.{name}" for name in ("noun", "named", "idle", "place", "text")}
+    asked |= {"nouns.hidden", "nouns.past", "dangers.from_behind"}
+    asked |= {f"positions.{name}" for name in ("first", "up_to", "after_all")}
     known = set(verbs(load().root))
     assert not {
         f for f in families() if f not in asked and f.partition(".")[2] not in known | {"tailgate"}

@@ -14,13 +14,10 @@ from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning import (
     crossed_arms,
     dangers,
-    detours,
-    implied,
     on_strips,
     red_lights,
     rows,
     screen_sides,
-    screens,
     side_roads,
     standing,
 )
@@ -38,7 +35,7 @@ from scegen.understanding.semantics.roles import (
     clause_of,
     clause_of_everybody,
     clause_of_noun,
-    clauses_of_fronted,
+    stray_clauses,
     without_nouns,
 )
 from scegen.understanding.semantics.rows import say
@@ -64,6 +61,8 @@ _INTO_LANES = frozenset({"lane_change", "cut_in", "merge", "cut_off"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
+_COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
+_PASSING = frozenset({"bypass", "overtake", "block"})
 _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
                      "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 
@@ -133,6 +132,7 @@ class Interpreter:
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
+                self._context.barred |= chunk.kind in {"object", "obstacle"}
         mark_answers(events)
         mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
@@ -142,15 +142,24 @@ class Interpreter:
         read_states(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)
         screen_sides.share(chunks, self._clauses, self._context)
-        screens.come_out(self._context)
-        detours.get_past(chunks, self._clauses, self._context)
-        implied.positions(self._clauses, self._context)
-        on_strips.on_strips(chunks, self._clauses, self._context)
         nouns = [clause_of_noun(c) for c in chunks if isinstance(c, Mention)]
-        nouns += clauses_of_fronted(chunks)
-        for clause in (*nouns, *map(without_nouns, self._clauses)):
+        everybody = clause_of_everybody(self._draft.entities)
+        for clause in (*nouns, *self._clauses):
+            say("nouns.hidden", clause, self._context)
+        self._context.barred |= any(c.event.name in _PASSING for c in self._clauses)
+        strays = list(stray_clauses(chunks, [*nouns, *self._clauses]))
+        for clause in (everybody, *self._clauses, *nouns, *strays):
+            say("nouns.past", clause, self._context)
+        for clause in self._clauses:
+            say("positions.first", clause, self._context)
+        for clause in self._clauses:
+            say("positions.any", clause, self._context)
+            say("positions.up_to", clause, self._context)
+        say("positions.after_all", everybody, self._context)
+        on_strips.on_strips(chunks, self._clauses, self._context)
+        for clause in (*nouns, *strays, *map(without_nouns, self._clauses)):
             say("nouns.place", clause, self._context)
-        say("nouns.text", clause_of_everybody(self._draft.entities), self._context)
+        say("nouns.text", everybody, self._context)
         sides_left(chunks, self._context)
         crossed_arms.note_arms(chunks, self._clauses, self._context)
         return self._clauses
@@ -166,7 +175,6 @@ class Interpreter:
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             self._placer.phrase(prep, whom, None)
-            screens.wait_behind(prep, mention.entities, self._context)
         for term in mention.mods:
             self._quality(term, mention.entities)
         say("nouns.named", clause, self._context)
@@ -235,7 +243,7 @@ class Interpreter:
             say(f"dangers.{event.name}", clause, self._context)
         if event.name in _ON_THE_MOVE:
             dangers.oncoming_lane(clause, self._context)
-        screens.from_behind(clause, self._context)
+        say("dangers.from_behind", clause, self._context)
 
     def _places(self, clause: Clause) -> None:
         """Where the phrases of a verb put those who act, or on whom it is done."""
@@ -279,6 +287,16 @@ class Interpreter:
         """``ends up in front of the ego``: where it gets to, not where it comes from."""
         word = event.lemma
         return event.name == "move" and word in {"end", "finish", "wind", "land"}
+
+    def _meet_head_on(self, term: Term, clause: Clause) -> None:
+        """``a motorcycle approaches head-on``: who collides so has come from the front, too."""
+        if len(clause.drivers) > 1 and not clause.targets:
+            for entity in clause.drivers:
+                entity.opposed |= {e.index for e in clause.drivers} - {entity.index}
+            return  # "two trucks meet head-on"
+        for entity in clause.drivers if clause.event.name in _COMING else []:
+            to = next((e for e in clause.targets if e.moving_vehicle), None)
+            self._draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
     def _into(self, event: Event, mention: Mention | None) -> bool:
         """``runs into a cyclist from behind``: whom it hits is no object."""
@@ -332,7 +350,7 @@ class Interpreter:
             elif term.cat == "state":
                 self._quality(term, clause.actors)
             elif (term.cat, term.value) == ("manner", "head_on"):
-                implied.meet_head_on(term, clause, self._context)
+                self._meet_head_on(term, clause)
         if event.nominal and event.name not in _TRAVEL:
             return
         travels = event.name in _TRAVEL and not clause.reaction

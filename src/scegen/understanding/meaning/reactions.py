@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.semantics.context import Context
+from scegen.understanding.semantics.met import into_rear
 
 _BRAKING = frozenset({"brake", "slow", "stop"})
 _NOTICING = frozenset({"encounter", "overlook", "react"})
-_REAR = frozenset({"rear", "back"})
 
 
 def mark_answers(events: list[Event]) -> None:
@@ -34,20 +34,6 @@ def mark_late(events: list[Event], context: Context) -> None:
         if event.name in _BRAKING | _NOTICING and not event.nominal:
             failed = event.link != "ing"  # unlike "rode on without stopping and hit it"
             event.late = any(_together(event, e) for e in (*rear_ends, *(stood if failed else ())))
-
-
-def into_rear(event: Event, context: Context) -> bool:
-    """``rear-ends``, ``runs into the back of``, ``hits from behind``.
-
-    Args:
-        event: a collision.
-        context: the scenario in the making.
-    """
-    ends = [event.object, *(p.target for p in event.pps)]
-    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
-    words = {t.low for t in context.tokens[event.i : event.j]}
-    behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
-    return rear or behind or bool(words & _REAR)
 
 
 def _into_one_of(event: Event, standing: set[int]) -> bool:

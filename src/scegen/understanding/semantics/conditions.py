@@ -20,7 +20,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics import along, owed, patterns, ways
+from scegen.understanding.semantics import along, met, owed, patterns, ways
 from scegen.understanding.semantics.contact import goal_of_contact
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.numbered_lanes import leaves_it
@@ -70,6 +70,8 @@ FACTS: dict[str, Test] = {
     **ways.FACTS,
     **along.FACTS,
     **owed.FACTS,
+    **met.FACTS,
+    "head_on_somewhere": lambda clause, c: any(ways.head_on(clause, p, c) for p in clause.places()),
     "passes_round": passes_round,
     "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
     "leaves_its_number": lambda clause, c: leaves_it(clause.event, clause.drivers, c.tokens),

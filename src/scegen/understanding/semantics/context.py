@@ -98,6 +98,8 @@ class Context:
     """Whether the text tells in the past tense, so that "stopped" is something that happened."""
     screens: list[int] = field(default_factory=list)
     """Where in the text things are named that one cannot see through."""
+    barred: bool = False
+    """Whether a thing is in the way, or the text tells of getting past."""
 
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""

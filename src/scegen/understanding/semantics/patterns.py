@@ -30,7 +30,34 @@ def _lit(colour: str, noun: NounPhrase, context: Context) -> bool:
     return any(t.low == colour for t in context.tokens[noun.i : noun.j])
 
 
+def _opaque(n: NounPhrase | Event, _: Context) -> bool:
+    """One cannot see through it."""
+    if isinstance(n, Place):
+        return n.kind in _OPAQUE
+    if isinstance(n, Mention):
+        return not any(e.ego or not e.is_vehicle for e in n.entities)
+    return isinstance(n, Thing)
+
+
+def _stopped(n: Mention, context: Context) -> bool:
+    stopping = [e for d in context.draft.dangers if d.kind == "stopping" for e in d.by]
+    return bool(n.entities) and all(e.parked or e in stopping for e in n.entities)
+
+
+def _other_half(n: Place, _: Context) -> bool:
+    """The oncoming lane, the wrong side, what divides them."""
+    theirs = n.owner is not None and any(m.value == "opposite" for m in n.owner.mods)
+    other = n.kind in {"side", "lane"} and any(m.value == "other" for m in n.mods)
+    lane = n.kind == "lane" and "opposite" in n.dirs
+    return n.kind == "centerline" or lane or theirs or other
+
+
+_OPAQUE = frozenset({"bus_stop", "feature", "parking"})
 _FILTERS: dict[str, NounTest] = {
+    "opaque": _opaque,
+    "stopped": _stopped,
+    "other_half": _other_half,
+    "another": lambda n, _: any(e.is_vehicle and not e.ego for e in n.entities),
     "owned": lambda n, _: n.owner is not None,
     "its": lambda n, _: any(m.cat == "possessive" for m in n.mods),
     "egos": lambda n, _: n.owner is not None and any(e.ego for e in n.owner.entities),

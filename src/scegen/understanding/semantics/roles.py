@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Entity
 from scegen.understanding.semantics.context import Clause
@@ -63,20 +63,32 @@ def without_nouns(clause: Clause) -> Clause:
     return replace(clause, event=replace(event, pps=own))
 
 
-def clauses_of_fronted(chunks: list[Chunk]) -> Iterator[Clause]:
-    """``at a stop sign, the ego …``: what opens a sentence says where the noun after it is."""
-    marks = [None, None, *chunks]
-    for (k, place), before in zip(enumerate(chunks), marks, strict=False):
-        led = isinstance(place, Place) and place.prep is not None and place.prep.value == "in"
-        opens = before is None or (isinstance(before, Word) and before.cat == "punct")
-        if not (led and opens) or not isinstance(place, Place) or place.prep is None:
+def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause]:
+    """Phrases of place that belong to no noun or verb which names anybody.
+
+    ``At a stop sign, the ego …`` says it of the noun that follows, ``its way round the van`` of
+    whose way it is; of others nobody is named.
+
+    Args:
+        chunks: the chunks of the text.
+        clauses: those of its nouns and verbs.
+    """
+    taken = {id(p) for c in clauses if c.actors for p in c.places()}
+    for k, noun in enumerate(chunks):
+        before, after = chunks[max(0, k - 3) : k], chunks[k + 1 : k + 3]
+        if not isinstance(noun, NounPhrase) or noun.prep is None:
             continue
-        after = [c for c in chunks[k + 1 : k + 3] if getattr(c, "value", "") != ","][:1]
-        for noun in after:
-            if isinstance(noun, Mention):
-                fronted = [Prep(place.prep, place)]
-                event = Event("", place.prep.i, place.j, "", subject=[noun], pps=fronted)
-                yield Clause(event, list(noun.entities), [])
+        ways = [c for c in before[-3:] if isinstance(c, Place) and c.kind == "path"]
+        if ways:
+            who = ways[-1].owner
+        elif not isinstance(noun, Place) or id(noun) in taken:
+            continue
+        else:
+            opens = all(getattr(c, "cat", "") == "punct" for c in before[-2:-1])
+            heads = [c for c in after if getattr(c, "value", "") != ","][:1] if opens else []
+            who = next((c for c in heads if isinstance(c, Mention)), None)
+        event = Event("", noun.prep.i, noun.j, "", pps=[Prep(noun.prep, noun)])
+        yield Clause(event, list(who.entities) if who is not None else [], [])
 
 
 def clause_of_everybody(entities: list[Entity]) -> Clause:

@@ -6,7 +6,7 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``if``: conditions, all of which must hold;
 * ``hazard`` of ``by`` (those who act; ``maybe WHO``: it may be nobody) and ``to``;
 * ``maneuver``, ``light`` (how it meets that) of ``of``; ``place``: where ``of`` comes from, seen
-  by ``from`` (the ego);
+  by ``from`` (the ego), with ``unsaid`` only where nothing is said of the two;
 * ``lanes``, ``crossing``: why the road has lanes, a junction; ``implies``: what else is there;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
 * ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
@@ -27,6 +27,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.semantics.marks import MARKS
+from scegen.understanding.semantics.met import apart
 from scegen.understanding.semantics.patterns import end, noun, people, phrases
 from scegen.understanding.semantics.rewriting import REWRITES
 from scegen.understanding.semantics.values import VALUES, WORDS
@@ -38,7 +39,8 @@ _FILES = ("constructions", "dangers", "movements", "nouns", "omissions", "positi
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
                    "also",
-                   "as", "targets", "actors", "rewrite", "rules_out", "implies"})  # fmt: skip
+                   "as", "targets", "actors", "rewrite", "rules_out", "implies",
+                   "unsaid"})  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +58,9 @@ def _words(expression: str, reason: str | None) -> Words:
 
     Args:
         expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``phrase
-            PATTERN``; ``to PATTERN`` and ``upto PATTERN``, from the verb to the end of a phrase
-            or place; ``danger KIND``, those of a danger; one of `VALUES` or `WORDS`.
+            PATTERN`` or ``at PATTERN``, a phrase or place; ``to PATTERN`` and ``upto PATTERN``,
+            from the verb to the end of one; ``danger KIND``, those of a danger; one of `VALUES`
+            or `WORDS`.
         reason: why, where the words do not say it themselves.
     """
     name, _, rest = expression.partition(" ")
@@ -75,9 +78,10 @@ def _words(expression: str, reason: str | None) -> Words:
                 found = Basis(clause.event.i if name == "to" else phrase.word.i, end(phrase))
         elif name == "danger":
             found = next((d.basis for d in context.draft.dangers if d.kind == rest), None)
-        elif name == "upto":
-            place = next((p for p in clause.places() if named(p, context)), None)
-            found = Basis(clause.words.i, max(clause.event.j, place.j)) if place else None
+        elif name in {"upto", "at"}:
+            for place in [p for p in clause.places() if named(p, context)][:1]:
+                begins = clause.words.i if name == "upto" else place.i
+                found = Basis(begins, max(clause.event.j if name == "upto" else 0, place.j))
         elif name in WORDS:
             found = WORDS[name](clause, context)
         elif name in VALUES:
@@ -127,14 +131,18 @@ def _light(said: str, of: str, words: Words) -> Effect:
     return effect
 
 
-def _place(approaches: set[Approach], of: str, seen_from: str, words: Words) -> Effect:
-    whom, reference = who(of), who(seen_from)
+def _place(
+    approaches: set[Approach], of: str, seen_from: str | None, words: Words, *, unsaid: bool
+) -> Effect:
+    whom, reference = who(of), who(seen_from) if seen_from is not None else None
 
     def effect(clause: Clause, context: Context) -> None:
         basis = words(clause, context)
-        observer = next(iter(reference(clause, context)), None)
-        for entity in list(whom(clause, context)):
-            context.draft.place(entity, observer, set(approaches), basis)
+        observer = next(iter(reference(clause, context)), None) if reference is not None else None
+        seen = reference is None or observer is not None
+        for entity in list(whom(clause, context)) if seen else []:
+            if not unsaid or observer is None or apart(entity, observer, context):
+                context.draft.place(entity, observer, set(approaches), basis)
 
     return effect
 
@@ -262,7 +270,8 @@ def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable
         yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
     if "place" in row:
         approaches = set(map(Approach, row["place"].split()))
-        yield _place(approaches, of, row.get("from", "nobody"), words)
+        unsaid = bool(row.get("unsaid"))
+        yield _place(approaches, of, row.get("from"), words, unsaid=unsaid)
 
 
 def _effects(row: dict[str, Any]) -> Iterable[Effect]:

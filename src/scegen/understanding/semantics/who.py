@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Entity
-from scegen.understanding.semantics import owed, ways
+from scegen.understanding.semantics import met, owed, ways
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
 
@@ -79,6 +79,9 @@ ENTITY: dict[str, EntityTest] = {
     "aloof": _aloof,
     "unplaced": _unplaced,
     "unseen": _unseen,
+    "unfaced": lambda e, c: all(met.apart(e, ego, c) for ego in c.draft.entities if ego.ego),
+    "slower": lambda e, c: e.still or _slow(e, c),
+    "wrong_side": met.on_the_wrong_side,
     "slow": _slow,
     "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
     "circulates": lambda e, _: e.circulates is not None,
@@ -91,16 +94,17 @@ def entity(word: str) -> EntityTest:
 
     Args:
         word: one of `ENTITY`, or ``does.MANEUVER`` (among others), ``only.MANEUVER``,
-            ``causes.HAZARD``.
+            ``causes.HAZARD``, ``suffers.HAZARD``.
     """
     name, _, detail = word.partition(".")
     if name == "does":
         return lambda e, _: Maneuver(detail) in e.maneuvers
     if name == "only":
         return lambda e, _: e.maneuvers == {Maneuver(detail)}
-    if name == "causes":
+    if name in {"causes", "suffers"}:
         kinds = frozenset(HazardKind(kind) for kind in detail.split("|"))
-        return lambda e, c: any(d.kind in kinds and e in d.by for d in c.draft.dangers)
+        of = "by" if name == "causes" else "to"
+        return lambda e, c: any(d.kind in kinds and e in getattr(d, of) for d in c.draft.dangers)
     return ENTITY[name]
 
 
@@ -149,11 +153,17 @@ def _hiders(clause: Clause, context: Context) -> list[Entity]:
     return by + [e for e in behind if e not in by]
 
 
+def _screens(clause: Clause, context: Context) -> list[Entity]:
+    """Whom somebody is behind."""
+    return [e for e in _IN_THE_WAY(clause, context) if e not in clause.actors]
+
+
 def _met_with(clause: Clause, context: Context) -> list[Entity]:
     return [*clause.actors, *clause.targets, *_WITH(clause, context)]
 
 
 _WITH = _in_phrases("with|by")
+_IN_THE_WAY = _in_phrases("behind|between named +opaque")
 _BEHIND = _in_phrases("behind|between|by|due")
 NAMED: dict[str, Who] = {
     "actors": lambda clause, _: clause.actors,
@@ -170,6 +180,8 @@ NAMED: dict[str, Who] = {
     "pullers": _pullers,
     "met": _met,
     "hiders": _hiders,
+    "screens": _screens,
+    "driven_up_to": met.driven_up_to,
     "involved": lambda clause, _: [*clause.actors, *clause.targets],
     "met_with": _met_with,
     "overlooked": owed.overlooked,

@@ -1,0 +1,93 @@
+"""Whom somebody drives up to, and whether anything is said of where the two are."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.draft import Entity
+from scegen.understanding.semantics.context import Clause, Context
+
+_TOWARDS = frozenset({"to", "into", "in", "for", "with"})
+_REAR = frozenset({"rear", "back"})
+_ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.AHEAD,
+                     Approach.BEHIND})  # fmt: skip
+
+
+def into_rear(event: Event, context: Context) -> bool:
+    """``rear-ends``, ``runs into the back of``, ``hits from behind``.
+
+    Args:
+        event: a collision.
+        context: the scenario in the making.
+    """
+    ends = [event.object, *(p.target for p in event.pps)]
+    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
+    return rear or behind or bool(words & _REAR)
+
+
+def rear_ends(clause: Clause, context: Context) -> bool:
+    """Whether somebody hits another from behind."""
+    return clause.event.name == "collide" and into_rear(clause.event, context)
+
+
+def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
+    """``closes in on a stopped van``, ``encounters a slow tractor``, ``hits its rear``."""
+    event, rear = clause.event, rear_ends(clause, context)
+    found = list(clause.targets)
+    for prep in event.pps:
+        head = prep.target.head if isinstance(prep.target, Mention) else None
+        queue = head is not None and "mass" in head.data  # "the tail of a queue"
+        towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
+        if isinstance(prep.target, Mention) and (
+            towards or (prep.value == "of" and (queue or rear))
+        ):
+            found += prep.target.entities
+    ends = [event.object, *(p.target for p in event.pps)]
+    found += [
+        e
+        for c in ends
+        if isinstance(c, Place) and c.owner is not None
+        if "rear" in c.dirs or (rear and c is event.object)
+        for e in c.owner.entities
+    ]
+    return [e for e in dict.fromkeys(found) if e not in clause.actors]
+
+
+def apart(entity: Entity, observer: Entity, context: Context) -> bool:
+    """Whether nothing is said yet of where one is, seen from the other or from the ego."""
+    return not any(
+        (p.entity is entity and p.reference in {None, observer})
+        or (p.entity is observer and (p.reference is entity or (entity.ego and not p.reference)))
+        for p in context.draft.placements
+        if p.approaches & _ACROSS
+    )
+
+
+def on_the_wrong_side(entity: Entity, context: Context) -> bool:
+    """Whether it drives where others come towards it, and passes nobody."""
+    dangers = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
+    passing = Maneuver.OVERTAKE in entity.maneuvers
+    return not passing and any(entity in d.by for d in dangers)
+
+
+def may_get_past(_: Clause, context: Context) -> bool:
+    """Whether the ego goes no way of its own, and something is in it."""
+    ego = next((e for e in context.draft.entities if e.ego), None)
+    if ego is None or ego.maneuvers & _SETTLED or context.junction.crossing:
+        return False
+    dangers = [d for d in context.draft.dangers if not any(e.ego for e in d.by)]
+    others = [e for e in context.draft.entities if not e.ego]
+    stands = any(e.parked or context.placed(e, Approach.AHEAD) for e in others)
+    return stands or context.barred or any(d.kind in _IN_THE_WAY for d in dangers)
+
+
+_SETTLED = frozenset({Maneuver.OVERTAKE, Maneuver.LANE_CHANGE, Maneuver.LEFT, Maneuver.RIGHT,
+                      Maneuver.U_TURN})  # fmt: skip
+_IN_THE_WAY = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
+FACTS = {
+    "rear_ends": rear_ends,
+    "may_get_past": may_get_past,
+}
+"""Words of conditions that ask for a meeting."""
