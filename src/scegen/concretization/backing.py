@@ -25,9 +25,8 @@ from scegen.concretization.setup import Setup, require_room
 from scegen.errors import MotionInfeasibleError
 from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
-from scegen.motion.model import Path
+from scegen.motion.model import Array
 from scegen.motion.standing import side_sign
-from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Reverses
 from scegen.scenario.reversing import BacksOut, BacksUp
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -106,8 +105,14 @@ def _up_and_back(
     )
     draft.lay(scene.network)
     scene.note(f"{draft.id}.reversal.from_m", station, "reversing: stops here and goes back")
-    begins_s, _ = draft.laid.path.backwards[0]
-    _stop_before(scene, draft, begins_s)
+    # Brake to creeping, creep, stand: at the place from which it goes back.
+    rest_s, ends_s = draft.laid.path.backwards[0]
+    hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
+    rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
+    begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
+    require_room(draft.id, begins, _LEAST_RUN_UP_M)
+    draft.alone_s_m = (begins, ends_s + _ROOM_M)
+    draft.marks.append(SpeedChange(CREEP_MPS, rate, s_m=begins))
     _go_back(scene, draft, waits_s)
 
 
@@ -137,30 +142,13 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
     _go_back(scene, draft, _WAITS_S)
 
 
-def _back_mps(scene: Setup, draft: DriveDraft) -> float:
-    said = scene.functional.participant(draft.id).speed_mps
-    if said is not None:
-        return said.middle
-    speed = float(scene.rng.uniform(*REVERSING_MPS))
-    scene.note(f"{draft.id}.reversing_mps", speed, "usual speed backwards")
-    return speed
-
-
-def _stop_before(scene: Setup, draft: DriveDraft, rest_s: float) -> None:
-    """Brake to creeping, creep, stand: at the place from which it goes back."""
-    hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
-    rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
-    begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
-    require_room(draft.id, begins, _LEAST_RUN_UP_M)
-    _, ends_s = draft.laid.path.backwards[0]
-    draft.alone_s_m = (begins, ends_s + _ROOM_M)
-    draft.marks.append(SpeedChange(CREEP_MPS, rate, s_m=begins))
-
-
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     """Stand, go back, stop where the way back ends, pause, and drive on."""
     begins_s, ends_s = draft.laid.path.backwards[0]
-    speed = _back_mps(scene, draft)
+    said = scene.functional.participant(draft.id).speed_mps
+    speed = said.middle if said is not None else float(scene.rng.uniform(*REVERSING_MPS))
+    if said is None:
+        scene.note(f"{draft.id}.reversing_mps", speed, "usual speed backwards")
     back = SpeedChange(
         speed, REVERSING_MPS2, hazard=HazardKind.REVERSING, sort=Sort.GOES_ON, then_s=waits_s
     )
@@ -185,11 +173,12 @@ def _brakes_at(rest_s: float) -> float:
     return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2)
 
 
-def in_each_others_way(path: Path, body: Body, other: Path, other_body: Body) -> NDArray[np.bool_]:
-    """Whether bodies touch on two ways, by place of the one and of the other (see ``sampled``)."""
-    (_, *own), (_, *its) = sampled(path), sampled(other)
-    x, y, heading = (row[:, None] for row in own)
-    x2, y2, heading2 = (row[None, :] for row in its)
+def in_each_others_way(
+    draft: DriveDraft, other: DriveDraft
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Places of the one and of the other (see ``sampled``), and whether bodies touch there."""
+    (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
     still = np.zeros(1)
-    first, second = box_at(x, y, heading, body, still), box_at(x2, y2, heading2, other_body, still)
-    return np.asarray(apart(first, second, 0.0) < 0.0)
+    first = box_at(*(row[:, None] for row in own), draft.body, still)
+    second = box_at(*(row[None, :] for row in theirs), other.body, still)
+    return s, its, np.asarray(apart(first, second, 0.0) < 0.0)

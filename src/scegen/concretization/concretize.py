@@ -130,9 +130,9 @@ def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     _place(scene)
-    choose_junction_lanes(scene)
     for hazard in scene.of_kind(HazardKind.REVERSING):
         prepare_to_reverse(scene, hazard)
+    choose_junction_lanes(scene)
     for hazard in scene.of_kind(HazardKind.CUT_IN):
         start_inside(scene, hazard)
     prepare_maneuvers(scene)

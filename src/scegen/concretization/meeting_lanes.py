@@ -12,7 +12,7 @@ from functools import cache, partial
 from itertools import combinations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import pairs
+from scegen.concretization.hazards.parties import pairs, same_arm
 from scegen.concretization.lane_choice import choose_lanes, routes_of
 from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
@@ -23,7 +23,7 @@ from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.motion.paths import END_MARGIN_M
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.logical import ConflictKind
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
 _MEETS = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 _BEHIND_JUNCTION_M = 2.0
@@ -89,6 +89,10 @@ def _options(scene: Setup, draft: DriveDraft, own: Lanes) -> list[Lanes]:
     others = sorted(found - {own}, key=lambda o: (-o.entry, -(o.ring or 0), -o.exit))
     settled = lanes_abreast(scene.functional, scene.logical, scene.road).get(draft.id)
     alike = [lanes for lanes in (own, *others) if lanes.entry == settled]
+    if draft.from_arm is not None:  # from where it comes out backwards
+        out = scene.network.routes.get((draft.drive.entry, draft.from_arm), ())
+        reached = {route.entry_lane for route in out}
+        alike = [lanes for lanes in (own, *others) if lanes.entry in reached]
     return alike or [own, *others]
 
 
@@ -112,6 +116,12 @@ def _from_words(scene: Setup) -> Iterator[LaneWish]:
         level = draft is scene.ego or draft.drive.entry != scene.ego.drive.entry
         if diagonal and not level and not draft.drive.beside:
             yield from _beside(scene, name, scene.ego.id)
+    for hazard in scene.of_kind(HazardKind.REVERSING):
+        for one, other in pairs(scene, hazard):
+            if same_arm(one, other):
+                words = f"{one.id} reverses towards {other.id} in its lane"
+                who = one.id, other.id
+                yield Wish(who, LIKELY, _steps(*who, lambda out: out == 0), words)
     yield from _clear_of_turning_back(scene)
 
 

@@ -51,6 +51,11 @@ class Walker:
         """How fast it gains speed, and loses it."""
         return starting_mps2(self.kind)
 
+    @property
+    def gains_m(self) -> float:
+        """How far it goes until it has its pace."""
+        return self.speed_mps**2 / (2 * self.rate_mps2)
+
     def runs_s(self, way_m: float) -> float:
         """How long it takes from setting off until so much way is behind it."""
         return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
@@ -59,7 +64,7 @@ class Walker:
         self, trigger: Trigger, length_m: float, act: str | None, *, stops: bool
     ) -> tuple[SpeedPhase, SpeedPhase]:
         """Set off, and come to rest just before the end of its way; ``stops``: in somebody's."""
-        end = max(0.0, length_m - self.speed_mps**2 / (2 * self.rate_mps2) - _STOPS_SHORT_M)
+        end = max(0.0, length_m - self.gains_m - _STOPS_SHORT_M)
         return (
             SpeedPhase(
                 trigger=trigger,

@@ -1,4 +1,4 @@
-"""Where pedestrians and cyclists cross, and what makes them step off."""
+"""Those who go across: how fast, where on their way they are met, and what makes them step off."""
 
 from __future__ import annotations
 
@@ -6,52 +6,112 @@ from collections import Counter
 from collections.abc import Callable
 from math import sin, sqrt
 
-from scegen.concretization.amounts import pace_across_mps
+from scegen.concretization.amounts import BRAKING, pace_across_mps
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.limits import starting_mps2
 from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
-from scegen.concretization.others import WalkDraft, abreast_m
+from scegen.concretization.others import WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
-from scegen.concretization.tale import pace_of
+from scegen.concretization.tale import Tale, pace_of
 from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
-from scegen.scenario.acts import ActKind, AfterStart
+from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import AtTime, CrossingMotion, Travelled, Trigger
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
 from scegen.scenario.vocabulary import HazardKind, Side
 
-_SPREAD, _SLOWEST_MPS = (0.9, 1.2), 0.3
-_SETBACK_M = 1.5
-_BEYOND_STRIP_M = 1.0
-_UNMARKED_M = 4.0
-_STRAIGHT_M = 5.0
+_SETBACK_M, _BEYOND_STRIP_M = 1.5, 0.6
+_UNMARKED_M, _STRAIGHT_M = 4.0, 5.0
 _BEYOND_PARKED_M = 1.2
-_BEHIND_SCREEN_M = 0.8
-"""The front of one whom a thing is to hide is so far from the carriageway: it needs room there."""
+BEHIND_KERB_M, _BEHIND_SCREEN_M = 0.2, 0.8
+"""The front of one who waits is so far from the carriageway; of whom a thing is to hide: it needs
+room there."""
+_PASSES_BEFORE_S = 0.5
+"""Who is just missed has left the way of the vehicle so long before it comes."""
 _STOP_SHORT_M = 0.15
 _MOVES_MPS = 0.1
-_SPARE_S = 0.1
-_INTO_PATH_M = 1.0
-"""The walker is in the driver's line when the bumper is this close (both at their speed)."""
 _STEPS_OFF_M = 0.5
 _OF_PEAK = 0.9
 """Of the pace at which one who sets off must begin to stop, the share that is used."""
+OWES = HazardKind.FAILURE_TO_YIELD
+BRAKES = BRAKING | {HazardKind.STOPPING}
+
+
+def pace_mps(tale: Tale, participant: Participant, width_m: float) -> float:
+    """How fast somebody goes across a road that is so wide: as is said, else as is usual."""
+    usual = pace_of(tale.functional, tale.logical, participant.id).default
+    if participant.speed_mps is not None:
+        return usual
+    return pace_across_mps(tale.functional.acts, participant.id, width_m) or usual
+
+
+def goes_far_m(act: Act | None) -> float | None:
+    """How far onto the road one is said to go, None if across it."""
+    return None if act is None or act.distance_m is None else act.distance_m.middle
+
+
+def setback_m(walk: Walker, strip_m: float, *, hidden: bool = False) -> float:
+    """How far outside the carriageway one starts, beyond a strip beside it: behind the kerb."""
+    behind = walk.body.front_m + (_BEHIND_SCREEN_M if hidden else BEHIND_KERB_M)
+    return max(strip_m + _BEYOND_STRIP_M if strip_m else _SETBACK_M, behind)
+
+
+def brakes(tale: Tale, name: str) -> bool:
+    """Whether one who meets somebody on foot is said to brake for it."""
+    acts = {a.kind for a in tale.acts if a.participant == name and tale.is_loose(a.id)}
+    return bool(tale.kinds_by(name) & BRAKES or acts & {ActKind.BRAKE, ActKind.STOP})
+
+
+def aim_m(
+    tale: Tale,
+    walk: Walker,
+    met: str,
+    body: Body,
+    speed_mps: float,
+    *,
+    middle_m: float,
+    to_left: int,
+) -> float:
+    """The way that one has gone when the front of whom it meets comes to its line.
+
+    Args:
+        tale: what is told.
+        walk: who goes across.
+        met: whom it meets.
+        body: of that one.
+        speed_mps: of that one.
+        middle_m: its own way when the middle of its body is amid that one's way.
+        to_left: 1 if it goes to that one's left, else -1.
+    """
+    if tale.contact_wanted(walk.id, met):
+        return middle_m + to_left * (0.5 - tale.impact_share) * body.width_m
+    if brakes(tale, met):
+        return middle_m
+    clear = (body.width_m + walk.body.length_m) / 2 + _PASSES_BEFORE_S * walk.speed_mps
+    if walk.id in tale.endangered_by(met, OWES):  # the other just passes before it
+        return middle_m - clear - walk.speed_mps * body.length_m / max(speed_mps, 1.0)
+    return middle_m + clear
 
 
 def place_walkers(scene: Setup) -> None:
     """On the crosswalk if the arm has one, from behind a parked vehicle if one hides them."""
     side_by_side: Counter[tuple[int, Side]] = Counter()
+    hidden = any(not hazard.by for hazard in scene.of_kind(HazardKind.OCCLUSION))
     for crossing in scene.logical.crossings:
         place = (crossing.arm, crossing.start)
         aside = abreast_m(side_by_side[place])
         side_by_side[place] += 1
         participant = scene.functional.participant(crossing.participant)
-        speed = _speed(scene, participant, crossing.arm)
-        setback = _setback_m(scene, crossing.arm, participant, speed)
-        act = scene.first_act(crossing.participant, ActKind.CROSS)
-        far = None if act is None or act.distance_m is None else act.distance_m.middle
+        road = scene.network.arm_road(crossing.arm)
+        strip = max(half_width_m(road.lanes, sign, CARRIAGEWAY - KERBED) for sign in (-1, 1))
+        speed = pace_mps(scene, participant, road.edge_t_m(1) - road.edge_t_m(-1))
+        who = participant.id, participant.kind, participant.body, crossing, round(speed, 3)
+        scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
+        walk = Walker(*who)
+        setback = round(max(setback_m(walk, strip, hidden=hidden), walk.gains_m), 3)
+        far = goes_far_m(scene.first_act(walk.id, ActKind.CROSS))
         motion = CrossingMotion(
             arm=crossing.arm,
             start_side=crossing.start,
@@ -60,34 +120,7 @@ def place_walkers(scene: Setup) -> None:
             stops_after_m=None if far is None else round(setback + far, 3),
         )
         path = crossing_path(scene.network, motion, participant.id)
-        scene.walks[participant.id] = WalkDraft(
-            participant.id, participant.kind, participant.body, crossing, speed, motion, path
-        )
-
-
-def _speed(scene: Setup, participant: Participant, arm: int) -> float:
-    pace = pace_of(scene.functional, scene.logical, participant.id)
-    slow, fast = (share * pace.default for share in _SPREAD)
-    speed = float(scene.rng.uniform(max(slow, pace.low), min(fast, pace.high)))
-    speed = max(speed, _SLOWEST_MPS)
-    if participant.speed_mps is None:
-        road = scene.network.arm_road(arm)
-        width = road.edge_t_m(1) - road.edge_t_m(-1)
-        speed = pace_across_mps(scene.acts, participant.id, width) or speed
-    scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
-    return round(speed, 3)
-
-
-def _setback_m(scene: Setup, arm: int, who: Participant, speed_mps: float) -> float:
-    """How far outside the carriageway one starts: far enough to have its pace on it."""
-    hidden = any(not hazard.by for hazard in scene.of_kind(HazardKind.OCCLUSION))
-    behind = who.body.front_m + _BEHIND_SCREEN_M if hidden else 0.0
-    lanes = scene.network.arm_road(arm).lanes
-    beside = CARRIAGEWAY - KERBED
-    strip = max(half_width_m(lanes, sign, beside) for sign in (-1, 1))
-    usual = strip + _BEYOND_STRIP_M if strip else _SETBACK_M
-    gains = speed_mps**2 / (2 * starting_mps2(who.kind))
-    return round(max(usual, behind, gains), 3)
+        scene.walks[participant.id] = WalkDraft(*who, motion, path)
 
 
 def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
@@ -126,32 +159,28 @@ def rendezvous(
 ) -> tuple[float, float]:
     """(place of the driver, way of the walker) to be reached at the same time.
 
-    The walker is in the driver's line when its bumper comes; where the driver brakes for it,
-    the walker leaves the kerb just then. Behind one that reverses it is where the tail will be.
+    Who brakes for the walker would meet it if it did not, and begins as that one has left the kerb.
+    Behind one that reverses it is where the tail will be.
     """
-    spare = _SPARE_S * walk.speed_mps
     if draft.backs_to == walk.id:
         begins_s, ends_s = draft.laid.path.backwards[0]
-        return (begins_s + ends_s) / 2, point.second_s_m + spare
+        return (begins_s + ends_s) / 2, point.second_s_m
+    line_s, middle_m, turn = crossing_at(draft.laid.path, walk.path, point)
+    middle_m -= walk.body.centre_ahead_m
+    to_left = 1 if sin(turn) > 0 else -1
+    met = draft.id, draft.body, draft.cruise_mps
+    way = aim_m(scene, walk, *met, middle_m=middle_m, to_left=to_left)
+    place = max(1.0, line_s - draft.body.front_m - walk.body.width_m / 2)
     if scene.contact_wanted(walk.id, draft.id):
-        return _contact(scene, draft, walk, point)
-    before = [m for m in draft.marks if m.then is not None]
-    before += [m for m in draft.deeds if m.target_mps == 0.0 and scene.is_loose(m.act)]
-    for mark in before:
-        if mark.s_m < point.first_s_m - draft.body.front_m:
-            return mark.s_m, max(0.0, walk.motion.setback_m - _STEPS_OFF_M) + spare
-    place = point.first_s_m - draft.body.front_m - _INTO_PATH_M
-    return max(1.0, place), point.second_s_m + spare
-
-
-def _contact(
-    scene: Setup, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
-) -> tuple[float, float]:
-    """The front of the driver at the side of the walker, whose middle is where it is to be hit."""
-    first_s, second_s, turn = crossing_at(draft.laid.path, walk.path, point)
-    aside = (scene.impact_share - 0.5) * draft.body.width_m * (1 if sin(turn) > 0 else -1)
-    place = first_s - draft.body.front_m - walk.body.width_m / 2
-    return max(1.0, place), second_s - walk.body.centre_ahead_m - aside
+        return place, way
+    marks = [m for m in draft.marks if m.then is not None]
+    marks += [m for m in draft.deeds if m.target_mps == 0.0 and scene.is_loose(m.act)]
+    for mark in marks:
+        if mark.s_m < place:
+            sooner_s = (place - mark.s_m) / max(draft.course.speed_at(mark.s_m), 1.0)
+            left_kerb = max(0.0, walk.motion.setback_m - _STEPS_OFF_M)
+            return mark.s_m, max(way - walk.speed_mps * sooner_s, left_kerb)
+    return place, way
 
 
 def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:

@@ -11,25 +11,29 @@ import numpy as np
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import BRAKING, goes_on_when_free, pace_across_mps
-from scegen.concretization.limits import HARD_BRAKING_MPS2, REACTION_S, starting_mps2
+from scegen.concretization.amounts import goes_on_when_free
+from scegen.concretization.limits import HARD_BRAKING_MPS2, REACTION_S
 from scegen.concretization.others import Walker, abreast_m, gained
 from scegen.concretization.profile import NEVER_S, SpeedChange
-from scegen.concretization.tale import pace_of
+from scegen.concretization.walkers import (
+    BEHIND_KERB_M,
+    BRAKES,
+    OWES,
+    aim_m,
+    brakes,
+    goes_far_m,
+    pace_mps,
+    setback_m,
+)
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
-from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Crossing
 from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _MEETS_S = 6.0
-_SETBACK_M = 1.5
-_BEYOND_STRIP_M = 0.6
 _HOLDS_S = 0.6
 """The pace is held so long before the encounter."""
-_PASSES_BEFORE_S = 0.5
-"""Who is just missed has left the way of the vehicle so long before it comes."""
 _LEAST_LEAD_S = 1.0
 BEFORE_WALKER_M = 0.9
 """Who is parked and hides somebody stands so far before that one's line."""
@@ -39,8 +43,6 @@ _BEFORE_CROSSWALK_M = 0.3
 _STANDS_S = 0.5
 """Who waits for one who crosses stands at least so long."""
 _LOOK_S, _LATEST_S = 0.05, 40.0
-_OWES = HazardKind.FAILURE_TO_YIELD
-_BRAKES = BRAKING | {HazardKind.STOPPING}
 
 
 @dataclass
@@ -52,10 +54,10 @@ class Walk(Walker):
     """
 
     from_left: bool
-    x_m: float
-    setback_m: float
-    sets_off_s: float
     meets: str
+    x_m: float = 0.0
+    setback_m: float = 0.0
+    sets_off_s: float = 0.0
     arrives_s: float = 0.0
     stops_after_m: float | None = None
     timed: bool = False
@@ -74,38 +76,32 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     participant = story.functional.participant(crossing.participant)
     body = participant.body
     width = edge_y_m(story, left=True) - edge_y_m(story, left=False)
-    acts = story.functional.acts
-    speed = pace_of(story.functional, story.logical, participant.id).default
-    if participant.speed_mps is None:
-        speed = pace_across_mps(acts, participant.id, width) or speed
     meets = story.runners[_meets(story, participant.id)]
     from_left = (crossing.start is Side.LEFT) == (crossing.arm == story.ego_arm)
     act = story.first_act(participant.id, ActKind.CROSS)
-    far = None if act is None or act.distance_m is None else act.distance_m.middle
-    edge = edge_y_m(story, left=from_left)
-    strip = strips.get("left" if from_left else "right", 0.0)
-    into = -1 if from_left else 1
-    aim = _aim_y_m(story, participant.id, meets, body, speed, into)
-    to_aim = (aim - edge) * into - body.centre_ahead_m
-    gains = speed**2 / (2 * starting_mps2(participant.kind))
-    steady = to_aim if far is None else min(to_aim, far - gains)
+    pace = pace_mps(story, participant, width)
+    who = participant.id, participant.kind, body, crossing, pace
+    walk = Walk(*who, from_left, meets=meets.id, act=None if act is None else act.id)
+    far, into = goes_far_m(act), -1 if from_left else 1
+    edge, strip = edge_y_m(story, left=from_left), strips.get("left" if from_left else "right", 0.0)
+    middle = (meets.y_m(0.0) - edge) * into - body.centre_ahead_m
+    met = meets.id, meets.body, meets.speed_mps
+    to_aim = aim_m(story, walk, *met, middle_m=middle, to_left=into * meets.sign)
+    steady = to_aim if far is None else min(to_aim, far - walk.gains_m)
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
-    least = gains + max(_HOLDS_S * speed - steady, to_aim - width if far is None else -steady)
-    setback = max(least, strip + _BEYOND_STRIP_M if strip else _SETBACK_M, body.front_m + 0.2)
+    least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
+    walk.setback_m = max(walk.gains_m + least, setback_m(walk, strip))
     soon_s = _until_met_s(story, participant.id, meets, act)
     if soon_s is not None:  # so near that the other does not come by first
-        way = float(gained(speed, starting_mps2(participant.kind), np.array([soon_s]))[0][0])
-        nearest = max(strip, body.front_m + 0.2)
-        if way - to_aim > nearest or story.contact_wanted(participant.id, meets.id):
-            setback = max(min(setback, way - to_aim), nearest)
+        way = float(gained(pace, walk.rate_mps2, np.array([soon_s]))[0][0]) - to_aim
+        nearest = max(strip, body.front_m + BEHIND_KERB_M)
+        if way > nearest or story.contact_wanted(participant.id, meets.id):
+            walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
     if said is not None:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
-        setback = max(0.0, (edge - meets.y_m(0.0) - meets.sign * left) * into)
-    who = participant.id, participant.kind, body, crossing, speed
-    walk = Walk(*who, from_left, 0.0, setback, 0.0, meets.id)
-    walk.act = None if act is None else act.id
-    takes, number = walk.runs_s(to_aim + setback), len(walks)
+        walk.setback_m = max(0.0, (edge - meets.y_m(0.0) - meets.sign * left) * into)
+    takes, number = walk.runs_s(to_aim + walk.setback_m), len(walks)
     _time(story, walk, meets, act, takes)
     if walks and crossing.arm in story.functional.junction.crosswalks:
         walk.x_m = walks[0].x_m
@@ -114,9 +110,9 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     walk.arrives_s = walk.sets_off_s + takes
     walk.x_m += abreast_m(number)
     if far is not None:
-        walk.stops_after_m = setback + far
+        walk.stops_after_m = walk.setback_m + far
     elif HazardKind.STOPPING in story.kinds_by(walk.id):
-        walk.stops_after_m = setback + abs(meets.y_m(0.0) - edge) + _STAYS_M
+        walk.stops_after_m = walk.setback_m + abs(meets.y_m(0.0) - edge) + _STAYS_M
     for runner in (meets, *(r for r in story.runners.values() if r is not meets and not r.stands)):
         _brake_before(story, walk, runner)
     return walk
@@ -127,30 +123,9 @@ def _meets(story: Story, name: str) -> str:
     for act in story.functional.acts:
         if act.kind in LETS_BY and act.into == name and act.participant in story.runners:
             return act.participant
-    owing = (n for n in story.runners if name in story.endangered_by(n, _OWES))
+    owing = (n for n in story.runners if name in story.endangered_by(n, OWES))
     suffering = (n for n in story.endangered_by(name) if n in story.runners)
     return next(chain(owing, suffering), story.ego.id)
-
-
-def _aim_y_m(story: Story, name: str, meets: Runner, body: Body, speed: float, into: int) -> float:
-    """Where its middle is across the road when the front of the other comes to its line."""
-    middle = meets.y_m(0.0)
-    if story.contact_wanted(name, meets.id):
-        return middle + meets.sign * (0.5 - story.impact_share) * meets.body.width_m
-    if _brakes(story, meets.id):
-        return middle
-    if name in story.endangered_by(meets.id, _OWES):  # the other just passes before it
-        passes_s = meets.body.length_m / max(meets.speed_mps, 1.0) + _PASSES_BEFORE_S
-        return middle - into * ((meets.body.width_m + body.length_m) / 2 + passes_s * speed)
-    clear = (meets.body.width_m + body.length_m) / 2 + _PASSES_BEFORE_S * speed
-    return middle + into * clear
-
-
-def _brakes(story: Story, name: str) -> bool:
-    """Whether the one whom it meets is said to brake for it."""
-    kinds = story.kinds_by(name)
-    acts = {a.kind for a in story.acts if a.participant == name and story.is_loose(a.id)}
-    return bool(kinds & _BRAKES) or bool(acts & {ActKind.BRAKE, ActKind.STOP})
 
 
 def _until_met_s(story: Story, name: str, meets: Runner, act: Act | None) -> float | None:
@@ -215,7 +190,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
     """
     if story.contact_wanted(walk.id, meets.id):
         return
-    said = meets.id == walk.meets and _brakes(story, meets.id)
+    said = meets.id == walk.meets and brakes(story, meets.id)
     own = next((s for s in meets.steps if s.target_mps < meets.speed_mps and not s.timed), None)
     if (own is not None and (not said or own.reacts_to is not None)) or not (
         said or _touches(walk, meets, story)
@@ -241,7 +216,7 @@ def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
         begins = floor(begins / _LOOK_S) * _LOOK_S
         gone = meets.profile.way_m(begins - _LOOK_S / 2)
         rate = meets.speed_at_mps(begins) ** 2 / (2 * (room - gone))
-    hazard = next(iter(sorted(story.kinds_by(meets.id) & _BRAKES)), None)
+    hazard = next(iter(sorted(story.kinds_by(meets.id) & BRAKES)), None)
     act = own.act if own is not None else None
     answers = None if said else walk.id
     answer = SpeedChange(target, rate, begins, act=act, hazard=hazard, reacts_to=answers)

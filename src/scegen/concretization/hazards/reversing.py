@@ -6,6 +6,7 @@ will have to brake.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import hypot
 
@@ -18,9 +19,7 @@ from scegen.concretization.backing import (
 )
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import culprits, same_arm, victims
-from scegen.concretization.lane_choice import entry_lanes
-from scegen.concretization.meetings import DANGER, Meeting, sampled
-from scegen.concretization.others import WalkDraft
+from scegen.concretization.meetings import DANGER, Meeting
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.errors import MotionInfeasibleError
@@ -42,36 +41,30 @@ _SEEN_BY_THEN_S = 0.6
 _LEAST_RUN_UP_M = 15.0
 
 
-def _sufferer(scene: Setup, hazard: Hazard, draft: DriveDraft) -> DriveDraft | None:
-    """Towards whom it reverses: the first who drives.
+def _each(scene: Setup, hazard: Hazard) -> Iterator[tuple[DriveDraft, DriveDraft | None]]:
+    """Who reverses, and towards whom: the first who drives.
 
     Raises:
         MotionInfeasibleError: those who are named only stand.
     """
-    others = victims(scene, hazard, draft)
-    if hazard.to and all(name in scene.stands for name in hazard.to):
-        raise MotionInfeasibleError(
-            f"reversing towards {', '.join(hazard.to)}, who is parked, is not supported: one that "
-            "reverses does so towards somebody who drives, walks or rides across",
-            where=draft.id,
-            hint="Name another as the one that suffers it, or let it drive.",
-        )
-    return others[0] if others else None
-
-
-def _crosser(scene: Setup, hazard: Hazard, draft: DriveDraft) -> WalkDraft | None:
-    """Who crosses behind it: one who suffers it, or in whose way it is by another danger."""
-    crossing = [
-        name for other in scene.functional.hazards if draft.id in other.to for name in other.by
-    ]
-    names = [name for name in (*hazard.to, *crossing) if name in scene.walks]
-    return scene.walks[names[0]] if names else None
+    for draft in culprits(scene, hazard):
+        if hazard.to and scene.stands.keys() >= {*hazard.to}:
+            raise MotionInfeasibleError(
+                f"reversing towards {', '.join(hazard.to)}, who is parked, is not supported: one "
+                "that reverses does so towards somebody who drives, walks or rides across",
+                where=draft.id,
+                hint="Name another as the one that suffers it, or let it drive.",
+            )
+        yield draft, next(iter(victims(scene, hazard, draft)), None)
 
 
 def prepare_to_reverse(scene: Setup, hazard: Hazard) -> None:
-    """Who comes out backwards enters, as it were, ahead of the other, in its lane."""
-    for draft in culprits(scene, hazard):
-        other = _sufferer(scene, hazard, draft)
+    """Who comes out backwards enters, as it were, ahead of the other, as who reverses there is.
+
+    Raises:
+        MotionInfeasibleError: it is beside or behind the other, or does something else as well.
+    """
+    for draft, other in _each(scene, hazard):
         if draft.drive.maneuver in SIDEWAYS:
             raise MotionInfeasibleError(
                 f"reversing and {draft.drive.maneuver.value.replace('_', ' ')} in one drive are "
@@ -85,51 +78,31 @@ def prepare_to_reverse(scene: Setup, hazard: Hazard) -> None:
             update = {"entry": other.drive.entry, "rank": other.drive.rank - 1}
             draft.from_arm = draft.drive.entry
             draft.drive = draft.drive.model_copy(update=update)
-        if same_arm(draft, other):
-            _check_order(draft, other)
-            _one_lane(scene, draft, other)
-
-
-def _check_order(draft: DriveDraft, other: DriveDraft) -> None:
-    """On one arm, who reverses is ahead."""
-    beside = draft.id == other.drive.beside or other.id == draft.drive.beside
-    if beside or draft.drive.rank > other.drive.rank:
-        raise MotionInfeasibleError(
-            f"drives {'beside' if beside else 'behind'} {other.id}: reversing moves it away",
-            where=draft.id,
-            hint=f"Let it be ahead of {other.id}, or come from another arm.",
-        )
-
-
-def _one_lane(scene: Setup, draft: DriveDraft, other: DriveDraft) -> None:
-    own = entry_lanes(scene, draft)
-    lanes = [lane for lane in entry_lanes(scene, other) if lane in own]
-    if draft.from_arm is not None:
-        routes = scene.network.routes.get((draft.drive.entry, draft.from_arm), ())
-        lanes = [lane for lane in lanes if any(r.entry_lane == lane for r in routes)]
-    if not lanes:
-        raise MotionInfeasibleError(
-            f"no lane of arm {draft.drive.entry} leads both {draft.id} and {other.id} where they "
-            "go, so the one cannot reverse towards the other",
-            where=draft.id,
-        )
-    lane = other.entry_lane if other.entry_lane in lanes else lanes[0]
-    draft.entry_lane = other.entry_lane = lane
+        beside = draft.id == other.drive.beside or other.id == draft.drive.beside
+        if same_arm(draft, other) and (beside or draft.drive.rank > other.drive.rank):
+            raise MotionInfeasibleError(
+                f"drives {'beside' if beside else 'behind'} {other.id}: reversing moves it away",
+                where=draft.id,
+                hint=f"Let it be ahead of {other.id}, or come from another arm.",
+            )
 
 
 def reverse(scene: Setup, hazard: Hazard) -> list[Meeting]:
-    """The ways of those who go back, and whom they meet there."""
+    """The ways of those who go back, and whom they meet there.
+
+    With nobody who drives, that is who crosses behind it: one who suffers it, or in whose way it is
+    by another danger.
+    """
     meetings: list[Meeting] = []
-    for draft in culprits(scene, hazard):
-        other = _sufferer(scene, hazard, draft)
+    for draft, other in _each(scene, hazard):
         if draft.reversal is not None:
             continue
-        comes_out = draft.drive.reverses not in {None, Reverses.BACKS_UP}
-        walk = _crosser(scene, hazard, draft) if other is None else None
-        if comes_out and other is not None:
+        crossing = [n for h in scene.functional.hazards if draft.id in h.to for n in h.by]
+        walk = next((n for n in (*hazard.to, *crossing) if n in scene.walks), None)
+        if other is not None and draft.drive.reverses not in {None, Reverses.BACKS_UP}:
             back_out(scene, draft)
-        elif walk is not None:
-            back_up_to(scene, draft, walk)
+        elif other is None and walk is not None:
+            back_up_to(scene, draft, scene.walks[walk])
         else:
             back_up(scene, draft, other)
         if other is not None:
@@ -141,8 +114,7 @@ def reverse(scene: Setup, hazard: Hazard) -> list[Meeting]:
 
 def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
     """Where the one is when the other has to brake, and where that one is then."""
-    touching = in_each_others_way(draft.laid.path, draft.body, other.laid.path, other.body)
-    s, its = sampled(draft.laid.path)[0], sampled(other.laid.path)[0]
+    s, its, touching = in_each_others_way(draft, other)
     begins_s, ends_s = draft.laid.path.backwards[0]
     back = (s >= begins_s) & (s <= ends_s)
     meets = touching[back]
@@ -155,38 +127,30 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
     course = draft.course
     sees_s = course.time_at(begins_s + _BEGINS_M) + _SEEN_S
     event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
-    rate = other.braking_mps2(_BRAKING_MPS2)
-    brakes_s = brakes_from(other, stops_s, rate, 0.0)
+    brakes_s = brakes_from(other, stops_s, other.braking_mps2(_BRAKING_MPS2), 0.0)
     require_room(other.id, brakes_s, _LEAST_RUN_UP_M)
     return event_s, brakes_s
 
 
 def go_back_as_they_come(scene: Setup, hazard: Hazard) -> None:
-    """It goes when the other comes."""
-    for draft in culprits(scene, hazard):
-        other = _sufferer(scene, hazard, draft)
-        if other is not None and draft.reversal is not None:
-            _wait_for(draft, other, _encounter(draft, other)[1])
-
-
-def _wait_for(draft: DriveDraft, other: DriveDraft, brakes_s: float) -> None:
-    """Begin to reverse when the other is so many seconds short of where it brakes."""
-    index, mark, back = next(
-        (n, mark, mark.then)
-        for n, mark in enumerate(draft.marks)
-        if mark.then is not None and mark.then.hazard is HazardKind.REVERSING
-    )
-    begins_s, _ = draft.laid.path.backwards[0]
-    goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
-    at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
-    speed = other.course.speed_at(at_s)
-    if at_s >= brakes_s or speed < 1.0:
-        return
-    here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
-    away_m = hypot(there.x_m - here.x_m, there.y_m - here.y_m)
-    waits = ArrivalBelow(
-        participant=other.id,
-        place_m=round(brakes_s - other.start_m, 3),
-        time_s=round(away_m / speed, 3),
-    )
-    draft.marks[index] = replace(mark, then=replace(back, trigger=waits))
+    """It begins to reverse when the other is so many seconds short of where it brakes."""
+    for draft, other in _each(scene, hazard):
+        if other is None or draft.reversal is None:
+            continue
+        brakes_s = _encounter(draft, other)[1]
+        begins_s, _ = draft.laid.path.backwards[0]
+        goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
+        at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
+        speed = other.course.speed_at(at_s)
+        if at_s >= brakes_s or speed < 1.0:
+            continue
+        here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+        away_m = hypot(there.x_m - here.x_m, there.y_m - here.y_m)
+        place_m, time_s = round(brakes_s - other.start_m, 3), round(away_m / speed, 3)
+        waits = ArrivalBelow(participant=other.id, place_m=place_m, time_s=time_s)
+        draft.marks = [
+            replace(mark, then=replace(mark.then, trigger=waits))
+            if mark.then is not None and mark.then.hazard is HazardKind.REVERSING
+            else mark
+            for mark in draft.marks
+        ]
