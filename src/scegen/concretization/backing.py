@@ -178,7 +178,9 @@ def in_each_others_way(
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Places of the one and of the other (see ``sampled``), and whether bodies touch there."""
     (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
+    x, y, heading = (row[:, None] for row in own)
+    x2, y2, heading2 = (row[None, :] for row in theirs)
     still = np.zeros(1)
-    first = box_at(*(row[:, None] for row in own), draft.body, still)
-    second = box_at(*(row[None, :] for row in theirs), other.body, still)
+    first = box_at(x, y, heading, draft.body, still)
+    second = box_at(x2, y2, heading2, other.body, still)
     return s, its, np.asarray(apart(first, second, 0.0) < 0.0)

@@ -117,11 +117,11 @@ def _from_words(scene: Setup) -> Iterator[LaneWish]:
         if diagonal and not level and not draft.drive.beside:
             yield from _beside(scene, name, scene.ego.id)
     for hazard in scene.of_kind(HazardKind.REVERSING):
-        for one, other in pairs(scene, hazard):
-            if same_arm(one, other):
-                words = f"{one.id} reverses towards {other.id} in its lane"
-                who = one.id, other.id
-                yield Wish(who, LIKELY, _steps(*who, lambda out: out == 0), words)
+        for cause, sufferer in pairs(scene, hazard):
+            if same_arm(cause, sufferer):
+                who = cause.id, sufferer.id
+                same = _steps(*who, lambda out: out == 0)
+                yield Wish(who, LIKELY, same, f"{cause.id} reverses in the lane of {sufferer.id}")
     yield from _clear_of_turning_back(scene)
 
 
