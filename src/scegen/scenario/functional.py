@@ -335,6 +335,13 @@ class Unsupported(FrozenModel):
     instead: str
 
 
+def _twice(names: Collection[str]) -> str | None:
+    """The first name that stands there more than once."""
+    if len(set(names)) == len(names):
+        return None
+    return next(name for name, times in Counter(names).items() if times > 1)
+
+
 class FunctionalScenario(FrozenModel):
     """A description, understood. Exactly one participant is the ego."""
 
@@ -365,10 +372,9 @@ class FunctionalScenario(FrozenModel):
 
     @model_validator(mode="after")
     def _consistent(self) -> FunctionalScenario:
-        ids = Counter(p.id for p in self.participants)
-        doubled = [name for name, times in ids.items() if times > 1]
-        if doubled:
-            msg = f"two participants are called {doubled[0]!r}"
+        ids = [p.id for p in self.participants]
+        if doubled := _twice(ids):
+            msg = f"two participants are called {doubled!r}"
             raise ValueError(msg)
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
@@ -393,7 +399,7 @@ class FunctionalScenario(FrozenModel):
             if thing.id in ids:
                 msg = f"an object has the name of another, {thing.id!r}"
                 raise ValueError(msg)
-            ids[thing.id] += 1
+            ids.append(thing.id)
         self._names_known(ids)
         return self
 
@@ -449,9 +455,9 @@ class FunctionalScenario(FrozenModel):
 
     def _moments_known(self, moments: Collection[str]) -> None:
         """Every act that is named as a moment is told of, and has one."""
-        acts = Counter(act.id for act in self.acts)
-        if doubled := [name for name, times in acts.items() if times > 1]:
-            msg = f"two acts are called {doubled[0]!r}"
+        acts = [act.id for act in self.acts]
+        if doubled := _twice(acts):
+            msg = f"two acts are called {doubled!r}"
             raise ValueError(msg)
         for moment in moments:
             if moment not in acts:

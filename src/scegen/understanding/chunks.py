@@ -85,7 +85,6 @@ class Mention(NounPhrase):
         negated: there is none ("no pedestrians").
         sides: it, or what it does, is said to come from there ("the one from the left").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
-        distributed: a plural noun that stands for one ("ego and adversary vehicles").
         seated: somebody who opens the door of the vehicle around them.
         events: what it does, filled in by the clause reader.
         entities: whom it refers to, filled in by the discourse.
@@ -108,7 +107,6 @@ class Mention(NounPhrase):
     elsewhere: bool = False
     narrowed: bool = False
     besides: bool = False
-    distributed: bool = False
     seated: bool = False
     goes_by: ParticipantKind | None = None
     negated: bool = False

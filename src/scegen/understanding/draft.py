@@ -28,7 +28,7 @@ _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
 _WAITS_TO_CROSS = "nobody walks along the road and then crosses it: it stands until it crosses"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True, unsafe_hash=True)
 class Basis:
     """What a fact rests on: tokens of the text, a reason, or both."""
 

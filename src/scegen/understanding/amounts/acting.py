@@ -11,7 +11,7 @@ from scegen.understanding.amounts.letting_by import arrives_first, goes_first, l
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import ActFrame, acts, words
+from scegen.understanding.frames import ActFrame, acts
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import quantity_at
@@ -231,7 +231,7 @@ def _stands_then(entity: Entity, event: Event) -> bool:
 
 def _then_again(doing: Doing, text: Sentences) -> Doing | None:
     """``brakes at 3 m/s² to 60 km/h, then at 8 m/s²``: the same once more, without its verb."""
-    then = text.find(words()["then"], doing.i + 1, text.bounds(doing.i)[1])
+    then = text.find("then", doing.i + 1, text.bounds(doing.i)[1])
     if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1]):
         return None
     if text.tokens[then[1] - 1].low == "again":
@@ -255,7 +255,7 @@ def _to_standstill(doing: Doing, text: Sentences, upto: int | None = None) -> No
         return
     end = text.bounds(doing.i)[1] if upto is None else upto
     later = [s.event.i for s in text.within(doing.i + 1, end) if s.event.name not in _RESTING]
-    span = text.find(words()["standstill"], doing.i, min([end, *later]))
+    span = text.find("standstill", doing.i, min([end, *later]))
     if span is not None:
         doing.amounts["target_speed_mps"] = Amount(STILL, Basis(*span))
 

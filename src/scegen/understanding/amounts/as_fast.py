@@ -8,7 +8,6 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Context
 
@@ -45,7 +44,7 @@ def _joined(text: Sentences) -> None:
 
 def _alike(text: Sentences, context: Context) -> None:
     """``equally fast``, ``at the same speed``: as fast as the other."""
-    span = text.find(words()["alike"], 0, len(text.tokens))
+    span = text.find("alike", 0, len(text.tokens))
     if span is None:
         return
     start, end = text.bounds(span[0])
@@ -81,7 +80,7 @@ def _followed(text: Sentences, context: Context) -> None:
 
 def _in_one_lane(text: Sentences, context: Context) -> None:
     """``ego 50 km/h, target 20 km/h, same lane``: whom the faster one comes up to is ahead."""
-    span = text.find(["same lane"], 0, len(text.tokens))
+    span = text.find("same_lane", 0, len(text.tokens))
     ego = ego_of(context)
     others = [e for e in context.draft.entities if e is not ego and e.is_vehicle]
     if span is None or ego is None or ego.speed is None or len(others) != 1:

@@ -44,7 +44,7 @@ class Judge(Teller):
         if event.premod_of is not None or self._bare(event) or not self._meets(scene):
             return None
         start = max(self._text.bounds(event.i)[0], event.i - _BEFORE)
-        nearly = self._text.find(words()["nearly"], start, event.i)
+        nearly = self._text.find("nearly", start, event.i)
         parent = event.parent
         vain = parent is not None and _in_vain(parent)
         basis = Basis(parent.i if vain and parent is not None else event.i, event.j)
@@ -70,7 +70,7 @@ class Judge(Teller):
         lemma = event.lemma
         if event.name == "overlook" and lemma == "miss":
             start = max(0, event.i - _BEFORE)
-            return self._text.find(words()["nearly"], start, event.i) is not None
+            return self._text.find("nearly", start, event.i) is not None
         part = isinstance(event.object, Place) and event.object.kind in {"side", "middle", "front"}
         meets = lemma == "meet" and (event.how("head_on") is not None or part)
         into = goal_of_contact(scene, self._context) is not None
@@ -111,7 +111,7 @@ class Judge(Teller):
     def _of_phrases(self) -> list[Ending]:
         found = []
         for name in ("near_miss", "avoided", "collision"):
-            span = self._text.find(words()[name], 0, len(self._text.tokens))
+            span = self._text.find(name, 0, len(self._text.tokens))
             if span is not None:
                 found.append(Ending(OutcomeKind(name), Basis(*span), self._around(span[0], None)))
         return found
@@ -226,8 +226,8 @@ class Judge(Teller):
             ending = Ending(OutcomeKind.COLLISION, amount_of(number).basis, who)
             self._happenings.ending = ending
         _, end = self._text.bounds(number.i)
-        left = self._text.find(words()["left_edge"], number.j, end)
-        right = self._text.find(words()["right_edge"], number.j, end)
+        left = self._text.find("left_edge", number.j, end)
+        right = self._text.find("right_edge", number.j, end)
         value, basis = number.quantity.exact, amount_of(number).basis
         edge = left or right
         if edge is not None:
@@ -255,7 +255,7 @@ class Judge(Teller):
         """``with full overlap``: the share that no number tells."""
         ending = self._happenings.ending
         ego = ego_of(self._context)
-        span = self._text.find(words()["full_overlap"], 0, len(self._text.tokens))
+        span = self._text.find("full_overlap", 0, len(self._text.tokens))
         if span is None or ego is None:
             return
         named = [e for e in ending.between if e is not ego] if ending is not None else []

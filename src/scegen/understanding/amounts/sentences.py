@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Iterable
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
@@ -30,15 +31,14 @@ class Sentences:
         self.scenes = scenes
         self.mentions = [c for c in chunks if isinstance(c, Mention)]
         self._subs = [c for c in chunks if isinstance(c, Word) and c.cat == "sub"]
+        self._marks = [k for k, token in enumerate(tokens) if token.low in _ENDS]
+        self._said: dict[str, list[str]] = {}
 
     def bounds(self, i: int) -> tuple[int, int]:
         """Where the sentence of a token begins and ends."""
-        start, end = i, i
-        while start > 0 and self.tokens[start - 1].low not in _ENDS:
-            start -= 1
-        while end < len(self.tokens) and self.tokens[end].low not in _ENDS:
-            end += 1
-        return start, end
+        k = bisect_left(self._marks, i)
+        start = self._marks[k - 1] + 1 if k else 0
+        return start, self._marks[k] if k < len(self._marks) else len(self.tokens)
 
     def within(self, start: int, end: int) -> list[Clause]:
         """What happens between two tokens, participles before nouns left out."""
@@ -46,16 +46,24 @@ class Sentences:
 
     def low(self, i: int, j: int) -> str:
         """The words of some tokens, with a blank at either end."""
-        return f" {' '.join(t.low for t in self.tokens[max(0, i) : j])} "
+        return f" {' '.join([t.low for t in self.tokens[max(0, i) : j]])} "
+
+    def _phrases(self, name: str) -> list[str]:
+        """The phrases of a list that the text holds anywhere."""
+        if name not in self._said:
+            text = self.low(0, len(self.tokens))
+            self._said[name] = [p for p in words()[name] if f" {p} " in text]
+        return self._said[name]
 
     def says(self, name: str, i: int, j: int) -> str | None:
         """The first phrase of a list that stands between two tokens."""
-        text = self.low(i, j)
-        return next((p for p in words()[name] if f" {p} " in text), None)
+        found = self.find(name, i, j)
+        return self.low(*found).strip() if found is not None else None
 
-    def find(self, phrases: Iterable[str], start: int, end: int) -> tuple[int, int] | None:
-        """Where the first of some phrases stands whole between two tokens."""
-        text = self.low(start, end)
+    def find(self, name: str, start: int, end: int) -> tuple[int, int] | None:
+        """Where the first phrase of a list stands whole between two tokens."""
+        phrases = self._phrases(name)
+        text = self.low(start, end) if phrases else ""
         for phrase in phrases:
             at = text.find(f" {phrase} ")
             if at >= 0:

@@ -257,7 +257,7 @@ class Clock(Teller):
 
     def _then(self, before: Doing, doing: Doing) -> tuple[int, int] | None:
         start = max(before.basis.j or before.i, self._text.bounds(doing.i)[0])
-        span = self._text.find(words()["then"], start, doing.i)
+        span = self._text.find("then", start, doing.i)
         forwards = span is not None and self._text.tokens[span[0]].low != "before"
         lane = span is not None and any(
             isinstance(c, Place) and c.i <= span[0] < c.j for c in self._text.chunks

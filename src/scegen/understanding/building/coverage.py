@@ -39,21 +39,23 @@ def unattached(
         terms: the terms of its description.
         tokens: the tokens of its description.
     """
-    spans = [
-        (e.start, e.end)
+    proved = [
+        (e.field, e.start, e.end)
         for e in scenario.evidence
-        if e.start is not None and not e.field.endswith(_WHO)
+        if e.start is not None and e.end is not None
     ]
+    named = [(start, end) for _, start, end in proved]
+    spans = [(start, end) for field, start, end in proved if not field.endswith(_WHO)]
     spans += [(u.start, u.end) for u in scenario.unsupported]
-    named = [(e.start, e.end) for e in scenario.evidence if e.start is not None]
-    ends = [(e.start, e.end) for e in scenario.evidence if e.field == "outcome.kind"]
-    told = [(a, b) for a, b in ends if a is not None and b is not None]  # "misses" denies no seeing
-    found = [u for u in scenario.unsupported if not any(a <= u.start < b for a, b in told)]
+    told = [(start, end) for field, start, end in proved if field == "outcome.kind"]
+    found = [  # "misses" denies no seeing
+        u for u in scenario.unsupported if not any(a <= u.start < b for a, b in told)
+    ]
     for before, term in zip([None, *terms], terms, strict=False):
-        start, end = tokens[term.i].start, tokens[term.j - 1].end
         cat = "dir" if (term.cat, term.value) == _PORTION else term.cat
         if cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
             continue
+        start, end = tokens[term.i].start, tokens[term.j - 1].end
         dark = scenario.junction.control is Control.SIGNALS_OFF
         if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
             continue  # "a signalised intersection, whose lights are off"
@@ -61,7 +63,7 @@ def unattached(
             continue
         if term.value == "between" and before is not None and before.cat == "quantity":
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
-        if any(a <= start and b is not None and end <= b for a, b in spans):
+        if any(a <= start and end <= b for a, b in spans):
             continue
         text = scenario.description[start:end]
         instead = _otherwise(term, scenario) or _INSTEAD[cat]
@@ -71,11 +73,11 @@ def unattached(
 
 
 def _counts(
-    term: Term, before: Term | None, tokens: list[Token], named: list[tuple[int, int | None]]
+    term: Term, before: Term | None, tokens: list[Token], named: list[tuple[int, int]]
 ) -> bool:
     """``two cars``, ``vehicle 1``, ``one of them``: a number that counts or names somebody."""
     start, end = tokens[term.i].start, tokens[term.j - 1].end
-    inside = any(a <= start and b is not None and end <= b for a, b in named)
+    inside = any(a <= start and end <= b for a, b in named)
     called = before is not None and before.cat in {"actor", "place", "label"}
     return tokens[term.i].kind != "number" or inside or called
 

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from scegen.scenario.functional import Evidence
 from scegen.scenario.vocabulary import EvidenceSource
 from scegen.understanding.draft import Basis
 from scegen.understanding.words.tokens import Token
+
+_FIELDS = set(Evidence.model_fields)
+_NOT_SAID: dict[str, Any] = dict.fromkeys(("text", "start", "end", "reason"))
 
 
 class Proofs:
@@ -14,6 +19,7 @@ class Proofs:
     def __init__(self, text: str, tokens: list[Token]) -> None:
         self._text = text
         self._tokens = tokens
+        self._slips = [k for k, token in enumerate(tokens) if token.slip]
         self._found: list[Evidence] = []
 
     @property
@@ -33,22 +39,21 @@ class Proofs:
             basis: its words or the reason for it; None if the text does not say.
             default: why it has its value if the text does not say.
         """
+        told = {"field": name, "source": EvidenceSource.DEFAULT, **_NOT_SAID}
         if basis is None:
-            self._found.append(
-                Evidence(field=name, source=EvidenceSource.DEFAULT, reason=default or "not said")
-            )
-            return
-        reason = "; ".join(filter(None, (basis.reason, self._slips(basis)))) or None
-        source = EvidenceSource.INFERRED if reason else EvidenceSource.STATED
-        start = end = text = None
-        if basis.i is not None and basis.j is not None:
+            told["reason"] = default or "not said"
+        elif reason := self._reason(basis):
+            told |= {"source": EvidenceSource.INFERRED, "reason": reason}
+        else:
+            told["source"] = EvidenceSource.STATED
+        if basis is not None and basis.i is not None and basis.j is not None:
             start, end = self.span(basis.i, basis.j)
-            text = self._text[start:end]
-        self._found.append(
-            Evidence(field=name, source=source, text=text, start=start, end=end, reason=reason)
-        )
+            told |= {"text": self._text[start:end], "start": start, "end": end}
+        self._found.append(Evidence.from_valid(told, _FIELDS))
 
-    def _slips(self, basis: Basis) -> str:
-        """Misspelt words among those that a field rests on."""
-        words = self._tokens[basis.i : basis.j] if basis.i is not None else []
-        return "; ".join(f"'{t.text}' is read as '{t.low}'" for t in words if t.slip)
+    def _reason(self, basis: Basis) -> str | None:
+        """Why a field has its value, misspelt words among those that it rests on included."""
+        first, end = basis.i or 0, basis.j or 0
+        slips = [self._tokens[k] for k in self._slips if first <= k < end]
+        read = [f"'{t.text}' is read as '{t.low}'" for t in slips]
+        return "; ".join([basis.reason, *read] if basis.reason else read) or None

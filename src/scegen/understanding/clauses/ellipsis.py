@@ -103,12 +103,13 @@ def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     """``has to yield but does not``: the verb before, denied."""
     found = []
     for k, chunk in enumerate(chunks[1:], start=1):
+        if not isinstance(chunk, Word) or chunk.cat != "neg":
+            continue
         helper, after = chunks[k - 1], chunks[k + 1] if k + 1 < len(chunks) else None
         does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
-        denies = isinstance(chunk, Word) and chunk.cat == "neg"
         ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
         before = [e for e in events if e.j <= helper.i and e.subject and not e.nominal]
-        if does and denies and ends and before:
+        if does and ends and before:
             again = replace(before[-1], i=helper.i, j=chunk.j, negated=True, modal=False, pps=[])
             who = chunks[k - 2] if k > 1 else None
             fresh = isinstance(who, Mention) and who.prep is None

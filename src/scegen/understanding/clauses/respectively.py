@@ -39,12 +39,12 @@ def _members(event: Event) -> list[Mention]:
 
 
 def _apart(event: Event, respectively: bool) -> list[Event]:
-    members = _members(event)
-    if len(members) < 2 or event.alternative is not None:
+    count = sum([len(m.entities) for m in event.subject])
+    if count < 2 or event.alternative is not None:
         return [event]
-    shares = [s for s in (_ways(event, cat, len(members)) for cat in _SHARED) if s]
-    speeds = _speeds(event, len(members)) if respectively else []
-    sides = _sides(event, len(members))
+    shares = [s for s in (_ways(event, cat, count) for cat in _SHARED) if s]
+    speeds = _speeds(event, count) if respectively else []
+    sides = _sides(event, count)
     if not (shares or speeds or sides):
         return [event]
     gone = {m.i for share in (*shares, speeds) for m in share}
@@ -57,7 +57,7 @@ def _apart(event: Event, respectively: bool) -> list[Event]:
             mods=[*mods, *(share[k] for share in (*shares, speeds) if share)],
             pps=[*pps, *sides[k : k + 1]],
         )
-        for k, who in enumerate(members)
+        for k, who in enumerate(_members(event))
     ]
 
 

@@ -7,7 +7,7 @@ Each entry of a file has ``cat`` (word class), ``value`` (meaning within the cla
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from typing import Any
 
@@ -51,12 +51,14 @@ class Lexicon:
         words: every single word that occurs in a phrase.
         irregular: word -> (base form, form).
         units: spelled unit, as a tuple of words -> its dimension and its name.
+        unit_words: the words with which units begin.
     """
 
     root: Node
     words: frozenset[str]
     irregular: dict[str, tuple[str, str]]
     units: dict[tuple[str, ...], tuple[str, str]]
+    unit_words: frozenset[str]
 
 
 def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
@@ -94,7 +96,8 @@ def load() -> Lexicon:
     }
     words.update(word for spelling in units for word in spelling)
     irregular = {word: (base, form) for word, (base, form) in _read("irregular").items()}
-    return Lexicon(root, frozenset(words), irregular, units)
+    unit_words = frozenset(spelling[0] for spelling in units)
+    return Lexicon(root, frozenset(words), irregular, units, unit_words)
 
 
 @lru_cache(maxsize=1)
@@ -124,6 +127,7 @@ def _lists() -> dict[str, frozenset[str]]:
     return {name: frozenset(words) for name, words in lists.items()}
 
 
+@cache
 def word_list(name: str) -> frozenset[str]:
     """The words of a list."""
     return _lists()[name]

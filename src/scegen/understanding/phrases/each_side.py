@@ -12,7 +12,13 @@ from scegen.understanding.words.tokens import Token
 
 def both_sides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks with "one from each side" spelled out."""
-    chunks = _one_and_the_other(_each_of(chunks))
+    pronouns = {c.pronoun for c in chunks if isinstance(c, Mention)}
+    if pronouns & {"all", "both"}:
+        chunks = _each_of(chunks)
+    if "other" in pronouns:
+        chunks = _one_and_the_other(chunks)
+    if "one" not in pronouns:
+        return chunks
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):

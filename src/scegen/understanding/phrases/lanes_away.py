@@ -13,6 +13,8 @@ _SIDES = frozenset({"left", "right", "adjacent", "opposite"})
 
 def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks with such lanes as places."""
+    if not any(isinstance(c, Place) and c.kind == "lane" for c in chunks):
+        return chunks
     found: list[Chunk] = []
     skipped: set[int] = set()
     for k, chunk in enumerate(chunks):
@@ -57,10 +59,11 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _inside(chunk: Chunk, chunks: list[Chunk], k: int) -> list[Chunk] | None:
     """``the target lane's occupant``: who drives in that lane."""
+    if not isinstance(chunk, Place) or chunk.kind != "lane" or not set(chunk.dirs) & _SIDES:
+        return None
     joint, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    lane = isinstance(chunk, Place) and chunk.kind == "lane" and bool(set(chunk.dirs) & _SIDES)
     owns = isinstance(joint, Word) and joint.value == "genitive"
-    if not (lane and owns and isinstance(who, Mention) and who.head is not None):
+    if not (owns and isinstance(who, Mention) and who.head is not None):
         return None
     if "aboard" in who.head.data:
         head = Term("actor", "car", who.head.i, who.head.j, who.head.form)

@@ -39,7 +39,7 @@ def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     found: list[Chunk] = []
     after = 0
     for k, chunk in enumerate(chunks):
-        lane = _whole(k, chunks)
+        lane = _whole(k, chunks) if isinstance(chunk, Place) else None
         if isinstance(chunk, Place) and lane is not None and _is_within(chunk, lane, k, chunks):
             where = tokens[chunk.i - 1].low
             if where in word_list("inside") or (where == "to" and _keeps(k, chunks) and _its(lane)):
@@ -70,6 +70,8 @@ def _its(lane: Place) -> bool:
 
 
 def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Place | None:
+    if not isinstance(chunk, Place | Mention):
+        return None
     before, whole = chunks[k - 1] if k else None, _whole(k, chunks)
     if isinstance(chunk, Place) and chunk.kind == "side":
         named_side = chunk.mod("det") is not None and chunk.head is None and _sided(chunk)

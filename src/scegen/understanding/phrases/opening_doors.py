@@ -25,6 +25,8 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: the chunks of the text.
         tokens: its tokens.
     """
+    if not any(isinstance(c, Event | Thing) and _door(c) for c in chunks):
+        return chunks
     found: list[Chunk] = []
     ended: list[Chunk] = []
     k = 0
@@ -66,6 +68,10 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         found.append(Event("door", chunks[verb].i, end, "s", lemma="open"))
         k = next((m for m in range(verb, len(chunks)) if chunks[m].i >= end), len(chunks))
     return found + ended
+
+
+def _door(chunk: Event | Thing) -> bool:
+    return (chunk.name if isinstance(chunk, Event) else chunk.kind) == "door"
 
 
 def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:

@@ -24,7 +24,10 @@ _DOER = frozenset({"of", "by"})
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
-    chunks = _told_by_nobody(_after_headings(_cast(_from_titles(_in_lanes(chunks)))))
+    chunks = _in_lanes(chunks)
+    if any(_is(chunk, ":") for chunk in chunks):
+        chunks = _after_headings(_cast(_from_titles(chunks)))
+    chunks = _told_by_nobody(chunks)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
             chunk.nominal = True
@@ -120,17 +123,19 @@ def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:
     """``ego 100 km/h, right lane``: in that lane."""
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
-        before, after = _at(chunks, k - 1), _at(chunks, k + 1)
-        bare = isinstance(before, Word) and (before.cat == "quantity" or before.value == ",")
-        who = isinstance(before, Mention) and any(m.cat == "quantity" for m in before.mods)
-        ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "conj"})
-        lane = chunk if isinstance(chunk, Place) and chunk.kind == "lane" else None
-        plain = lane is not None and all(m.cat == "dir" for m in lane.mods)
-        sided = lane is not None and bool({"left", "right"} & set(lane.dirs))
-        if plain and sided and ends and (bare or who):
+        if isinstance(chunk, Place) and chunk.kind == "lane" and _bare_lane(chunk, chunks, k):
             found.append(Word(Term("prep", "in", chunk.i, chunk.i)))
         found.append(chunk)
     return found
+
+
+def _bare_lane(lane: Place, chunks: list[Chunk], k: int) -> bool:
+    before, after = _at(chunks, k - 1), _at(chunks, k + 1)
+    bare = isinstance(before, Word) and (before.cat == "quantity" or before.value == ",")
+    who = isinstance(before, Mention) and any(m.cat == "quantity" for m in before.mods)
+    ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "conj"})
+    plain = all(m.cat == "dir" for m in lane.mods)
+    return plain and bool({"left", "right"} & set(lane.dirs)) and ends and (bare or who)
 
 
 def _titled(title: list[Chunk]) -> Place | None:
@@ -202,12 +207,13 @@ def _named_doing(chunks: list[Chunk], k: int) -> bool:
     following, who = _at(chunks, k + 1), _at(chunks, k + 2)
     event = chunks[k]
     said = isinstance(event, Event) and event.form in {"base", "ing"}
-    opens = _ends(_at(chunks, k - 1))
+    if not said or not _ends(_at(chunks, k - 1)):
+        return False
     doer = isinstance(following, Word) and following.value in _DOER and isinstance(who, Mention)
     placed = isinstance(following, Word) and following.cat in {"prep", "locus", "manner"}
     bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
     listed = _is(following, ",") or _is(following, ":")  # "Cut-in, ego 100 km/h, target …"
-    return said and opens and (doer or (bare and (placed or listed)))
+    return doer or (bare and (placed or listed))
 
 
 def _going(chunks: list[Chunk], k: int) -> Event | None:

@@ -25,12 +25,16 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         The chunks without these clauses; the place tells which arm it is, a word of manner which
         course. A clause that tells more (who turns, and which way) is a sentence of its own.
     """
+    kinds = {c.kind for c in chunks if isinstance(c, Place)}
+    if kinds.isdisjoint(_ROADS | _COURSES):
+        return _without_asides(chunks, tokens)
     found: list[Chunk] = []
     begin, k = 0, 0
     while k < len(chunks):
         chunk = chunks[k]
         clause = _arm_clause(chunks, k, tokens) if isinstance(chunk, Place) else None
-        course = _course(chunks, k, tokens, found) if clause is None else None
+        named = clause is None and not kinds.isdisjoint(_COURSES)
+        course = _course(chunks, k, tokens, found) if named else None
         if clause is not None and isinstance(chunk, Place):
             end, chunk.arm = clause
             told = _told_anew(chunks, k, end)
@@ -205,6 +209,10 @@ def _end_of_turn(chunks: list[Chunk], m: int) -> int:
 def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks without "as the ego sees it after the turn", and without "so" before a side."""
     ways = load_ways()
+    words = {"as", *ways["therefore"]}
+    turns = any(isinstance(c, Word) and c.value == "before" for c in chunks)
+    if not turns and words.isdisjoint([t.low for t in tokens]):
+        return chunks
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):

@@ -61,11 +61,10 @@ def _his(mention: Mention) -> bool:
 def put_there(chunks: list[Chunk], tokens: list[Token]) -> None:
     """``a cone left behind by workers``: they are not about any more."""
     for k, chunk in enumerate(chunks):
-        by, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+        by, who = [*chunks[k + 1 : k + 3], None, None][:2]
+        if not (isinstance(by, Word) and by.value == "by" and isinstance(who, Mention)):
+            continue
         put = any(t.low in word_list("put") for t in tokens[max(0, chunk.i - _PUT_REACH) : chunk.j])
         before = any(isinstance(c, Thing) for c in chunks[max(0, k - _PUT_REACH) : k])
-        agent = isinstance(by, Word) and by.value == "by" and isinstance(who, Mention)
-        if not (agent and isinstance(who, Mention) and put and before):
-            continue
-        if any(h.value in _PEOPLE for h in who.heads):
+        if put and before and any(h.value in _PEOPLE for h in who.heads):
             who.negated = True

@@ -77,7 +77,7 @@ def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
     if any(terms[k].data.get("radius_m") for k in bends):
         return terms
     for m, term in enumerate(terms):
-        if role_of(terms, m, tokens) != "radius":
+        if term.cat not in {"quantity", "num"} or role_of(terms, m, tokens) != "radius":
             continue
         radius = value_of(terms, m).middle
         if bends:

@@ -9,6 +9,9 @@ from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
+_NUMBERS = {"quantity": "quantity", "num": "number"}
+"""Class of a term -> where its number stands."""
+
 
 def role_of(terms: Sequence[Term], k: int, tokens: list[Token]) -> str:
     """What a number measures, by the words around it alone; empty where a term is no number.
@@ -19,7 +22,7 @@ def role_of(terms: Sequence[Term], k: int, tokens: list[Token]) -> str:
         tokens: its tokens.
     """
     term = terms[k]
-    if term.data.get({"quantity": "quantity", "num": "number"}.get(term.cat, "")) is None:
+    if term.cat not in _NUMBERS or term.data.get(_NUMBERS[term.cat]) is None:
         return ""
     dimension = term.value if term.cat == "quantity" else "number"
     ends = {t.j: t.i for t in terms if t.cat == "quantity"}

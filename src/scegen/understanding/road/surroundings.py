@@ -99,7 +99,7 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.bases.setdefault(term.data["field"], basis)
         elif term.cat == "side" and found.side is None:
             found.side, found.side_basis = DrivingSide(term.value), basis
-        elif _measured(found, terms, k, tokens):
+        elif term.cat in {"quantity", "num"} and _measured(found, terms, k, tokens):
             pass
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)

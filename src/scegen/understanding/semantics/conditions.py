@@ -253,8 +253,8 @@ def condition(text: str) -> Test:
         KeyError: names a word that means nothing here.
     """
     if " or " in text:
-        tests = [condition(part) for part in text.split(" or ")]
-        return lambda clause, context: any(test(clause, context) for test in tests)
+        one, other = map(condition, text.split(" or ", maxsplit=1))
+        return lambda clause, context: one(clause, context) or other(clause, context)
     name, _, rest = text.partition(" ")
     if name == "not":
         test = condition(rest)

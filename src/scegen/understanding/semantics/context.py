@@ -73,7 +73,7 @@ class Clause:
 
     def places(self) -> list[Place]:
         """Places named with the event."""
-        named = [self.event.object, *(p.target for p in self.event.pps)]
+        named = [self.event.object, *[p.target for p in self.event.pps]]
         return [p for p in named if isinstance(p, Place)]
 
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from typing import Any, TypeAlias
 
@@ -324,6 +324,13 @@ def families() -> dict[str, tuple[Row, ...]]:
     return found
 
 
+@cache
+def _asked(family: str, event: str) -> tuple[Row, ...]:
+    """The rows of a family that may fit an event; none is asked after one that renames it."""
+    rows = families().get(family, ())
+    return tuple(row for row in rows if row.events is None or event in row.events)
+
+
 def say(family: str, clause: Clause, context: Context) -> bool:
     """Adds what the rows of a family make of a clause.
 
@@ -336,10 +343,11 @@ def say(family: str, clause: Clause, context: Context) -> bool:
         Whether a row fits.
     """
     fitted = False
-    for row in families().get(family, ()):
-        if row.events is not None and clause.event.name not in row.events:
-            continue
-        if all(test(clause, context) for test in row.tests):
+    for row in _asked(family, clause.event.name):
+        for test in row.tests:
+            if not test(clause, context):
+                break
+        else:
             fitted = True
             for effect in row.effects:
                 effect(clause, context)

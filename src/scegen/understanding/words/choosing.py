@@ -24,7 +24,7 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    following = longest_match(tokens, match.j)
     measured = following is not None and _with_a_number(match, following, tokens)
     if not ((measured or _may_describe(previous)) and noun_follows(tokens, match.j)):
         return False
@@ -202,14 +202,15 @@ def _without_place(match: Match, attributive: bool) -> Entry:
 
 def _not_inflected(match: Match) -> Match:
     """``the neighbouring lane``, ``boxed in``: no noun has such a form."""
+    if match.form not in {"ing", "ed"} or not match.has("actor", "thing"):
+        return match
     kept = tuple(e for e in match.entries if e.cat not in {"actor", "thing"})
-    inflected = match.form in {"ing", "ed"} and kept
-    return Match(kept, match.j, match.form) if inflected else match
+    return Match(kept, match.j, match.form) if kept else match
 
 
 def _describes(match: Match, tokens: list[Token]) -> bool:
     """Whether a role name stands before another adjective and a noun."""
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    following = longest_match(tokens, match.j)
     if following is None or following.has("actor"):
         return False
     return noun_follows(tokens, match.j)
@@ -221,7 +222,7 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
         return False
     if match.j < len(tokens) and tokens[match.j].low == ",":
         return True  # "a taxi that, looking for a fare, brakes"
-    after = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    after = longest_match(tokens, match.j)
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
     verbal = verbal and after is not None and not after.has("actor", "place")
     sided = previous.cat in {"dir", "compass"} and verbal
@@ -230,7 +231,7 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
 
 def _before_a_noun(match: Match, tokens: list[Token]) -> bool:
     """``the red car``, ``the red one``: a colour; ``the red`` alone is a light."""
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    following = longest_match(tokens, match.j)
     if following is not None and following.has("actor", "place", "label"):
         return True
     return match.j < len(tokens) and tokens[match.j].low in {"one", "ones"}
@@ -246,7 +247,7 @@ _PRIORITY = (
 def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``the cut-in vehicle``, ``a lane-change car``: a doing that tells which one is meant."""
     opens = previous is None or previous.cat in {"det", "punct", "sub"}
-    noun = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    noun = longest_match(tokens, match.j)
     hyphen = match.j - 1 > 0 and tokens[match.j - 1].start == tokens[match.j - 2].end + 1
     return opens and hyphen and noun is not None and noun.only("actor") and noun.form == "base"
 
@@ -289,7 +290,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("label") and match.has("place"):
         return match.get("label" if _before_a_noun(match, tokens) else "place"), False
     if match.has("neg") and match.has("pronoun"):
-        following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+        following = longest_match(tokens, match.j)
         listed = following is not None and following.has("det", "actor", "possessive")
         return match.get("neg" if listed else "pronoun"), False
     if match.has("leg") and previous is not None and previous.cat == "num":

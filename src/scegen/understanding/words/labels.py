@@ -34,10 +34,12 @@ def named_at(tokens: list[Token], i: int) -> Term | None:
 
 def _labelled(token: Token, i: int) -> Term | None:
     """``V1``, ``car2``: a participant called by a short name."""
+    if token.kind != "label":
+        return None
     digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
-    if token.kind == "label" and _LABELLED.match(token.low):
+    if _LABELLED.match(token.low):
         return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
-    if token.kind == "label" and _WALKER.match(token.low):
+    if _WALKER.match(token.low):
         return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
     return None
 
@@ -74,8 +76,8 @@ def _aged(tokens: list[Token], i: int) -> Term | None:
     after = tokens[i + 1] if i + 1 < len(tokens) else None
     if tokens[i].low in word_list("ages") and after is not None and after.kind == "number":
         return Term("label", "quality", i, i + 2)  # "a pedestrian, aged 70, …"
-    words = [t.low for t in tokens[i + 1 : i + 3]]
-    aged = words == ["year", "old"] and tokens[i].kind == "number"
+    aged = tokens[i].kind == "number"
+    aged = aged and [t.low for t in tokens[i + 1 : i + 3]] == ["year", "old"]
     if not aged and tokens[i].low not in word_list("sexes"):
         return None
     j = i + 3 if aged else i + 1

@@ -23,9 +23,9 @@ def number_of_a_lane(term: Term, terms: list[Term], tokens: list[Token]) -> Term
         terms: the terms before it; those that become part of the lane are taken away.
         tokens: the tokens of the text.
     """
-    number = number_at(tokens, term.i)
-    two_lane = term.cat == "label" and tokens[term.j - 1].low == "lane" and number is not None
-    if two_lane and number is not None and terms and _numbers(terms[-1], tokens):
+    two_lane = term.cat == "label" and tokens[term.j - 1].low == "lane"
+    number = number_at(tokens, term.i) if two_lane else None
+    if number is not None and terms and _numbers(terms[-1], tokens):
         opening = terms.pop()  # "number two lane": no two-lane road
         data = {"ranked": True, "number": int(number.value)}
         return Term("place", "lane", opening.i, term.j, data=data)
@@ -58,5 +58,5 @@ def _numbers(term: Term, tokens: list[Token]) -> bool:
 
 def _noun_at(tokens: list[Token], j: int) -> bool:
     """``the left lane of three cars``: what is counted are no lanes."""
-    following = longest_match(tokens, j) if j < len(tokens) else None
+    following = longest_match(tokens, j)
     return following is not None and following.has("actor") and not following.has("verb")

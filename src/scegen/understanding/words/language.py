@@ -24,20 +24,22 @@ def require_english(tokens: list[Token], text: str) -> None:
     Raises:
         InputError: if it is plainly not English.
     """
-    letters = [c for c in text if c.isalpha()]
+    letters = [] if text.isascii() else [c for c in text if c.isalpha()]
     foreign = [c for c in letters if not unicodedata.name(c, "").startswith("LATIN")]
     if len(letters) > _FEWEST and len(foreign) > _HALF * len(letters):
         msg = "the description is not written in Latin letters; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
-    strange = [t for t in tokens if t.kind == "word" and _strange(t)]
-    counts = {name: sum(w in common for w in words) for name, common in load_languages().items()}
+    counts = {
+        name: sum(map(common.__contains__, words)) for name, common in load_languages().items()
+    }
     english = counts.pop(_ENGLISH)
     likeliest = max(counts, key=lambda name: counts[name])
     if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:
         msg = f"the description seems to be written in {likeliest}; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
-    if not english and len(strange) >= _FEWEST and len(strange) > _HALF * len(words):
+    strange = 0 if english else sum(t.kind == "word" and _strange(t) for t in tokens)
+    if strange >= _FEWEST and strange > _HALF * len(words):
         msg = "the description does not seem to be written in English; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
 

@@ -48,7 +48,7 @@ def _of_a_lane(terms: list[Term], k: int) -> bool:
 
 def _bare(tokens: list[Token], term: Term) -> bool:
     """No noun follows that the side would belong to."""
-    following = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    following = longest_match(tokens, term.j)
     if following is not None and tokens[term.j].low in {"of", "side", "hand"}:
         return False
     return following is None or not following.has(*_NOUNS)

@@ -10,7 +10,7 @@ from text_to_num import text2num
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
-_ATOMS = frozenset(
+ATOMS = frozenset(
     (
         "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
         "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
@@ -26,7 +26,7 @@ PARTS = {"half": 2, "third": 3, "thirds": 3, "quarter": 4, "quarters": 4, "fifth
 _WIDTH_REACH = 6
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Number:
     """A number and how many tokens it takes."""
 
@@ -63,10 +63,10 @@ def number_at(tokens: list[Token], i: int) -> Number | None:
     token = tokens[i]
     if token.kind == "number":
         return Number(_digits(token.text), 1)
-    if token.low not in _ATOMS:
+    if token.low not in ATOMS:
         return None
     j = i
-    while j < len(tokens) and tokens[j].low in _ATOMS and j - i < 6:
+    while j < len(tokens) and tokens[j].low in ATOMS and j - i < 6:
         j += 1
     for end in range(j, i, -1):
         value = _spoken(tuple(t.low for t in tokens[i:end]))

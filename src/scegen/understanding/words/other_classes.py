@@ -76,11 +76,11 @@ def _how_measured(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
 
 def _changes_from(term: Term, tokens: list[Token]) -> bool:
     """``changes from the right lane into the left``."""
-    word = tokens[term.i]
+    if term.j - term.i != 1 or tokens[term.i].forms[-1][0] != "change":
+        return False
     after = tokens[term.j : term.j + _LANE_REACH]
     lane = any(t.forms[-1][0] == "lane" for t in after)
-    verbal = term.j - term.i == 1 and word.forms[-1][0] == "change"
-    return verbal and lane and bool(after) and after[0].low in {"from", "out"}
+    return lane and after[0].low in {"from", "out"}
 
 
 def _negates_a_verb(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
@@ -100,7 +100,7 @@ def _remains(terms: list[Term], tokens: list[Token], term: Term) -> bool:
 
 def _across_from_somebody(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     """Whether a participant stands right before "facing", and another after it."""
-    after = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    after = longest_match(tokens, term.j)
     if after is not None and after.has("det", "possessive") and after.j < len(tokens):
         after = longest_match(tokens, after.j)
     named = after is not None and after.has("actor", "pronoun")

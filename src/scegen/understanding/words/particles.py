@@ -78,7 +78,7 @@ def _named_at(
 ) -> bool:
     """Whether a noun of a class is named at token ``j``, articles and the like skipped."""
     for _ in range(3):
-        found = longest_match(tokens, j) if j < len(tokens) else None
+        found = longest_match(tokens, j)
         if found is None or found.has(*others):
             return False
         if found.has(*wanted):
@@ -89,10 +89,11 @@ def _named_at(
 
 def nothing_shed(tokens: list[Token], match: Match) -> bool:
     """``loses patience``, ``a lost pallet``: no thing that it carried is let fall."""
-    shed = match.only("verb") and match.get("verb").value == "shed"
-    opened = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    if match.entries[0].value != "shed" or not match.only("verb"):
+        return False
+    opened = longest_match(tokens, match.j)
     bare = match.form == "ed" and not (opened is not None and opened.has("det", "possessive"))
-    return shed and (bare or not _named_at(tokens, match.j, ("thing",), ("actor", "place")))
+    return bare or not _named_at(tokens, match.j, ("thing",), ("actor", "place"))
 
 
 def over_a_place(tokens: list[Token], match: Match) -> bool:
@@ -121,8 +122,9 @@ def in_front(tokens: list[Token], match: Match) -> bool:
         tokens: the tokens of the text.
         match: the verb.
     """
-    after = [t.low for t in tokens[match.j : match.j + 2]]
-    return tokens[match.j - 1].low == "in" and after == ["front", "of"]
+    if tokens[match.j - 1].low != "in":
+        return False
+    return [t.low for t in tokens[match.j : match.j + 2]] == ["front", "of"]
 
 
 def sends_back(tokens: list[Token], terms: list[Term], i: int) -> bool:
@@ -250,8 +252,7 @@ def lane_then_verb(tokens: list[Token], match: Match, previous: Term | None) -> 
         match: a phrase.
         previous: the term before it.
     """
-    sided = previous is not None and previous.cat in {"dir", "det", "compass"}
-    if not sided or match.form != "s":
+    if match.form != "s" or previous is None or previous.cat not in {"dir", "det", "compass"}:
         return False
     if not match.has("verb") or match.get("verb").value != "lane_change":
         return False
@@ -266,10 +267,10 @@ def of_so_much(tokens: list[Token], match: Match) -> bool:
         tokens: the tokens of the text.
         match: a phrase of manner.
     """
-    words = [t.low for t in tokens[match.j - 2 : match.j]]
+    if match.j < 2 or tokens[match.j - 1].low not in {"speed", "speeds"}:
+        return False
     after = tokens[match.j].low if match.j < len(tokens) else ""
-    bare = match.j >= 2 and words[0] == "at" and words[1] in {"speed", "speeds"}
-    return bare and after in word_list("measuring")
+    return tokens[match.j - 2].low == "at" and after in word_list("measuring")
 
 
 def suffix_form(token: Token) -> str | None:

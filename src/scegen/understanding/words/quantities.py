@@ -7,10 +7,12 @@ from itertools import product
 
 from scegen.scenario.model import Interval
 from scegen.understanding.lexicon import load
-from scegen.understanding.words.numbers import PARTS, Number, number_at, share_at
+from scegen.understanding.words.numbers import ATOMS, PARTS, Number, number_at, share_at
 from scegen.understanding.words.tokens import Token
 from scegen.units import UNITS
 
+_OPENS = ATOMS | {"a", "half", "between"}
+"""Words with which a quantity may begin."""
 _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "least", "beyond"})
 _BELOW = frozenset({"under", "below", "most"})
@@ -56,7 +58,11 @@ class Quantity:
 
 def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
     """Dimension and name of the unit that begins at token ``i``, and its length in tokens."""
-    units = load().units
+    lexicon = load()
+    first = tokens[i] if i < len(tokens) else None
+    if first is None or not {first.low, first.forms[-1][0]} & lexicon.unit_words:
+        return None
+    units = lexicon.units
     for length in range(min(_LONGEST_UNIT, len(tokens) - i), 0, -1):
         window = tokens[i : i + length]
         if window[-1].kind == "punct":
@@ -77,6 +83,8 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     Returns:
         The quantity, or None where no number with a unit stands.
     """
+    if tokens[i].kind != "number" and tokens[i].low not in _OPENS:
+        return None
     share = share_at(tokens, i)
     if share is not None:
         return _build(tokens, i, i + share.length, [share.value], "percentage")

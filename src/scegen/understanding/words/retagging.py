@@ -24,6 +24,8 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         terms: the terms before it; some are changed in its light.
         tokens: the tokens of the text.
     """
+    if term.cat == "punct":
+        return term
     term = _as_a_noun(other_class(term, terms, tokens), terms, tokens)
     term = _of_lights_and_times(term, tokens)
     if term.value == "genitive":
@@ -40,10 +42,10 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     if names_a_turn(term, terms, tokens):
         term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
     term = _near_or_far(term, tokens)
-    slow = (term.cat, term.value, term.form) == ("verb", "slow", "base")
-    opened = bool(terms) and terms[-1].cat in {"det", "possessive"} and _word_at(tokens, term.j)
-    if slow and (opened or doing(tokens, term.i)):
-        term = replace(term, cat="manner", data={})  # "a slow convoy", "going really slow"
+    if (term.cat, term.value, term.form) == ("verb", "slow", "base"):
+        opened = bool(terms) and terms[-1].cat in {"det", "possessive"}
+        if (opened and _word_at(tokens, term.j)) or doing(tokens, term.i):
+            term = replace(term, cat="manner", data={})  # "a slow convoy", "going really slow"
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     if term.value == "straight" and terms and tokens[terms[-1].i].forms[-1][0] == "carry":
@@ -70,9 +72,10 @@ def _changes_colour(tokens: list[Token], term: Term) -> bool:
 
 def _comes_down(tokens: list[Token], term: Term) -> bool:
     """``when the gap to the car ahead drops to 12 m``: what is measured does, not who is named."""
-    slows = (term.cat, term.value) == ("verb", "slow") and tokens[term.j - 1].low == "to"
+    if (term.cat, term.value) != ("verb", "slow") or tokens[term.j - 1].low != "to":
+        return False
     after = (quantity_at(tokens, k) for k in range(term.j, min(term.j + _SOON, len(tokens))))
-    amount = next((q for q in after if q is not None), None) if slows else None
+    amount = next((q for q in after if q is not None), None)
     return amount is not None and amount.dimension in {"length", "time"}
 
 
@@ -115,14 +118,15 @@ def _in_place_of_a_noun(term: Term, terms: list[Term], tokens: list[Token]) -> T
 def _gets(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``gets cut off by a van``: is."""
     get = bool(terms) and terms[-1].cat == "verb" and tokens[terms[-1].i].forms[-1][0] == "get"
+    if not get or term.cat != "verb" or terms[-1].j - terms[-1].i != 1:
+        return False
     by = "by" in [t.low for t in tokens[term.j : term.j + 2]]
-    by = by or (term.value == "collide" and (term.form == "ed" or tokens[term.i].low == "hit"))
-    return get and terms[-1].j - terms[-1].i == 1 and term.cat == "verb" and by
+    return by or (term.value == "collide" and (term.form == "ed" or tokens[term.i].low == "hit"))
 
 
 def _moment(tokens: list[Token], term: Term) -> bool:
     """``only a second to stop``, ``half a second later``: a time, nobody."""
-    if [t.low for t in tokens[term.i : term.j]] != ["a", "second"]:
+    if term.j - term.i != 2 or [t.low for t in tokens[term.i : term.j]] != ["a", "second"]:
         return False
     before = tokens[term.i - 1].low if term.i else ""
     after = tokens[term.j].low if term.j < len(tokens) else ""
@@ -146,8 +150,9 @@ def _governed(terms: list[Term]) -> bool:
 def _near_or_far(term: Term, tokens: list[Token]) -> Term:
     """``the far kerb``: the side across the road."""
     value = _NEAR_OR_FAR.get(tokens[term.i].low) if term.j - term.i == 1 else None
-    kerb = term.j < len(tokens) and tokens[term.j].low in word_list("kerbs")
-    return Term("dir", value, term.i, term.j) if value is not None and kerb else term
+    if value is None or term.j >= len(tokens) or tokens[term.j].low not in word_list("kerbs"):
+        return term
+    return Term("dir", value, term.i, term.j)
 
 
 def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
@@ -163,9 +168,9 @@ def _shortened(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
 
 def _does_not(tokens: list[Token], term: Term) -> bool:
     """``doesn't even brake``: no doing of its own."""
-    after = tokens[term.j] if term.j < len(tokens) else None
-    denied = after is not None and (after.kind == "neg" or after.low == "not")
-    return term.cat == "verb" and tokens[term.i].forms[-1][0] == "do" and denied
+    if term.cat != "verb" or tokens[term.i].forms[-1][0] != "do" or term.j >= len(tokens):
+        return False
+    return tokens[term.j].kind == "neg" or tokens[term.j].low == "not"
 
 
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:

@@ -19,7 +19,7 @@ def left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> tu
         The meaning, and that it is no participle before a noun.
     """
     subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    following = longest_match(tokens, match.j)
     left = following is not None and following.has("det", "possessive", "place", "manner")
     left = left or (match.j < len(tokens) and tokens[match.j].low in word_list("leaving"))
     return (match.get("verb") if subject and left else match.get("dir")), False
@@ -38,7 +38,7 @@ def across_from(match: Match, tokens: list[Token], previous: Term | None) -> Mat
     """
     if not (match.has("locus") and match.has("dir")):
         return match
-    following = longest_match(tokens, match.j) if match.j < len(tokens) else None
+    following = longest_match(tokens, match.j)
     inside = previous is not None and previous.cat in {"det", "prep", "possessive"}
     somebody = (
         following is not None
@@ -91,10 +91,10 @@ def does_it(match: Match, tokens: list[Token], role: int) -> bool:
 
 def _verb_at(tokens: list[Token], j: int) -> bool:
     """``the lead cycles suddenly brake``: whether a verb is there, so that a noun stood before."""
-    following = longest_match(tokens, j) if j < len(tokens) else None
+    following = longest_match(tokens, j)
     while following is not None and following.has("manner") and not following.has("verb"):
         j = following.j
-        following = longest_match(tokens, j) if j < len(tokens) else None
+        following = longest_match(tokens, j)
     if following is None or following.has("dir"):
         return False
     return following.has("aux") or (following.has("verb") and following.form in {"base", "ed"})

@@ -48,7 +48,7 @@ def _first_person(tokens: list[Token], i: int) -> bool:
         return False
     if token.low != "i" or token.text == "I":
         return True
-    following = longest_match(tokens, i + 1) if i + 1 < len(tokens) else None
+    following = longest_match(tokens, i + 1)
     return following is not None and following.has("aux", "verb", "neg", "manner")
 
 
@@ -56,7 +56,7 @@ def _own_form(entry: Entry, match: Match, tokens: list[Token], i: int) -> str:
     """``change lanes``: a noun's plural does not inflect the verb; but "it rear-ends the ego"."""
     if entry.cat != "verb" or match.form != "s" or any(f == "s" for _, f in tokens[i].forms):
         return match.form
-    alone = longest_match(tokens[: i + 1], i)
+    alone = longest_match(tokens, i, i + 1)
     return "base" if alone is None or alone.has("verb") else match.form
 
 
@@ -91,7 +91,7 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
     """``the bus stops``: a singular noun with its verb, although "bus stop" is a word."""
     if match.j - i != 2 or match.form != "s" or not match.only(*_NOUNS):
         return False
-    alone = longest_match(tokens[: i + 1], i)
+    alone = longest_match(tokens, i, i + 1)
     singular = previous is not None and previous.cat in {"det", "dir", "label"}
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
     singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
@@ -108,7 +108,7 @@ def _is_done(tokens: list[Token], j: int) -> bool:
     rate = quantity_at(tokens, j + 1) if j + 1 < len(tokens) else None
     if tokens[j : j + 1] and tokens[j].low in {"with", "at"} and rate is not None:
         return rate.dimension == "acceleration"
-    following = longest_match(tokens, j) if j < len(tokens) else None
+    following = longest_match(tokens, j)
     if following is None or not following.has("manner", "locus"):
         return False
     k = following.j
@@ -162,7 +162,7 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
     if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
         return False
-    walker = longest_match(tokens[: term.i + 1], term.i)
+    walker = longest_match(tokens, term.i, term.i + 1)
     if walker is None or not walker.has("actor"):
         return False  # "the zebra crossing that …"
     if _crossed(tokens, term.j):
@@ -170,7 +170,7 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     if len(terms) < 3:
         return False
     counted = terms[-1].cat in {"det", "num"}
-    road = longest_match(tokens, term.j) if term.j < len(tokens) else None
+    road = longest_match(tokens, term.j)
     if counted and road is not None and road.has("det"):
         return True  # "a pedestrian crossing the road"
     listed = counted and terms[-2].value in {"and", ","}
@@ -190,7 +190,7 @@ def _crossed(tokens: list[Token], j: int) -> bool:
     if following is None:
         return False
     if following.has("det", "possessive"):
-        noun = longest_match(tokens, following.j) if following.j < len(tokens) else None
+        noun = longest_match(tokens, following.j)
         return noun is not None and any(e.value in _CROSSED for e in noun.entries)
     return following.has("locus") and following.get("locus").value in {"ahead", "behind"}
 
@@ -240,27 +240,27 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
     if match and match.form in {"ed", "ing"} and match.only("actor", "pronoun", "possessive"):
         return None  # nouns are not inflected so
     if match and token.low in _STEERED and tokens[match.j - 1].low == "by":
-        match = longest_match(tokens[: i + 1], i)  # "driven by a student"
+        match = longest_match(tokens, i, i + 1)  # "driven by a student"
     if match and _is_clause(match, tokens, i, previous):
-        match = longest_match(tokens[: i + 1], i)
+        match = longest_match(tokens, i, i + 1)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
-        match = longest_match(tokens[: i + 1], i)  # "turns right when …"
+        match = longest_match(tokens, i, i + 1)  # "turns right when …"
     cut_at = _cut(match, tokens, i) if match else None
     if cut_at is not None:
-        match = longest_match(tokens[:cut_at], i)
+        match = longest_match(tokens, i, cut_at)
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
-        match = longest_match(tokens[: match.j - 1], i)
+        match = longest_match(tokens, i, match.j - 1)
     if match and match.only("verb") and in_front(tokens, match):
         match = replace(match, j=match.j + 2)  # "forces its way in front of"
     if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
-        match = longest_match(tokens[: match.j - 1], i) or match
+        match = longest_match(tokens, i, match.j - 1) or match
     if match and lane_then_verb(tokens, match, previous):
-        match = longest_match(tokens[: match.j - 1], i)  # "in the left lane changes to"
-    plural = any(form == "s" for _, form in token.forms)
-    if match and match.j > i + 1 and plural and match.only(*_NOUNS):
-        match = longest_match(tokens[: i + 1], i)  # "two pedestrians crossing", no crossing
+        match = longest_match(tokens, i, match.j - 1)  # "in the left lane changes to"
+    compound = match is not None and match.j > i + 1 and match.only(*_NOUNS)
+    if compound and any(form == "s" for _, form in token.forms):
+        match = longest_match(tokens, i, i + 1)  # "two pedestrians crossing", no crossing
     if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
-        match = longest_match(tokens[: match.j - 1], i)  # "a car parked", no car park
+        match = longest_match(tokens, i, match.j - 1)  # "a car parked", no car park
     verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
     no_verb = match is not None and nothing_shed(tokens, match)
     return None if verbal or no_verb else match  # "boxed in"

@@ -10,7 +10,7 @@ from scegen.understanding.lexicon.loader import Node
 from scegen.understanding.words.tokens import Token
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True, unsafe_hash=True)
 class Term:
     """A phrase of the text with one meaning.
 
@@ -33,57 +33,71 @@ class Term:
     premod: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Match:
-    """A phrase of the lexicon found in the text, with all its meanings."""
+    """A phrase of the lexicon found in the text, with all its meanings and their classes."""
 
     entries: tuple[Entry, ...]
     j: int
     form: str
+    cats: frozenset[str] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.cats = frozenset([entry.cat for entry in self.entries])
 
     def has(self, *cats: str) -> bool:
         """Whether some meaning belongs to one of these classes."""
-        return any(entry.cat in cats for entry in self.entries)
+        return not self.cats.isdisjoint(cats)
 
     def only(self, *cats: str) -> bool:
         """Whether every meaning belongs to one of these classes."""
-        return all(entry.cat in cats for entry in self.entries)
+        return self.cats.issubset(cats)
 
     def get(self, *cats: str) -> Entry:
         """The meaning of the first of these classes that has one, else the first of all."""
-        return next(
-            (entry for cat in cats for entry in self.entries if entry.cat == cat), self.entries[0]
-        )
+        for cat in cats:
+            if cat in self.cats:
+                return next(entry for entry in self.entries if entry.cat == cat)
+        return self.entries[0]
 
 
-def _step(node: Node, token: Token) -> list[tuple[Node, str]]:
-    found = [(node.following[base], form) for base, form in token.forms if base in node.following]
-    if "~" in node.following and token.low in word_list("whose"):
-        found.append((node.following["~"], "base"))
-    return found
-
-
-def longest_match(tokens: list[Token], i: int) -> Match | None:
+def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match | None:
     """The longest phrase of the lexicon that begins at token ``i``, with all meanings.
 
     Two readings of equal length ("left": a side, or the past of "leave") are merged.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of the first token.
+        end: index after the last token that it may take; None for all.
+
+    Returns:
+        The phrase, or None where none begins, as behind the last token.
     """
     best: list[tuple[Node, str]] = []
-    best_j = i
+    best_j = j = i
     states = [(load().root, "base")]
-    j = i
-    while states and j < len(tokens):
+    whose = word_list("whose")
+    last = len(tokens) if end is None else end
+    while states and j < last:
+        token = tokens[j]
+        j += 1
         reached: list[tuple[Node, str]] = []
         for node, form in states:
-            for following, inflection in _step(node, tokens[j]):
-                reached.append((following, form if form != "base" else inflection))
-        j += 1
-        ends = [(node, form) for node, form in reached if node.entries]
+            following = node.following
+            for base, inflection in token.forms:
+                if base in following:
+                    reached.append((following[base], inflection if form == "base" else form))
+            if "~" in following and token.low in whose:
+                reached.append((following["~"], form))
+        states = reached
+        ends = [state for state in reached if state[0].entries]
         if ends:
             best, best_j = ends, j
-        states = reached
     if not best:
         return None
-    entries = tuple(entry for node, _ in best for entry in node.entries)
-    forms = [form for _, form in best if form != "base"]
-    return Match(entries, best_j, forms[0] if forms else "base")
+    if len(best) == 1:
+        node, form = best[0]
+        return Match(node.entries, best_j, form)
+    entries = tuple([entry for node, _ in best for entry in node.entries])
+    return Match(entries, best_j, next((form for _, form in best if form != "base"), "base"))

@@ -11,7 +11,8 @@ from scegen.understanding.words.lemmas import lemmas
 from scegen.understanding.words.spelling import meant
 
 _TOKEN = re.compile(
-    r"(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
+    r"(?P<plain>[A-Za-z]{3,}(?=[ ,.]))"
+    r"|(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
     r"|(?P<bound>\b[NSEWnsew]/[Bb]\b)"
     r"|(?P<unit>(?:\b|(?<=\d))(?:m|ft)\s?(?:/|per)\s?s(?:ec)?\.?(?:\^|\*\*)?[2²]|%)"
     r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
@@ -31,15 +32,18 @@ _POINT = re.compile(
     r"|\b[apieuAPIEU](?P<inner>\.)(?=[megsMEGS]\b)"
 )
 """A full stop that only shortens a word: a sentence would go on with a capital letter."""
+_WITHIN = re.compile(r"\.(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d|[MEGS]\b)")
+"""What every such full stop has after it, as few others have."""
 _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
 
-_KINDS = {"clock": "word", "bound": "word", "ordinal": "word", "unit": "word",
+_KINDS = {"plain": "word", "clock": "word", "bound": "word", "ordinal": "word", "unit": "word",
           "tolerance": "word"}  # fmt: skip
+_BARE = frozenset({"plain", "punct"})
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True, unsafe_hash=True)
 class Token:
     """A word, number or mark with its span.
 
@@ -72,23 +76,36 @@ def tokenize(text: str) -> list[Token]:
         The tokens; ``token.text == text[token.start : token.end]`` holds for each.
     """
     found: list[Token] = []
-    points = {m.start(m.lastgroup or 0) for m in _POINT.finditer(text)}
+    points = set[int]()
+    if _WITHIN.search(text):
+        points = {m.start(m.lastgroup or 0) for m in _POINT.finditer(text)}
+    known = load().words
     for match in _TOKEN.finditer(text):
-        if match.start() in points:
+        start, end = match.span()
+        if start in points:
             continue
-        kind = _KINDS.get(match.lastgroup or "", match.lastgroup or "punct")
-        low = _plain(match.group().lower().replace("’", "'"))
-        low = low.replace("/", "") if match.lastgroup == "bound" else low
-        low = _unit(low) if match.lastgroup == "unit" else _ORDINALS.get(low, low)
-        low = "±" if match.lastgroup == "tolerance" else low
-        known = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
-        forms = lemmas(low) if known else ((low, "base"),)
-        mended = meant(low) if kind == "word" and _strange(low, forms) else None
+        group, written = match.lastgroup or "punct", match.group()
+        kind = _KINDS.get(group, group)
+        low = written.lower() if group in _BARE else _spelt(written, group)
+        inflected = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
+        forms = lemmas(low) if inflected else ((low, "base"),)
+        mended = None
+        if kind == "word" and len(forms) == 1 and low not in known:
+            mended = meant(low)  # no form of the word occurs in the lexicon
         if mended is not None:
             low, forms = mended, lemmas(mended)
-        slip = mended is not None
-        found.append(Token(match.group(), low, match.start(), match.end(), kind, forms, slip))
+        found.append(Token(written, low, start, end, kind, forms, mended is not None))
     return found
+
+
+def _spelt(written: str, group: str) -> str:
+    """``2nd``, ``n/b``, ``don’t``: a word in lower case as the lexicon spells it."""
+    low = _plain(written.lower().replace("’", "'"))
+    if group == "bound":
+        return low.replace("/", "")
+    if group == "tolerance":
+        return "±"
+    return _unit(low) if group == "unit" else _ORDINALS.get(low, low)
 
 
 def _plain(low: str) -> str:
@@ -106,8 +123,3 @@ def _unit(written: str) -> str:
         if written == "%"
         else f"{written.split('/', maxsplit=1)[0].split('per', maxsplit=1)[0].strip()}/s2"
     )
-
-
-def _strange(low: str, forms: tuple[tuple[str, str], ...]) -> bool:
-    """Whether no form of the word occurs in the lexicon."""
-    return len(forms) == 1 and low not in load().words

@@ -47,9 +47,9 @@ def role_alone(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         terms: the terms before it.
         tokens: the tokens of the text.
     """
-    if term.j - term.i != 1:
-        return term
     word = tokens[term.i].low
+    if term.j - term.i != 1 or word not in word_list("roles_alone"):
+        return term
     after = tokens[term.j].low if term.j < len(tokens) else ""
     definite = bool(terms) and (terms[-1].cat, terms[-1].value) == ("det", "def")
     if word == "subject" and definite and after not in word_list("governed"):
@@ -91,7 +91,7 @@ def _alone(tokens: list[Token], j: int) -> bool:
 
 
 def _acts(tokens: list[Token], j: int) -> bool:
-    following = longest_match(tokens, j) if j < len(tokens) else None
+    following = longest_match(tokens, j)
     if following is None:
         return False
     if following.has("actor"):
