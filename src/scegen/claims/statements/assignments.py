@@ -270,12 +270,13 @@ def _cross(told: Told, first: str, second: str, view: View) -> Judged:
     a, b = boxes(view, first), boxes(view, second)
     reach = a.half_width + b.half_width + _BETWEEN_M
     apart = np.empty(view.count)
-    excused = np.zeros(view.count, dtype=np.bool_)
-    for name in (first, second):
-        speed = view.speed_mps(name)[np.arange(view.count), view.last_step]
-        excused |= touched(told, view, name) | (speed < STANDS_MPS)
     x, y, its_x, its_y = (np.ascontiguousarray(p[:, sparse]) for p in (a.x, a.y, b.x, b.y))
     for c in range(view.count):
         apart[c] = least_gap_m(x[c], y[c], its_x[c], its_y[c], 0.0)
-    margin = np.where(excused, np.maximum(reach - apart, 0.0), reach - apart)
+    margin = reach - apart
+    if margin.min() < 0.0:
+        for name in (first, second):
+            speed = view.speed_mps(name)[np.arange(view.count), view.last_step]
+            excused = touched(told, view, name) | (speed < STANDS_MPS)
+            margin = np.where(excused, np.maximum(margin, 0.0), margin)
     return Judged(margin, apart, np.zeros(view.count))
