@@ -14,9 +14,9 @@ from scegen.concretization.limits import LATE_BRAKING_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup
-from scegen.concretization.stationary import towards_junction
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
+from scegen.motion.standing import heads_for_junction
 from scegen.road.model import Route
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.logical import Drive
@@ -53,7 +53,7 @@ def pull_out(scene: Setup) -> list[Meeting]:
 
 def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     name, entry = stand.id, stand.standing.arm
-    if not towards_junction(scene, stand.standing):
+    if not heads_for_junction(scene.network, stand.motion):
         raise MotionInfeasibleError(
             "is parked on the other side of the road: one that pulls out there comes into nobody's "
             "way on the ego's side",
@@ -63,11 +63,10 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     road = scene.network.arm_road(entry)
     start = road.length_m - stand.motion.from_junction_m
     lane = scene.road.arms[entry].lanes_in
-    heading_rad = road.line.end.heading_rad
 
     def bend_rad(route: Route) -> float:
         last = scene.network.arm_road(route.exit).line.end.heading_rad
-        return abs((last - heading_rad) % (2 * pi) - pi)
+        return abs((last - road.line.end.heading_rad) % (2 * pi) - pi)
 
     routes = (route for found in scene.network.routes.values() for route in found)
     ways = (route for route in routes if (route.entry, route.entry_lane) == (entry, lane))

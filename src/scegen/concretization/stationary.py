@@ -21,12 +21,11 @@ from scegen.concretization.passing import calm_change_length_m, neighbour_lane, 
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.things import lying_in_the_way, made_of, shape_of
-from scegen.motion.standing import standing_path
+from scegen.motion.standing import heads_for_junction, standing_path
 from scegen.road.geometry import Pose
 from scegen.road.model import RouteStep
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import StandingMotion
-from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Standing
 from scegen.scenario.vocabulary import DrivingSide, Maneuver, Side
 
@@ -61,52 +60,35 @@ def passed_where_they_stand(scene: Setup) -> tuple[Standing, ...]:
 def place_stationary(scene: Setup) -> None:
     """Line them up from the junction outwards, those that hide somebody next to the corner."""
     filled: dict[tuple[int, Side, bool], float] = {}
+    pulling = {p.id for p in scene.functional.participants if p.pulls_out}
+    rows_to_leave = {s.arm for s in scene.logical.standings if s.participant in pulling}
+    plain = scene.network.plain
     for standing in (*scene.logical.standings, *passed_where_they_stand(scene)):
         participant = scene.functional.participant(standing.participant)
-        key = (standing.arm, standing.side, standing.in_lane)
-        body = participant.body
-        inner = filled.get(key, _first_free_m(scene, standing))
-        if key in filled and participant.pulls_out and towards_junction(scene, standing):
-            inner += _BEFORE_PULLING_OUT_M
-        towards = towards_junction(scene, standing)
-        # The bumper that faces the junction: the front of one that heads for it.
-        from_junction = inner + (body.front_m if towards else body.rear_m)
-        filled[key] = inner + body.length_m + _BETWEEN_M
-        scene.stands[participant.id] = _draft(scene, participant, standing, from_junction)
-
-
-def _first_free_m(scene: Setup, standing: Standing) -> float:
-    if not standing.in_lane:
-        pulls_out = any(
-            scene.functional.participant(other.participant).pulls_out
-            for other in scene.logical.standings
-            if other.arm == standing.arm
+        name, body = participant.id, participant.body
+        motion = StandingMotion(
+            arm=standing.arm,
+            side=standing.side,
+            from_junction_m=0.0,
+            in_lane=standing.in_lane,
+            strip=participant.strip,
         )
-        room = not scene.network.plain and pulls_out
-        return _ROOM_TO_PULL_OUT_M if room else CLEAR_OF_CORNER_M
-    return BLOCKS_AT_M if not scene.network.plain else BLOCKS_STRAIGHT_AT_M
-
-
-def _draft(
-    scene: Setup, participant: Participant, standing: Standing, from_junction_m: float
-) -> StandDraft:
-    motion = StandingMotion(
-        arm=standing.arm,
-        side=standing.side,
-        from_junction_m=round(from_junction_m, 3),
-        in_lane=standing.in_lane,
-        strip=participant.strip,
-    )
-    path = standing_path(scene.network, motion, participant.body, participant.id)
-    scene.note(f"{participant.id}.from_junction_m", from_junction_m, "stands clear of the corner")
-    name, kind, body = participant.id, participant.kind, participant.body
-    return StandDraft(name, kind, body, standing, motion, path)
-
-
-def towards_junction(scene: Setup, standing: Standing) -> bool:
-    """Whether one who stands on that side heads for the junction."""
-    right = standing.side is Side.RIGHT
-    return right == (scene.network.driving_side is DrivingSide.RIGHT)
+        towards = heads_for_junction(scene.network, motion)
+        inner = BLOCKS_STRAIGHT_AT_M if plain else BLOCKS_AT_M
+        if not standing.in_lane:
+            leaves = not plain and standing.arm in rows_to_leave
+            inner = _ROOM_TO_PULL_OUT_M if leaves else CLEAR_OF_CORNER_M
+        key = (standing.arm, standing.side, standing.in_lane)
+        if key in filled:
+            inner = filled[key]
+            inner += _BEFORE_PULLING_OUT_M if name in pulling and towards else 0.0
+        # The bumper that faces the junction: the front of one that heads for it.
+        away = inner + (body.front_m if towards else body.rear_m)
+        filled[key] = inner + body.length_m + _BETWEEN_M
+        motion = motion.model_copy(update={"from_junction_m": round(away, 3)})
+        path = standing_path(scene.network, motion, body, name)
+        scene.note(f"{name}.from_junction_m", away, "stands clear of the corner")
+        scene.stands[name] = StandDraft(name, participant.kind, body, standing, motion, path)
 
 
 def blocked_lane_ahead(scene: Setup, draft: DriveDraft) -> bool:

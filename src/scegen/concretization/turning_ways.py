@@ -47,29 +47,19 @@ def abreast(logical: LogicalScenario) -> Iterator[tuple[Drive, Drive]]:
 
 def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tuple[str, str] | None:
     """(on the kerb's side, on the centre line's side) of two; None if either will do."""
-    said = is_outward(functional, drive.participant, other.participant)
+    names = drive.participant, other.participant
+    said, back = is_outward(functional, *names), is_outward(functional, *names[::-1])
+    if said is None and back is not None:
+        said = not back
     if said is None:
-        back = is_outward(functional, other.participant, drive.participant)
-        said = None if back is None else not back
-    if said is not None:
-        names = drive.participant, other.participant
-        return names if said else names[::-1]
-    if functional.junction.kind in _WITHOUT_TURNS or not _at_odds(functional, drive, other):
-        return None
-    first, second = _bend(functional, drive), _bend(functional, other)
-    if first == second:
-        if first == 0:
+        first, second = _bend(functional, drive), _bend(functional, other)
+        turnless = functional.junction.kind in _WITHOUT_TURNS or first == second == 0
+        if turnless or not _at_odds(functional, drive, other):
             return None
-        # One cuts across the other: rather not the ego.
-        cutter = drive if other.participant == functional.ego.id else other
-        rest = other if cutter is drive else drive
-        inner, outer = (cutter, rest) if first > 0 else (rest, cutter)
-        return outer.participant, inner.participant
-    return (
-        (drive.participant, other.participant)
-        if first < second
-        else (other.participant, drive.participant)
-    )
+        # Of two who turn alike one cuts across the other: rather not the ego.
+        cuts = other.participant == functional.ego.id
+        said = first < second if first != second else (first > 0) is not cuts
+    return names if said else names[::-1]
 
 
 def _at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
@@ -232,22 +222,21 @@ def _late_turns(
             continue
         if Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
             late |= {first.participant: first, second.participant: second}
-    usual = lane_ways(road.arms, road.driving_side)
-    found: dict[tuple[int, int, int, int], Turn] = {}
-    for drive in late.values():
-        radius = max(_LATE_RADIUS_M, 1.1 * least_radius_m(drive, functional))
-        for way in usual:
-            if (way.entry, way.exit) == (drive.entry, drive.exit):
-                key = (way.entry, way.lane_in, way.exit, way.lane_out)
-                tightest = max(radius, (found[key].radius_m or 0.0) if key in found else 0.0)
-                found[key] = Turn(
-                    entry=way.entry,
-                    lane_in=way.lane_in,
-                    exit=way.exit,
-                    lane_out=way.lane_out,
-                    radius_m=round(tightest, 3),
-                )
-    return list(found.values())
+    radii = {
+        (drive.entry, drive.exit): max(_LATE_RADIUS_M, 1.1 * least_radius_m(drive, functional))
+        for drive in sorted(late.values(), key=lambda each: least_radius_m(each, functional))
+    }
+    return [
+        Turn(
+            entry=way.entry,
+            lane_in=way.lane_in,
+            exit=way.exit,
+            lane_out=way.lane_out,
+            radius_m=round(radii[way.entry, way.exit], 3),
+        )
+        for way in lane_ways(road.arms, road.driving_side)
+        if (way.entry, way.exit) in radii
+    ]
 
 
 def _meant(functional: FunctionalScenario, first: Drive, second: Drive) -> bool:

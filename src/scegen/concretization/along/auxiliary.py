@@ -75,17 +75,18 @@ def room_m(road: RoadParameters) -> tuple[float, float]:
     if auxiliary is None:
         return 0.0, 0.0
     lane = auxiliary.length_m + auxiliary.taper_m + _LEAST_M
-    other = gore_m(road) + _LEAST_M
-    return (lane, other) if auxiliary.kind is AuxiliaryLane.OFF_RAMP else (other, lane)
+    return _on_its_side(auxiliary.kind, gore_m(road) + _LEAST_M, lane)
 
 
 def gaps_m(road: RoadParameters) -> tuple[float, float]:
     """How far from the joint the inner ends of arms 0 and 1 are."""
     auxiliary = road.auxiliary
-    if auxiliary is None:
-        return 0.0, 0.0
-    gore = gore_m(road)
-    return (0.0, gore) if auxiliary.kind is AuxiliaryLane.OFF_RAMP else (gore, 0.0)
+    return (0.0, 0.0) if auxiliary is None else _on_its_side(auxiliary.kind, gore_m(road), 0.0)
+
+
+def _on_its_side(kind: AuxiliaryLane, ramp: float, lane: float) -> tuple[float, float]:
+    """What holds where the ramp is and where the lane is, before the joint and beyond it."""
+    return (lane, ramp) if kind is AuxiliaryLane.OFF_RAMP else (ramp, lane)
 
 
 def _moves_m(story: Story) -> list[tuple[float, float]]:

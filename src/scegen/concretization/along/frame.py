@@ -134,32 +134,24 @@ def frame_of(
         near = [p.x_m for p in parked if p.standing.arm == arm]
         beyond_it = [p.x_m for p in parked if p.standing.arm != arm]
         _joined_between(joint, [*near, *forward], [*beyond_it, *backward])
-    curve = curve_of(road)
-    if curve is None:
-        if road.auxiliary is not None:
-            joint = joint_m(story, joint)
-            before, after = room_m(fitted(road, story, joint))
-            begin, end = min(begin, joint - before), max(end, joint + after)
-        joint = max(joint, begin + _LEAST_ARM_M)
-        end = max(end, joint + _LEAST_ARM_M)
-        return Frame(
-            joint - ceil((joint - begin) / _ROUND_M) * _ROUND_M,
-            joint,
-            joint + ceil((end - joint) / _ROUND_M) * _ROUND_M,
-            arm,
-            lasts_s,
-            gaps_m=gaps_m(road),
-        )
-    if not marked:
-        joint = max(joint, min(story.ego.x_m(closest_s), max(most, joint)))
-    if arm == 1:
-        curve = Curve(-curve.curvature_1pm, curve.half_arc_m)
-    axis_y = story.ego.lane_y_m(story.ego.lane)
-    arc = curve.half_arc_m * (1.0 - curve.curvature_1pm * axis_y)
+    curve, arc, axis_y, met = curve_of(road), 0.0, 0.0, dict[str, float]()
+    if curve is not None:
+        if not marked:
+            joint = max(joint, min(story.ego.x_m(closest_s), max(most, joint)))
+        if arm == 1:
+            curve = Curve(-curve.curvature_1pm, curve.half_arc_m)
+        axis_y = story.ego.lane_y_m(story.ego.lane)
+        arc = curve.half_arc_m * (1.0 - curve.curvature_1pm * axis_y)
+        met = {name: _met_s(each, story.ego, closest_s) for name, each in story.runners.items()}
+    elif road.auxiliary is not None:
+        joint = joint_m(story, joint)
+        before, after = room_m(fitted(road, story, joint))
+        begin, end = min(begin, joint - before), max(end, joint + after)
     joint = max(joint, begin + _LEAST_ARM_M)
     begin, end = min(begin, joint - arc - _LEAST_ARM_M), max(end, joint + arc + _LEAST_ARM_M)
-    met = {name: _met_s(runner, story.ego, closest_s) for name, runner in story.runners.items()}
-    return Frame(begin, joint, end, arm, lasts_s, curve, axis_y, met)
+    near, beyond = (ceil(away / _ROUND_M) * _ROUND_M for away in (joint - begin, end - joint))
+    ends = joint - near, joint, joint + beyond
+    return Frame(*ends, arm, lasts_s, curve, axis_y, met, gaps_m(road))
 
 
 def _joined_between(joint_m: float, before_m: list[float], beyond_m: list[float]) -> None:

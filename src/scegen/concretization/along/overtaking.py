@@ -10,6 +10,7 @@ import numpy as np
 
 from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.moments import perform_waiting
+from scegen.concretization.along.parked import standings_beside
 from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
@@ -22,7 +23,6 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
-from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
 
@@ -54,7 +54,7 @@ def overtake(story: Story) -> None:
             _pass(story, act, story.runners[act.participant], slow)
         elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
             _stray(story, act, story.runners[act.participant])
-        elif not _drives_past(story):
+        elif not standings_beside(story):  # past one who is parked beside the lanes leads no change
             raise MotionInfeasibleError(
                 "nobody is ahead of it whom it could overtake",
                 where=act.participant,
@@ -70,15 +70,6 @@ def _stray(story: Story, act: Act, runner: Runner) -> None:
     back = Move(out.ends_s + 1.0, LANE_CHANGE_S, max(1, runner.lane), 0.0, act.id, hazard)
     runner.moves += [out, back]
     story.ends_s[act.id] = back.ends_s
-
-
-def _drives_past(story: Story) -> bool:
-    """Past one who is parked beside the lanes leads no change of lane."""
-    beside = {name for name, runner in story.runners.items() if runner.opens}
-    return any(
-        s.participant not in story.runners or s.participant in beside
-        for s in story.logical.standings
-    )
 
 
 def _meet_after(story: Story, strays: set[str]) -> None:
@@ -123,18 +114,9 @@ def _meeting_when_back_s(
         return (out.ends_s + back.begins_s) / 2
     if brakes_for(story, other.id, stray.id):
         return back.begins_s + _STILL_THERE * back.lasts_s
-    if _at_odds(story, stray.id, other.id):
+    if story.concern(stray.id, other.id):
         return just_missed_s(stray, other, back)
     return back.ends_s + _LONG_BACK_S
-
-
-def _at_odds(story: Story, first: str, second: str) -> bool:
-    """Whether a danger is between two, or a near miss."""
-    outcome = story.functional.outcome
-    near = outcome is not None and outcome.kind is OutcomeKind.NEAR_MISS
-    if near and outcome is not None and {first, second} == {*outcome.between}:
-        return True
-    return any({first, second} <= {*h.by, *h.to} for h in story.functional.hazards)
 
 
 def passed_by(story: Story, act: Act) -> list[Runner]:
@@ -153,22 +135,17 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     named = [alike[name] for name in meant if name in alike]
     if named:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
-    if _past_the_parked(story, own.id):
-        return []
-    order = story.ranks()
-    line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
-    return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
-
-
-def _past_the_parked(story: Story, name: str) -> bool:
-    """Whether whom it passes is said to be parked beside the lanes."""
-    return any(
-        relation.reference == name
+    if any(  # it is said to pass one who is parked beside the lanes
+        relation.reference == own.id
         and relation.approaches == {Approach.AHEAD}
         and story.functional.participant(relation.participant).parked
         and relation.participant not in story.people
         for relation in story.functional.relations
-    )
+    ):
+        return []
+    order = story.ranks()
+    line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
+    return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
 
 
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
@@ -186,8 +163,16 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         begins = story.begins_s[act.id]
         gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)
         fast.steps.append(gains)
-    back = _return_of(story, act, fast, slow)
-    if all(each.lane != fast.lane or _makes_room(story, act, each) for each in line):
+    # The act by which it comes back in front of the other, if the text has one.
+    later = story.acts[story.acts.index(act) + 1 :]
+    own = (a for a in later if a.participant == fast.id and a.kind is ActKind.CHANGE_LANE)
+    back = next((a for a in own if a.into in {None, slow.id}), None)
+    making_room = {
+        each.participant
+        for each in story.acts
+        if each.kind is ActKind.CHANGE_LANE and (each.side is None or each.side is not act.side)
+    }
+    if all(each.lane != fast.lane or each.id in making_room for each in line):
         past_m = 0.0 if back is None else _gap_at(story, back)
         story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins)
         story.ends_s[act.id] = past_s = _when(partial(_is_past, fast, foremost, past_m), begins)
@@ -228,16 +213,6 @@ def _in_time(
     return min(begins_s, max(0.0, reaches_s - lasts_s)), lasts_s
 
 
-def _makes_room(story: Story, passing: Act, slow: Runner) -> bool:
-    """Whether it goes over into another lane itself, not to where the other passes."""
-    return any(
-        a.kind is ActKind.CHANGE_LANE
-        and a.participant == slow.id
-        and (a.side is None or a.side is not passing.side)
-        for a in story.acts
-    )
-
-
 def _is_past(fast: Runner, slow: Runner, clear_m: float, times_s: Array) -> Bools:
     return free(fast.track(times_s)[0], slow.track(times_s)[0]).rear >= clear_m
 
@@ -258,13 +233,6 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
         return 2, 0.0
     return max(0, fast.lane - 1), 0.0
-
-
-def _return_of(story: Story, act: Act, fast: Runner, slow: Runner) -> Act | None:
-    """The act by which one who overtakes comes back in front of the other, if the text has one."""
-    later = story.acts[story.acts.index(act) + 1 :]
-    own = (a for a in later if a.participant == fast.id and a.kind is ActKind.CHANGE_LANE)
-    return next((a for a in own if a.into in {None, slow.id}), None)
 
 
 def _gap_at(story: Story, act: Act) -> float:

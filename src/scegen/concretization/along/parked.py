@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from scegen.concretization.along.crossing import BEFORE_WALKER_M, Walk
@@ -77,57 +77,45 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) ->
 
 
 def park(story: Story, walks: list[Walk]) -> list[Parked]:
-    """Places for all who are parked: rows before those whom they hide, and others along the way."""
+    """Places for all who are parked, in rows.
+
+    Before those whom they hide, around one that opens its door, and others along the way.
+    """
     hiding = {name for hazard in story.of_kind(HazardKind.OCCLUSION) for name in hazard.by}
-    placed: list[Parked] = []
-    ends: dict[tuple[bool, str], float] = {}
-    free = 0
-    rows = _rows(story, hiding)
-    for row in rows:
-        placed += _in_a_row(story, row)
-    for standing in standings_beside(story):
-        body = story.functional.participant(standing.participant).body
-        left, half = on_left(story, standing), body.length_m / 2
-        if any(standing in row for row in rows):
-            continue
-        hidden = _hidden(standing, hiding, walks, left)
-        if hidden is None:
-            passed = story.ego.x_m(_PASSED_AT_S) + free * (2 * half + _BETWEEN_M)
-            placed.append(Parked(standing.participant, body, standing, passed))
-            free += 1
-            continue
-        sign = story.runners[hidden.meets].sign
-        key = (left, hidden.id)
-        first = hidden.x_m - sign * (hidden.body.width_m / 2 + BEFORE_WALKER_M)
-        end = ends.get(key, first)
-        placed.append(Parked(standing.participant, body, standing, end - sign * half))
-        ends[key] = end - sign * (2 * half + _BETWEEN_M)
-    return placed
+    doors = opens(story.functional).keys() & story.runners.keys() - hiding
+    beside = standings_beside(story)
+    opened = {on_left(story, s): s.participant for s in beside if s.participant in doors}
+    rows: dict[tuple[bool, str], list[Standing]] = {}
+    for standing in beside:
+        left, name = on_left(story, standing), standing.participant
+        walk = _hidden(standing, hiding, walks, left)
+        before = opened.get(left) if name not in hiding else None
+        before = before or (walk.id if walk is not None else "")
+        rows.setdefault((left and bool(before), before), []).append(standing)
+    by_id = {walk.id: walk for walk in walks}
+    return [p for (_, name), row in rows.items() for p in _in_a_row(story, row, name, by_id)]
 
 
-def _rows(story: Story, hiding: set[str]) -> list[list[Standing]]:
-    """Those on a side on which somebody opens a door, as they are listed, but who hide others."""
-    sides: dict[bool, list[Standing]] = {}
-    for standing in standings_beside(story):
-        if standing.participant not in hiding:
-            sides.setdefault(on_left(story, standing), []).append(standing)
-    opening = opens(story.functional).keys() & story.runners.keys()
-    return [row for row in sides.values() if any(s.participant in opening for s in row)]
-
-
-def _in_a_row(story: Story, row: list[Standing]) -> Iterator[Parked]:
-    """In the order in which who is endangered passes them, around the one that opens its door."""
-    opening = opens(story.functional).keys() & story.runners.keys()
-    first = next(n for n, s in enumerate(row) if s.participant in opening)
-    door = story.runners[row[first].participant]
+def _in_a_row(
+    story: Story, row: list[Standing], before: str, walks: Mapping[str, Walk]
+) -> Iterator[Parked]:
+    """In the order in which they are passed, from the one on whose place something depends."""
     bodies = [story.functional.participant(s.participant).body for s in row]
-    middle = middle_m(door, bodies[first])
+    first, middle, sense = 0, story.ego.x_m(_PASSED_AT_S), 1
+    if before in walks:
+        walk = walks[before]
+        sense = -story.runners[walk.meets].sign
+        away = (walk.body.width_m + bodies[0].length_m) / 2 + BEFORE_WALKER_M
+        middle = walk.x_m + sense * away
+    elif before:
+        door = story.runners[before]
+        first = next(n for n, s in enumerate(row) if s.participant == before)
+        middle, sense = middle_m(door, bodies[first]), door.sign
     for n, standing in enumerate(row):
         between = bodies[min(n, first) + 1 : max(n, first)]
         away = (bodies[n].length_m + bodies[first].length_m) / 2 + _BETWEEN_M
         away += sum(body.length_m + _BETWEEN_M for body in between)
-        sense = (n > first) - (n < first)
-        x = middle + door.sign * sense * away
+        x = middle + sense * ((n > first) - (n < first)) * away
         yield Parked(standing.participant, bodies[n], standing, x)
 
 

@@ -9,6 +9,7 @@ from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.roads import standing_in_bays
+from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.road.cross_section import LANE_TYPES, median_half_m, strips_beside
 from scegen.road.model import LaneType
@@ -84,7 +85,7 @@ def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner) -> int:
     apart = (who.y_m(0.0) - other.y_m(0.0)) * other.sign
     if abs(apart) > 0.1:
         return 1 if apart > 0 else -1
-    return -1 if story.functional.junction.driving_side.value == "right" else 1
+    return outward(story.functional, Side.LEFT)
 
 
 def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -> None:
