@@ -91,18 +91,18 @@ def place_stationary(scene: Setup) -> None:
         scene.stands[name] = StandDraft(name, participant.kind, body, standing, motion, path)
 
 
-def blocked_lane_ahead(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether somebody stands in a drive's way."""
-    blocking = [stand for stand in scene.stands.values() if stand.standing.in_lane]
-    return any(_met_m(draft, stand.path.start, stand.body) is not None for stand in blocking)
+def blocking_m(scene: Setup, draft: DriveDraft) -> list[tuple[StandDraft, float]]:
+    """Those who stand in a drive's way, and where on it that is."""
+    standing = [stand for stand in scene.stands.values() if stand.standing.in_lane]
+    found = [(stand, _met_m(draft, stand.path.start, stand.body)) for stand in standing]
+    return [(stand, place) for stand, place in found if place is not None]
 
 
 def go_round_stationary(scene: Setup) -> None:
     """Who comes to a vehicle that blocks its lane goes round."""
-    for stand in scene.stands.values():
-        for draft in scene.drives.values() if stand.standing.in_lane else ():
-            place = _met_m(draft, stand.path.start, stand.body)
-            if place is not None and not draft.lane_changes:
+    for draft in scene.drives.values():
+        for stand, place in blocking_m(scene, draft):
+            if not draft.lane_changes:
                 pass_standing(scene, draft, place, stand.body)
 
 

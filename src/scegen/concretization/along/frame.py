@@ -149,8 +149,9 @@ def frame_of(
         begin, end = min(begin, joint - before), max(end, joint + after)
     joint = max(joint, begin + _LEAST_ARM_M)
     begin, end = min(begin, joint - arc - _LEAST_ARM_M), max(end, joint + arc + _LEAST_ARM_M)
-    near, beyond = (ceil(away / _ROUND_M) * _ROUND_M for away in (joint - begin, end - joint))
-    ends = joint - near, joint, joint + beyond
+    lengths = joint - begin, end - joint
+    before, after = (ceil(length / _ROUND_M) * _ROUND_M for length in lengths)
+    ends = joint - before, joint, joint + after
     return Frame(*ends, arm, lasts_s, curve, axis_y, met, gaps_m(road))
 
 

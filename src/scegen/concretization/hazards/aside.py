@@ -24,7 +24,7 @@ from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.passing import change_length_m, move_aside, neighbour_lane, over_by_m
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
-from scegen.concretization.stationary import blocked_lane_ahead
+from scegen.concretization.stationary import blocking_m
 from scegen.concretization.tale import outward
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
@@ -193,12 +193,13 @@ def swerve(scene: Setup, hazard: Hazard) -> list[Meeting]:
     if hazard.kind is not HazardKind.ONCOMING_LANE:
         return [meeting for draft in free for meeting in _out_and_back(scene, draft, hazard)]
     for draft in free:  # whom it then meets it meets head-on
-        if blocked_lane_ahead(scene, draft):
+        if blocking_m(scene, draft):
             continue
         draft.entry_lane = min(entry_lanes(scene, draft))
         quick = scene.kinds_by(draft.id) & _ABRUPT
         length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S)
-        _stray(scene, draft, 0, length, hazard.kind, stays_m=_STAYS_ASTRAY_S * draft.cruise_mps)
+        stays, ends = _STAYS_ASTRAY_S * draft.cruise_mps, over_by_m(draft)
+        move_aside(scene, draft, 0, ends_m=ends, over_m=length, stays_m=stays, hazard=hazard.kind)
     return []
 
 
@@ -222,22 +223,19 @@ def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeti
     offset = width if act is not None and act.side is Side.LEFT else -width
     over_m = width or scene.functional.junction.lanes_wide_m
     length = draft.cruise_mps * (usual if act is None else lasting_s(act, over_m, usual))
-    out = _stray(scene, draft, aside, length, hazard.kind, offset_m=offset)
+    out = move_aside(
+        scene,
+        draft,
+        aside,
+        ends_m=over_by_m(draft),
+        over_m=length,
+        stays_m=_STAYS_M,
+        hazard=hazard.kind,
+        offset_m=offset,
+    )
     if beside is None or beside.entry_lane != aside:
         return []
     return [close_before(scene, draft, beside, draft.laid.path_s_m(out + length))]
-
-
-def _stray(
-    scene: Setup, draft: DriveDraft, aside: int, over_m: float, kind: HazardKind, *,
-    stays_m: float = _STAYS_M, offset_m: float = 0.0,
-) -> float:  # fmt: skip
-    """Out to the side and back into its lane; returns where it begins."""
-    ends = over_by_m(draft)
-    return move_aside(
-        scene, draft, aside, ends_m=ends, over_m=over_m, stays_m=stays_m, hazard=kind,
-        offset_m=offset_m,
-    )  # fmt: skip
 
 
 def turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
