@@ -16,7 +16,6 @@ from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import quantity_at
 
-_BEFORE = 4
 _BEGINNING = frozenset({"start", "begin", "commence", "set"})
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})

@@ -7,7 +7,6 @@ from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
@@ -156,24 +155,10 @@ def go_on(acts: list[Doing], text: Sentences) -> list[Doing]:
         if letting:
             stop.kind, stop.into, stop.into_basis = ActKind.WAIT, letting[0].into, letting[0].basis
             kept.remove(letting[0])
-        elif stop.into is not None or _moves_again(stop, later, text):
+        elif stop.into is not None:
             stop.kind = ActKind.WAIT
     for act in kept:
         before = act.when.act if act.when is not None else None
         if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):
             act.when = None  # that the other goes first says it
     return kept
-
-
-def _moves_again(stop: Doing, later: list[Doing], text: Sentences) -> bool:
-    """``stops and then turns left``, ``stops …, then drives on``."""
-    if any(a.kind is ActKind.SET_OFF for a in later[:1]):
-        return False  # it is told how
-    for clause in text.scenes:
-        event = clause.event
-        if stop.entity not in clause.actors or event.i <= stop.i or event.name not in _GOING:
-            continue
-        on = text.low(event.i, event.j + 1).endswith((" on ", " off ", " again "))
-        if on or event.lemma in words()["going_on"] or text.says("then", stop.i, event.i):
-            return not event.negated
-    return False

@@ -157,7 +157,7 @@ class Judge(Teller):
             return None if near else OutcomeKind.AVOIDED
         if near:
             return OutcomeKind.NEAR_MISS
-        if tokens[k].low == "miss" or (governor == "to" and not self._leads_to(begin)):
+        if tokens[k].low == "miss" or governor == "to":
             return None
         if prevented and not vain:
             managed = any(f" {w} " in before for w in words()["managed"])
@@ -176,10 +176,6 @@ class Judge(Teller):
         first, end = self._text.bounds(k)
         around = self._text.within(max(start, first), min(end, k + _BEFORE))
         return [s.event for s in around if s.event.name in {"avoid", "prevent"}]
-
-    def _leads_to(self, begin: int) -> bool:
-        """``leads to a collision``, ``up to the impact``: no time to one, nothing intended."""
-        return self._text.tokens[max(0, begin - 2)].low in words()["leading"]
 
     def _between(self, scene: Clause) -> list[Entity]:
         """Who touches whom: by the verb, by whose part is named, by who is named around."""

@@ -155,13 +155,6 @@ class Sentences:
         pair = [t.low for t in self.tokens[k : k + 2]]
         return pair[:1] == [","] or pair == ["and", "then"]
 
-    def holder(self, i: int, j: int) -> list[Entity]:
-        """Whom a number is said of by standing with the noun ("the car at 50 km/h")."""
-        for mention in self.mentions:
-            if any((m.i, m.j) == (i, j) for m in mention.mods):
-                return list(mention.entities)
-        return []
-
     def adjacent(self, i: int) -> list[Entity]:
         """Who is named right before a token, forms of "to be" and adverbs skipped."""
         start, _ = self.bounds(i)

@@ -131,9 +131,6 @@ def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
     tokens = text.tokens
     start, _ = text.bounds(number.i)
     ego = ego_of(context)
-    own = text.holder(number.i, number.j)
-    if own:
-        return own
     before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
     before |= {t.low for t in tokens[number.j : number.j + 1]} & {"each", "both"}
     if before & {*words()["each"]}:

@@ -63,8 +63,8 @@ class Teller:
             event: the noun, or a verb that depends on it.
             acts: those that it may be.
         """
-        noun = event if event.nominal or self._names_it(event) else event.parent
-        named = noun is not None and (noun.nominal or self._names_it(noun))
+        noun = event if event.nominal else event.parent
+        named = noun is not None and noun.nominal
         frame = frames().get(noun.name) if named and noun is not None else None
         return [a for a in acts if frame is not None and a.kind is frame.kind]
 
@@ -76,9 +76,4 @@ class Teller:
             end: index after the last one.
         """
         told = [c.event for c in self._text.within(start, end) if c.event.name in frames()]
-        return next((e for e in reversed(told) if e.nominal or self._names_it(e)), None)
-
-    def _names_it(self, event: Event) -> bool:
-        """``TTC at braking onset``: without anybody who does it."""
-        before = self._text.low(event.i - 1, event.i).strip()
-        return not event.subject and before in {"at", "during", "on", "upon"}
+        return next((e for e in reversed(told) if e.nominal), None)

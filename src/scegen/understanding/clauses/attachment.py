@@ -112,20 +112,10 @@ def attach(prep: Prep, state: State) -> None:
     if described is not None:
         described.pps.append(prep)
         prep.predicate = "aux:be" in state.between and "rel" not in state.between
-    elif _put_in(prep, state) and state.candidate is not None:
-        state.candidate.pps.append(prep)
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
-
-
-def _put_in(prep: Prep, state: State) -> bool:
-    """``…, while the ego, with green, goes on``: of who is named before the comma."""
-    who = state.candidate
-    fresh = who is not None and not state.candidate_done and state.anchor is who
-    fresh = fresh and not any(who in e.subject for e in state.events)
-    return fresh and prep.value == "with" and state.between == {","}
 
 
 def _from_a_side(prep: Prep) -> bool:
@@ -213,7 +203,7 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
         m += _stands_before_subject(chunks[m])
     if m >= len(chunks) or (comma and not begins and not spoken):
         return False
-    return isinstance(chunks[m], Mention) and not _possessor(chunks[m])
+    return isinstance(chunks[m], Mention)
 
 
 def _behind_participle(chunks: list[Chunk], m: int) -> int:
@@ -235,10 +225,6 @@ def _speaks(chunks: list[Chunk], m: int) -> bool:
     """Whether a participant with a verb of its own stands here."""
     here = chunks[m] if m < len(chunks) else None
     return isinstance(here, Mention) and finite_follows(chunks, m)
-
-
-def _possessor(chunk: Chunk) -> bool:
-    return isinstance(chunk, Mention) and chunk.possessor
 
 
 def _stands_before_subject(chunk: Chunk) -> bool:

@@ -2,20 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.chunks import Event, Place, Prep
 
 _LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
-
-
-def facing(mention: Mention, prep: Prep) -> bool:
-    """``oncoming traffic in the target lane``: it comes from the front, whatever the lane.
-
-    Args:
-        mention: a noun.
-        prep: a phrase after it.
-    """
-    lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
-    return lane and "opposite" in mention.dirs
 
 
 def own_lane(event: Event, prep: Prep) -> bool:
@@ -28,18 +17,6 @@ def own_lane(event: Event, prep: Prep) -> bool:
     lane = isinstance(prep.target, Place) and prep.target.kind == "lane" and prep.value == "in"
     ego = any(e.ego for m in event.subject for e in m.entities)
     return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
-
-
-def bare_side(prep: Prep) -> bool:
-    """``on the right``, unlike "on its right".
-
-    Args:
-        prep: a phrase of place.
-    """
-    side = prep.target
-    bare = isinstance(side, Place) and side.owner is None
-    bare = bare and not any(m.cat == "possessive" for m in getattr(side, "mods", []))
-    return bare and prep.value == "in" and is_side(prep)
 
 
 def is_side(prep: Prep) -> bool:

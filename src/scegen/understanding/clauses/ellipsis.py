@@ -37,8 +37,6 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         joint = chunks[k - 1] if k else None
         if not isinstance(joint, Word) or joint.value not in _JOINTS:
             continue
-        if _second_of_two(chunks, k):
-            continue
         verb = _verb_before(chunk, events)
         title = verb is not None and verb.nominal and not verb.subject
         if verb is None or title or not _ends(chunks, k + 2):
@@ -49,13 +47,6 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         if copy is not None:
             found.append(copy)
     return complete(chunks, found, tokens)
-
-
-def _second_of_two(chunks: list[Chunk], k: int) -> bool:
-    """``between the ego and the lorry``."""
-    first = chunks[k - 2] if k > 1 else None
-    placed = first.prep if isinstance(first, Mention) else None
-    return placed is not None and placed.value == "between"
 
 
 def _further(mention: Mention, chunks: list[Chunk], k: int, verb: Event) -> bool:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
 
-_PARTS = frozenset({"shoulder", "flank"})
-
 
 def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     """``behind the ego's rear bumper``: behind the ego, as far as others are concerned.

@@ -15,7 +15,7 @@ from scegen.understanding.clauses.phrases import (
     whose,
 )
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import copula_follows, finite_follows
+from scegen.understanding.phrases.lookahead import finite_follows
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
@@ -117,7 +117,7 @@ def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
     if _waits_for_subject(verb, k, chunks) or _goes_on_with(verb, k, chunks, state):
         return False
     tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
-    reported = tells and (finite_follows(chunks, k) or copula_follows(chunks, k))
+    reported = tells and finite_follows(chunks, k)
     return verb.object is None and not reported
 
 
@@ -135,7 +135,7 @@ def _goes_on_with(verb: Event, k: int, chunks: list[Chunk], state: State) -> boo
 def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
     """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
     placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
-    follows = finite_follows(chunks, k) or copula_follows(chunks, k)
+    follows = finite_follows(chunks, k)
     return placed and verb.i < chunks[k - 1].i and follows
 
 

@@ -8,7 +8,6 @@ from scegen.understanding.clauses.state import State
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
 _REACH = 4
-_FARTHEST = 8
 
 
 def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -27,8 +26,6 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         if before and isinstance(before[-1], Word) and before[-1].value == ",":
             before.pop()
     about = before[-1] if before else None
-    if marked and not isinstance(about, Mention):
-        about = _described_before(chunks[: k - 1])
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.candidate and not state.candidate_done and not state.between
@@ -38,16 +35,6 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False
     state.relative = (mention, about)
     return True
-
-
-def _described_before(chunks: list[Chunk]) -> Chunk | None:
-    """``an excavator doing 15 km/h, which the ego has to overtake``: the excavator."""
-    for chunk in reversed(chunks[-_FARTHEST:]):
-        ends = isinstance(chunk, Word) and chunk.cat in {"sub", "conj", "rel", "copy"}
-        ends = ends or (isinstance(chunk, Event) and chunk.form != "ing")
-        if isinstance(chunk, Mention) or ends:
-            return chunk if isinstance(chunk, Mention) and chunk.prep is None else None
-    return None
 
 
 def _acts(k: int, chunks: list[Chunk]) -> bool:

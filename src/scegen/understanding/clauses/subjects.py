@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import ANIMALS
 from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.clauses.coordination import auxiliary, coordinate
 from scegen.understanding.clauses.dependents import (
@@ -27,22 +26,11 @@ _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate"
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 
-_DRIVEN = frozenset({"brake", "hard_brake", "lane_change", "overtake", "tailgate", "accelerate"})
-"""What no animal does."""
-
-
-def _is_animal(mention: Mention) -> bool:
-    return mention.head is not None and mention.head.value in ANIMALS
-
-
 def link(event: Event, state: State) -> None:
     """Gives the event its subject, its parent verb and its mood."""
     interrupts = {"rel", ","} <= state.between and bool(state.mentions) and event.form == "ing"
     state.relating = _antecedent(state) if interrupts else state.relating
     _link(event, state)
-    if event.name in _DRIVEN and event.subject and all(_is_animal(m) for m in event.subject):
-        others = [m for m in state.mentions if not _is_animal(m)]
-        event.subject = others[-1:] or event.subject  # "a deer before the ego, which drives … and"
     if interrupts and state.relating is not None:  # "a man who, looking down, walks on"
         event.subject = [state.relating]
 

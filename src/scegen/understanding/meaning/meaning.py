@@ -101,14 +101,11 @@ class Interpreter:
             id(p)
             for e in events
             for p in e.pps
-            if (p.outer == "from" and self._into(e, p.on_mention))
-            or (
-                p.on_mention is e.object
-                and (
-                    self._starts(e, p)
-                    or (e.name in _BESIDE and bearing.is_side(p))
-                    or bearing.own_lane(e, p)
-                )
+            if p.on_mention is e.object
+            and (
+                self._starts(e, p)
+                or (e.name in _BESIDE and bearing.is_side(p))
+                or bearing.own_lane(e, p)
             )
         }
         self._context.told_in_the_past = any(
@@ -170,7 +167,7 @@ class Interpreter:
         say("nouns.noun", clause, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
         for prep in mention.pps:
-            if id(prep) in self._of_verbs or bearing.facing(mention, prep):
+            if id(prep) in self._of_verbs:
                 continue  # "approaches the ego from the left": not the ego comes from there
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
@@ -256,8 +253,6 @@ class Interpreter:
                 self._context.ahead(
                     clause.targets[:1], clause.actors, Basis(prep.word.i, prep.word.j)
                 )
-            elif event.name == "pass" and event.object is None and bearing.bare_side(prep):
-                self._placer.passes_on(prep, clause.actors)
             elif prep.on_mention is None or self._starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -275,14 +270,6 @@ class Interpreter:
         if told and told[-1].actors != clause.actors:
             clause.actors = []
 
-    def _of_another_clause(self, event: Event, term: Term) -> bool:
-        """``crosses when the ego is 35 m away at 50 km/h``: the ego's speed."""
-        between = [c for c in self._chunks if event.j <= c.i < term.i]
-        opened = next((k for k, c in enumerate(between) if getattr(c, "cat", "") == "sub"), None)
-        if opened is None:
-            return False
-        return any(isinstance(c, Mention) and c.prep is None for c in between[opened:])
-
     def _ended(self, event: Event) -> bool:
         """``ends up in front of the ego``: where it gets to, not where it comes from."""
         word = event.lemma
@@ -297,13 +284,6 @@ class Interpreter:
         for entity in clause.drivers if clause.event.name in _COMING else []:
             to = next((e for e in clause.targets if e.moving_vehicle), None)
             self._draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
-
-    def _into(self, event: Event, mention: Mention | None) -> bool:
-        """``runs into a cyclist from behind``: whom it hits is no object."""
-        tokens = self._context.tokens
-        return mention is not None and any(
-            p.target is mention and tokens[p.word.i].low == "into" for p in event.pps
-        )
 
     def _from_behind_somebody(self, clause: Clause, prep: Prep) -> bool:
         """``hits the van from behind``: behind the van."""
@@ -333,7 +313,7 @@ class Interpreter:
     def _manner(self, clause: Clause) -> None:
         event = clause.event
         for term in event.mods:
-            if term.cat == "quantity" and not self._of_another_clause(event, term):
+            if term.cat == "quantity":
                 after = any(
                     p.value == "ahead" and p.target is not None and p.target.j + 1 == term.i
                     for p in event.pps

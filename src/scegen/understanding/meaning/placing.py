@@ -75,18 +75,13 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     backs_out = event.name == "reverse" and any(
         isinstance(p.target, Place) and p.target.kind in {"parking", "access"} for p in event.pps
     )
-    if prep.value == "ahead" and (backs_out or _meets(prep)):
+    if prep.value == "ahead" and backs_out:
         return True  # "a car comes the other way; the ego goes in front of it"
     if afoot and (event.name, prep.value) == ("stop", "ahead"):
         return True  # "stops 1 m in front of her"
     return (event.name, prep.value) == ("swerve", "behind") or (
         (turns or onto) and prep.value == "ahead"
     )
-
-
-def _meets(prep: Prep) -> bool:
-    led = prep.target.entities if isinstance(prep.target, Mention) else []
-    return any("opposite" in e.dirs for e in led)
 
 
 _BOTH = ("left", "right")
@@ -106,15 +101,6 @@ def _past_the_parked(approaches: set[Approach], entities: list[Entity]) -> bool:
 def _steadily(event: Event | None, prep: Prep) -> bool:
     """Whether a lane that is named is the one where somebody is at first."""
     return event is None or event.name in _STEADY or prep.value == "from"
-
-
-def _one_side(prep: Prep) -> tuple[Approach, Basis] | None:
-    """The one side that a phrase names, with its words: "on the left"."""
-    side = prep.target
-    sides = {SIDES[d] for d in side.dirs if d in SIDES} if isinstance(side, Place) else set()
-    if side is None or len(sides) != 1:
-        return None
-    return next(iter(sides)), Basis(prep.word.i, side.j)
 
 
 _ACROSS = {"left": Approach.RIGHT, "right": Approach.LEFT}
@@ -303,19 +289,6 @@ class Placer:
         for number, entity in enumerate(entities):
             for other in entities[:number]:
                 self._draft.place(entity, other, elsewhere, basis)
-
-    def passes_on(self, prep: Prep, entities: list[Entity]) -> None:
-        """``a car passes on the left``: on which side one gets past, in the lane there.
-
-        Args:
-            prep: the phrase.
-            entities: who passes.
-        """
-        named = _one_side(prep)
-        if named is None:
-            return
-        for entity in [e for e in entities if not e.ego]:
-            entity.beside = entity.beside or (named[0].value, named[1])
 
     def _locus(self, prep: Prep, entities: list[Entity], event: Event | None) -> None:
         target = landmark(prep.target)

@@ -7,8 +7,6 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Wor
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 
-_OPENED_REACH = 11
-_TYRES = frozenset({"tire", "tyre"})
 _IN_THE_WAY = 9
 _CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk", "middle"})
 _REACH = 4
@@ -28,21 +26,12 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     """
     basis = Basis(thing.i, thing.j)
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
-    possessed = possessed or _part(thing, draft)
     if _bursts(thing, draft):
         return
     lost = possessed and _comes_off(thing, draft)
     if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, chunks)):
         return  # "its tyre bursts", "a man with a dog": a part of somebody
-    if thing.kind == "obstacle":
-        draft.hazard(HazardKind.OBSTACLE, basis, [])
-        draft.lying.append(thing)
-    elif thing.kind == "door" and _open(thing, draft):
-        whose = [e for p in thing.pps if isinstance(p.target, Mention) for e in p.target.entities]
-        whose += thing.owner.entities if thing.owner is not None else []
-        draft.hazard(HazardKind.OBSTACLE, basis, whose)
-        draft.note(thing.i, thing.j, "whose door opens is not said here; an obstacle stands in")
-    elif thing.kind == "object" and _in_the_way(thing, chunks, draft):
+    if thing.kind == "obstacle" or (thing.kind == "object" and _in_the_way(thing, chunks, draft)):
         draft.hazard(HazardKind.OBSTACLE, basis, [])
         draft.lying.append(thing)
     elif thing.kind == "object":
@@ -79,25 +68,11 @@ def _bursts(thing: Thing, draft: Draft) -> bool:
     return tyre and bool(after & word_list("bursting"))
 
 
-def _open(thing: Thing, draft: Draft) -> bool:
-    """``an opening door``, ``a door opens``; "hit the driver's door" is a place on a car."""
-    around = draft.tokens[max(0, thing.i - 2) : thing.j + _OPENED_REACH]
-    ends = next((k for k, t in enumerate(around) if k > 2 and t.kind == "punct"), len(around))
-    around = around[:ends]
-    return any(t.low.startswith("open") or t.low in word_list("flung") for t in around)
-
-
 def _comes_off(thing: Thing, draft: Draft) -> bool:
     """``the truck's cargo falls onto the road``, ``sheds its load``: no longer a part of it."""
     words = [t.forms[-1][0] for t in draft.tokens[thing.j : thing.j + _REACH]]
     before = [t.forms[-1][0] for t in draft.tokens[max(0, thing.i - 2) : thing.j]]
     return bool(word_list("falling") & set(words) or word_list("shedding") & set(before))
-
-
-def _part(thing: Thing, draft: Draft) -> bool:
-    """``suffered a blown tyre``, ``its left front tire``: of a vehicle, not on the road."""
-    words = [t.low for t in draft.tokens[max(0, thing.i - 1) : thing.j]]
-    return words[-1].rstrip("s") in _TYRES and bool(word_list("states") & set(words))
 
 
 def _carried(thing: Thing, chunks: list[Chunk]) -> bool:

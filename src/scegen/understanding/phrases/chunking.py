@@ -9,7 +9,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Wor
 from scegen.understanding.phrases.lanes_away import count_lanes
 from scegen.understanding.phrases.naming import Namer
 from scegen.understanding.phrases.renamed import between_lanes, with_particles
-from scegen.understanding.words.adjectives import listed, loose_modifier
+from scegen.understanding.words.adjectives import loose_modifier
 from scegen.understanding.words.nominal import (
     OPENERS,
     ORDINALS,
@@ -149,7 +149,7 @@ class Chunker:
                 sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
                 if self._is_adverb(term) and (sided or not opened):
                     break
-            elif not (loose_modifier(self._terms, m, opened) or listed(self._terms, m, mods)):
+            elif not loose_modifier(self._terms, m, opened):
                 break
             mods.append(term)
             m += 1

@@ -75,17 +75,6 @@ def _behind_insertion(chunks: list[Chunk], k: int) -> int:
     return end if opens and finite and not ends else k
 
 
-def copula_follows(chunks: list[Chunk], k: int) -> bool:
-    """``the light was red``: whether "is" or "was" comes right after chunk ``k``.
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of a chunk.
-    """
-    after = chunks[k + 1] if k + 1 < len(chunks) else None
-    return isinstance(after, Word) and after.cat == "aux"
-
-
 def _place_after(chunks: list[Chunk], word: Word) -> bool:
     """``the view to the left``: no infinitive."""
     k = next(k for k, chunk in enumerate(chunks) if chunk is word)
@@ -189,17 +178,3 @@ def view_of(before: list[Chunk]) -> Thing | None:
         first = before[0]
         return first if isinstance(first, Thing) and first.kind == "view" else None
     return None
-
-
-def spoken_of(event: Event, k: int, chunks: list[Chunk]) -> bool:
-    """``so that overtaking is impossible``: a doing that the clause is about, not done.
-
-    Args:
-        event: a verb.
-        k: its index.
-        chunks: the chunks of the text.
-    """
-    before, after = (chunks[m] if 0 <= m < len(chunks) else None for m in (k - 1, k + 1))
-    opens = before is None or (isinstance(before, Word) and before.cat in {"sub", "conj", "punct"})
-    said = isinstance(after, Word) and (after.cat, after.value) == ("aux", "be")
-    return event.form == "ing" and opens and said

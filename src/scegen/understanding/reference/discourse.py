@@ -91,7 +91,7 @@ class Discourse:
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if (known := self._of_two(mention) or self._at_the_wheel(mention)) != []:
+        if (known := self._of_two(mention)) != []:
             found = known
         elif mention.pronoun is not None:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
@@ -116,12 +116,6 @@ class Discourse:
         meant = self._roster.together([])
         alone = len(self._draft.entities) == len(meant) == _A_PAIR
         return meant if alone and words in word_list("two_of_them") else []
-
-    def _at_the_wheel(self, mention: Mention) -> list[Entity]:
-        """``the ego's driver``: the ego."""
-        owner, head = mention.owner, mention.head
-        drives = owner is not None and head is not None and head.value == "driver"
-        return list(owner.entities) if drives and owner is not None else []
 
     def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
         """``half of them``: so many, no matter which; ``some of them`` says not how many."""
@@ -277,8 +271,7 @@ class Discourse:
         if det in {"another", "ordinal"}:
             return self._another(reading, exclude)
         if det in {"one", "indef"}:
-            member = self._member(reading, mention, exclude)
-            return member or self._roster.from_title(reading, mention)
+            return self._member(reading, mention, exclude)
         return self._definite(reading, mention, exclude)
 
     def _other_ones(

@@ -64,7 +64,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for m in e.subject
         if m.pronoun and isinstance(e.object, Mention) and e.object.i < m.i
     }  # "the van it is following": "it" is not the van
-    acted_on = {**_undergone(chunks, events), **around, **acted_on}
+    acted_on = {**around, **acted_on}
     heads = {
         id(p.target): c
         for c in chunks
@@ -143,18 +143,6 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
             opens = None
         fresh = False
     return found
-
-
-def _undergone(chunks: list[Chunk], events: list[Event]) -> dict[int, Event]:
-    """``the ego overtakes; the overtaken car …``: whom somebody else does that to."""
-    done = {e.name: e for e in events if not e.passive and e.premod_of is None and e.subject}
-    return {
-        id(chunk): done[mod.value]
-        for chunk in chunks
-        if isinstance(chunk, Mention)
-        for mod in chunk.mods
-        if mod.cat == "verb" and mod.form == "ed" and mod.value in done
-    }
 
 
 def _told_by_somebody(chunk: Chunk, discourse: Discourse) -> None:

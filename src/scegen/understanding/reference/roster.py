@@ -196,15 +196,6 @@ class Roster:
                 return [entity]
         return []
 
-    def from_title(self, reading: Reading, mention: Mention) -> list[Entity]:
-        """``Lead vehicle stopped: … a stationary lead vehicle …``: a title names nobody new."""
-        colon = next((k for k, t in enumerate(self.tokens) if t.low == ":"), None)
-        if colon is None or mention.i < colon:
-            return []
-        before = [e for e in self.draft.entities if (e.basis.i or 0) < colon and not e.ego]
-        alike = [e for e in before if self.compatible(e, reading) and e.dirs == reading.dirs]
-        return alike[:1]
-
     def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
         """``the first car``, ``the second truck``: by the order in which they came up.
 

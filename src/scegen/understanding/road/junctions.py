@@ -141,9 +141,7 @@ def _flashing(term: Term, tokens: list[Token], colours: frozenset[str]) -> Basis
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
-    if term.value == "junction" and (
-        absent.away_from(terms, k) or absent.none_named(terms, k, tokens)
-    ):
+    if term.value == "junction" and absent.away_from(terms, k):
         return
     if term.value == "junction":
         reading.named = reading.named or basis

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Mention, Place, Thing
+from scegen.understanding.chunks import Event, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
@@ -28,7 +28,6 @@ _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
 _SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
 _WITHIN_LANE_M = 2.0
-_ASIDE = frozenset({"access", "parking", "shoulder", "sidewalk", "junction", "bus_stop"})
 
 
 def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
@@ -71,16 +70,6 @@ def beside_somebody(j: int, tokens: list[Token]) -> bool:
         tokens: the tokens of the text.
     """
     return j < len(tokens) and tokens[j].low == "of"
-
-
-def side_to_side(event: Event) -> bool:
-    """``from left to right``: across the way of whoever sees it.
-
-    Args:
-        event: a verb of motion.
-    """
-    goals = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
-    return any(_OTHER.get(d) in _came_from(event) for goal in goals for d in goal.dirs)
 
 
 def _came_from(event: Event) -> set[str]:
@@ -289,16 +278,6 @@ def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     return not sideways and any(context.oncoming(e) and not e.ego for e in clause.drivers)
 
 
-def across_somebody(clause: Clause, context: Context) -> bool:
-    """``turned left right across me``: across my way."""
-    return all(context.oncoming(e) for e in clause.drivers) and any(
-        context.tokens[p.word.i].low == "across"
-        and isinstance(p.target, Mention)
-        and any(e.moving_vehicle for e in p.target.entities)
-        for p in clause.event.pps
-    )
-
-
 def stays_there(clause: Clause, context: Context) -> bool:
     """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
 
@@ -342,12 +321,6 @@ def _against_lane(clause: Clause, _: Context) -> bool:
     return lane is not None and any(against(e, lane) for e in clause.drivers)
 
 
-def _out_of_a_side(clause: Clause, context: Context) -> bool:
-    out = any(p.kind in _ASIDE for p in clause.places())
-    across = any(context.comes_across(e) for e in clause.drivers)
-    return out or across or context.draft.from_kerb
-
-
 def _a_little_aside(clause: Clause, context: Context) -> bool:
     """``moves 0.8 m to his left``: less than to another lane, whatever the verb."""
     event, tokens = clause.event, context.tokens
@@ -373,14 +346,11 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "no_arrow": lambda _, c: without_arrow(c),
     "turns_across": turns_across,
     "set_across": set_across,
-    "across_somebody": across_somebody,
     "against_lane": _against_lane,
     "head_on": lambda clause, c: head_on(clause, into_lane(clause.event), c),
-    "out_of_a_side": _out_of_a_side,
     "stays_there": stays_there,
     "onto_the_road": lambda clause, _: onto_the_road(clause.event),
     "only_signalled": lambda clause, c: only_signalled(clause.event, c),
-    "side_to_side": lambda clause, _: side_to_side(clause.event),
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),
     "leads_aside": lambda clause, c: bool(_SIDEWAYS & set(directions(clause.event, c.tokens))),
     "leads_through": lambda clause, c: through(clause.event, c) is not None,

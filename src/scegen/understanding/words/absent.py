@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
 
 
 def held(terms: list[Term], k: int) -> bool:
@@ -29,20 +28,6 @@ def away_from(terms: list[Term], k: int) -> bool:
     before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape", "num"}]
     between = terms[k].form == "s" and bool(before) and before[-1].value == "between"
     return between or (bool(before) and before[-1].value == "outside")
-
-
-def none_named(terms: list[Term], k: int, tokens: list[Token]) -> bool:
-    """``no junction``: none right there.
-
-    Args:
-        terms: the terms of the text.
-        k: index of the one that names it.
-        tokens: the tokens of the text.
-    """
-    before = terms[k - 1] if k else None
-    if before is not None and tokens[before.i].low in {"non", "mid"}:
-        return True  # "at a non-junction location"
-    return before is not None and (before.cat, before.value) == ("det", "negative")
 
 
 def negated(terms: list[Term], k: int) -> bool:

@@ -28,18 +28,3 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     if term.cat == "env":
         return follows in {"place", "actor"}
     return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}
-
-
-def listed(terms: list[Term], m: int, mods: list[Term]) -> bool:
-    """A comma between two adjectives ("a slow, old car").
-
-    Args:
-        terms: the terms of the text.
-        m: index of the term in question.
-        mods: the words before it.
-    """
-    term = terms[m]
-    if term.cat != "punct" or term.value != "," or not mods:
-        return False
-    follows = terms[m + 1].cat if m + 1 < len(terms) else ""
-    return mods[-1].cat in {"manner", "label", "state"} and follows in {"manner", "label"}

@@ -68,17 +68,6 @@ def _clause_follows(tokens: list[Token], j: int) -> bool:
     return False
 
 
-def _no_verb_before(tokens: list[Token], previous: Term | None) -> bool:
-    """``ego and preceding vehicle at 50 km/h``: no verb goes before that it could be joined to."""
-    k = previous.i - 1 if previous is not None else -1
-    while k >= 0 and tokens[k].kind != "punct":
-        match = longest_match(tokens, k)
-        if match is not None and match.has("verb", "aux"):
-            return False
-        k -= 1
-    return True
-
-
 def is_adverb(token: Token) -> bool:
     """Whether a word ends like an adverb."""
     return token.low.endswith("ly")
@@ -108,8 +97,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub", "punct"} and match.has("dir"):
         # "turning left and following vehicle B": without an article it is no adjective
-        joined = before == "conj" and _no_verb_before(tokens, previous)
-        attributive = _clause_follows(tokens, match.j) or joined
+        attributive = _clause_follows(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive
@@ -143,28 +131,16 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     if match.form != "s":
         return False
     headed = tokens[previous.j - 1].low in {"way", "direction"}
-    if previous.cat in {"dir", "compass"} and (headed or _article(tokens, match.j)):
+    if previous.cat in {"dir", "compass"} and headed:
         return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
     one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"}
     sided = sided and match.has("inert", "thing")  # "from the left barrels through"
-    if previous.cat == "dir" and match.get("verb").value == "inert" and _way_at(tokens, match.j):
-        return True  # "a car from the front signals right"
     bare = match.has("thing") and previous.cat not in {"det", "possessive", "num", "quant"}
     if bare and tokens[min(match.j, len(tokens) - 1)].low in word_list("where"):
         return True  # "a car without lights stands in the lane"
     return one or sided
-
-
-def _way_at(tokens: list[Token], j: int) -> bool:
-    """Whether a side is named there."""
-    return j < len(tokens) and tokens[j].low in {"left", "right"}
-
-
-def _article(tokens: list[Token], j: int) -> bool:
-    """Whether an article stands there."""
-    return j < len(tokens) and tokens[j].low in {"a", "an", "the", "its"}
 
 
 def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool:

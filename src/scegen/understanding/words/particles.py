@@ -197,22 +197,6 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
-def and_moves(token: Token, previous: Term, tokens: list[Token]) -> bool:
-    """``…, strides over the road``, ``and vaults onto it``: a verb of motion in no lexicon.
-
-    Args:
-        token: a word that no phrase of the lexicon holds.
-        previous: the term before it.
-        tokens: the tokens of the text.
-    """
-    if not token.low.endswith(("s", "ed")) or token.low.endswith(("ss", "us", "ings")):
-        return False
-    k = tokens.index(token)
-    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
-    joined = previous.cat in {"conj", "rel", "manner"} or previous.value == ","
-    return joined and after in word_list("particles_across")
-
-
 def a_drive(tokens: list[Token], i: int) -> bool:
     """``backs out of a drive``: where a house is reached from the road.
 

@@ -23,8 +23,6 @@ _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "al
                     "approx", "circa", "ca"})  # fmt: skip
 _LONGEST_UNIT = 4
 _TEN = 10
-_GIVEN_BY = frozenset({"at", "with", "to", "does", "doing"})
-_MARKS = frozenset({".", ";", "!", "?", "\n"})
 _SPREAD = 0.1
 """How far "about" reaches to either side, and how far "over" reaches, as a share."""
 
@@ -120,7 +118,7 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     if second is not None:
         value, dimension, end, name = second
         return _around(tokens, i, _si(first.value, dimension, name), (value, end), dimension)
-    return _of_the_next(tokens, i, j, first.value)
+    return None
 
 
 def _fraction(tokens: list[Token], i: int) -> Number | None:
@@ -165,22 +163,6 @@ def _around(
     tokens: list[Token], i: int, value: float, spread: tuple[float, int], dimension: str
 ) -> Quantity:
     return _build(tokens, i, spread[1], [value - spread[0], value + spread[0]], dimension)
-
-
-def _of_the_next(tokens: list[Token], i: int, j: int, value: float) -> Quantity | None:
-    """``one at 60 and the other at 80 km/h``: in the unit of the next that is given likewise."""
-    before = tokens[i - 1].low if i else ""
-    ends = j >= len(tokens) or tokens[j].low in {"and", ",", "while", "but"}
-    if before not in _GIVEN_BY or not ends:
-        return None
-    for k in range(j, len(tokens)):
-        if tokens[k].low in _MARKS:
-            return None
-        second = _second_number(tokens, k) if tokens[k - 1].low == before else None
-        if second is not None:
-            _, dimension, _, name = second
-            return _build(tokens, i, j, [_si(value, dimension, name)], dimension)
-    return None
 
 
 def _second_number(tokens: list[Token], j: int) -> tuple[float, str, int, str] | None:

@@ -9,7 +9,6 @@ from scegen.understanding.words.terms import Term
 
 _OTHER = {"left": "right", "right": "left"}
 _REACH = 4
-_ON_THE_KERB = frozenset({"pedestrian", "bicycle"})
 
 
 def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
@@ -29,9 +28,6 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
         if t.cat != "dir" or t.value not in values or _of_a_junction(terms, k):
             found.append(t)
             continue
-        if t.value == "far" and "of_body" not in t.data and _over_there(terms, k):
-            found.append(replace(t, value="opposite", form="base"))
-            continue
         if _bare(terms, k):
             found.append(Term("prep", "from", t.i, t.i))  # "a child crossing, farside"
         found.append(replace(t, value=values[t.value], form="base"))
@@ -44,16 +40,6 @@ def _bare(terms: list[Term], k: int) -> bool:
     after = terms[k + 1] if k + 1 < len(terms) else None
     joined = before is not None and before.cat in {"actor", "verb", "punct"}
     return joined and (after is None or after.cat in {"punct", "conj", "sub", "quantity", "prep"})
-
-
-def _over_there(terms: list[Term], k: int) -> bool:
-    """``a bus on the far side``: it goes the other way; people there come from that side."""
-    before = [t for t in terms[max(0, k - _REACH) : k] if t.cat != "det"]
-    who = before[-2] if len(before) > 1 else None
-    within = bool(before) and (before[-1].cat, before[-1].value) == ("prep", "in")
-    side = terms[k].j - terms[k].i > 1 or (k + 1 < len(terms) and terms[k + 1].value == "side")
-    driven = who is not None and who.cat == "actor" and who.value not in _ON_THE_KERB
-    return within and driven and side
 
 
 def _of_a_junction(terms: list[Term], k: int) -> bool:

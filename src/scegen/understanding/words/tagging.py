@@ -15,7 +15,6 @@ from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
     a_drive,
     after_a_phrase,
-    and_moves,
     in_front,
     just_right,
     lane_then_verb,
@@ -82,8 +81,6 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
-    if and_moves(token, previous, tokens):
-        return suffix_form(token)
     return None
 
 
