@@ -23,7 +23,7 @@ from scegen.errors import ScegenError
 from scegen.understanding import MAX_CHARACTERS, paper_cases, read
 from scegen.understanding.lexicon import load
 
-GOAL_PER_S = 200
+GOAL_PER_S = 300
 SECONDS = 3.0
 LONG = 1_000_000
 STALL_S = 10.0

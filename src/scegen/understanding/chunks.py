@@ -14,26 +14,14 @@ class Word:
     """A term that is no phrase of its own: preposition, conjunction, adverb, mark."""
 
     term: Term
+    cat: str = field(init=False)
+    value: str = field(init=False)
+    i: int = field(init=False)
+    j: int = field(init=False)
 
-    @property
-    def cat(self) -> str:
-        """Word class of the term."""
-        return self.term.cat
-
-    @property
-    def value(self) -> str:
-        """Meaning of the term within its class."""
-        return self.term.value
-
-    @property
-    def i(self) -> int:
-        """Index of the first token."""
-        return self.term.i
-
-    @property
-    def j(self) -> int:
-        """Index after the last token."""
-        return self.term.j
+    def __post_init__(self) -> None:
+        term = self.term
+        self.cat, self.value, self.i, self.j = term.cat, term.value, term.i, term.j
 
 
 @dataclass(slots=True, eq=False)

@@ -52,7 +52,7 @@ class Sentences:
         """The phrases of a list that the text holds anywhere."""
         if name not in self._said:
             text = self.low(0, len(self.tokens))
-            self._said[name] = [p for p in words()[name] if f" {p} " in text]
+            self._said[name] = [p for p in words()[name] if p in text and f" {p} " in text]
         return self._said[name]
 
     def says(self, name: str, i: int, j: int) -> str | None:

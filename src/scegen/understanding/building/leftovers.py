@@ -38,11 +38,10 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bo
         if other or draft.tokens[max(term.i - 1, 0)].low in word_list("one_more"):
             draft.note(term.i, term.j, ONE_RAMP)
     for term in terms:
-        before = {t.low for t in draft.tokens[max(term.i - 2, 0) : term.i]}
-        if "median" in term.data and "on" in before:
-            draft.note(term.i, term.j, _NOBODY_THERE)
-        elif "median" in term.data and _gone_over(draft, term):
-            draft.note(term.i, term.j, _NOT_DRIVEN_OVER)
+        if "median" in term.data:
+            on = "on" in {t.low for t in draft.tokens[max(term.i - 2, 0) : term.i]}
+            if on or _gone_over(draft, term):
+                draft.note(term.i, term.j, _NOBODY_THERE if on else _NOT_DRIVEN_OVER)
         if term.cat in {"noted", "place"} and "instead" in term.data:
             if not _tells_of_a_call(draft, term):
                 draft.note(term.i, term.j, term.data["instead"])

@@ -53,6 +53,8 @@ class Proofs:
 
     def _reason(self, basis: Basis) -> str | None:
         """Why a field has its value, misspelt words among those that it rests on included."""
+        if not self._slips:
+            return basis.reason or None
         first, end = basis.i or 0, basis.j or 0
         slips = [self._tokens[k] for k in self._slips if first <= k < end]
         read = [f"'{t.text}' is read as '{t.low}'" for t in slips]

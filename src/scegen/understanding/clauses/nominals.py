@@ -104,12 +104,14 @@ def _emphasises(mention: Mention, state: State) -> bool:
 
 def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``a van beside the ego, both at 60 km/h, moves over``: put in, of those named before."""
+    if mention.pronoun not in {"both", "all"}:
+        return False
     rest = chunks[k + 1 : k + 6]
     after = [c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)]
     measured = [getattr(c, "cat", "") for c in after[:1]] == ["quantity"]
     ends = [getattr(c, "value", "") for c in after[1:2]] == [","]
     waits = state.candidate is not None and not state.candidate_done and "," in state.between
-    return mention.pronoun in {"both", "all"} and measured and ends and waits
+    return measured and ends and waits
 
 
 def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:

@@ -49,6 +49,7 @@ class Discourse:
         self._draft = draft
         self.tokens = tokens
         self._arms = arms
+        self._own = [k for k, token in enumerate(tokens) if token.low in {"my", "our"}]
         self._roster = Roster(draft, tokens)
         self._pronouns = Pronouns(draft, self._roster, tokens)
 
@@ -111,11 +112,12 @@ class Discourse:
 
     def _of_two(self, mention: Mention) -> list[Entity]:
         """``both vehicles``, ``the two``: of two who are known already."""
+        if len(self._draft.entities) != _A_PAIR:
+            return []
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
-        meant = self._roster.together([])
-        alone = len(self._draft.entities) == len(meant) == _A_PAIR
-        return meant if alone and words in word_list("two_of_them") else []
+        meant = self._roster.together([]) if words in word_list("two_of_them") else []
+        return meant if len(meant) == _A_PAIR else []
 
     def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
         """``half of them``: so many, no matter which; ``some of them`` says not how many."""
@@ -216,7 +218,7 @@ class Discourse:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        return any(t.low in {"my", "our"} for t in self.tokens[i:j])
+        return any(i <= k < j for k in self._own)
 
     def observer(self, i: int, j: int) -> Entity:
         """``our lane``: whoever tells it takes part.

@@ -119,15 +119,15 @@ def _before(rest: str) -> Test:
 
 def _next(rest: str) -> Test:
     words = _words(rest)
-    return lambda clause, c: any(
-        t.low in words for t in c.tokens[clause.event.j : clause.event.j + 1]
+    return lambda clause, c: (
+        not words.isdisjoint([t.low for t in c.tokens[clause.event.j : clause.event.j + 1]])
     )
 
 
 def _soon(rest: str) -> Test:
     words = _words(rest)
-    return lambda clause, c: any(
-        t.low in words for t in c.tokens[clause.event.j : clause.event.j + _SOON]
+    return lambda clause, c: (
+        not words.isdisjoint([t.low for t in c.tokens[clause.event.j : clause.event.j + _SOON]])
     )
 
 
@@ -157,12 +157,16 @@ def _how(rest: str) -> Test:
 
 def _own(rest: str) -> Test:
     words = _words(rest)
-    return lambda clause, c: any(t.low in words for t in c.tokens[clause.event.i : clause.event.j])
+    return lambda clause, c: (
+        not words.isdisjoint([t.low for t in c.tokens[clause.event.i : clause.event.j]])
+    )
 
 
 def _mod(rest: str) -> Test:
     words = _words(rest)
-    return lambda clause, c: any(c.tokens[m.j - 1].low in words for m in clause.event.mods)
+    return lambda clause, c: (
+        not words.isdisjoint([c.tokens[m.j - 1].low for m in clause.event.mods])
+    )
 
 
 def _lemma(rest: str) -> Test:

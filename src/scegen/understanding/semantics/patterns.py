@@ -106,6 +106,8 @@ def _filter(word: str) -> NounTest:
     wanted, names = word[0] == "+", word[1:].split("|")
     tests = [test for name in names if (test := _FILTERS.get(name) or _of_words(name))]
     dirs = {name for name in names if name.isidentifier() and name not in _FILTERS}
+    if len(tests) == 1 and not dirs:
+        return tests[0] if wanted else lambda n, c: not tests[0](n, c)
     return lambda n, c: (any(t(n, c) for t in tests) or bool(dirs and dirs & set(n.dirs))) == wanted
 
 
@@ -175,12 +177,11 @@ def prep(words: list[str]) -> PrepTest:
     free = ANY in values
 
     def fits(p: Prep, context: Context) -> bool:
-        word = context.tokens[p.word.i].low
-        named = free or p.value in values or word in spelled or (bool(other) and word not in other)
-        named = named or (bool(apart) and p.value not in apart)
-        named = named or any(
-            (p.outer == o and v in {ANY, p.value}) or (word == o and p.value == v) for o, v in outer
-        )
+        word, value = context.tokens[p.word.i].low, p.word.term.value
+        named = free or value in values or word in spelled or (bool(other) and word not in other)
+        named = named or (bool(apart) and value not in apart)
+        for o, v in outer if not named else ():
+            named = named or (p.outer == o and v in {ANY, value}) or (word == o and value == v)
         named = named or (FRONT in values and _in_front(p, context))
         return named and target(p.target, context)
 

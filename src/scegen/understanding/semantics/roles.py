@@ -60,7 +60,8 @@ def without_nouns(clause: Clause) -> Clause:
         for p in event.pps
         if p.on_mention is None or p.on_mention.is_ego or p.on_mention in event.subject
     ]
-    return replace(clause, event=replace(event, pps=own))
+    same = len(own) == len(event.pps)
+    return clause if same else replace(clause, event=replace(event, pps=own))
 
 
 def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause]:

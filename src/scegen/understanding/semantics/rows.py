@@ -15,6 +15,7 @@ follows. With ``also`` the next rows are asked as well. The keys:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, lru_cache
@@ -42,12 +43,20 @@ _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place
                    "as", "targets", "actors", "rewrite", "rules_out", "implies",
                    "unsaid"})  # fmt: skip
 
+_PLAIN = ("negated", "passive", "nominal", "phrases")
+"""What a row may ask of an event that is known before any other condition is tried."""
+_PATH = re.compile("path ")
+
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row: all its conditions and all its effects; whether further rows are asked."""
+    """One row: all its conditions and all its effects; whether further rows are asked.
+
+    Which verbs it is for, and what of `_PLAIN` it asks, is looked up and not tested.
+    """
 
     events: frozenset[str] | None
+    plain: dict[str, bool]
     tests: tuple[Test, ...]
     effects: tuple[Effect, ...]
     also: bool
@@ -298,11 +307,17 @@ def _row(row: dict[str, Any], where: str) -> Row:
         said = list(row.get("if", ()))
         first = said[0].partition(" ") if said and " or " not in said[0] else ("", "", "")
         events = frozenset(first[2].split()) if first[0] == "event" else None
-        tests = [condition(text) for text in (said[1:] if events else said)]
+        said = said[1:] if events else said
+        plain = {
+            t.removeprefix("not "): t in _PLAIN for t in said if t.removeprefix("not ") in _PLAIN
+        }
+        if any(all(map(_PATH.match, text.split(" or "))) for text in said):
+            plain["phrases"] = True
+        tests = [condition(text) for text in said if text.removeprefix("not ") not in plain]
         by = row.get("by", "drivers")
         if "hazard" in row and not by.startswith("maybe "):
             tests.append(condition(f"some {by}"))
-        return Row(events, tuple(tests), tuple(_effects(row)), bool(row.get("also")))
+        return Row(events, plain, tuple(tests), tuple(_effects(row)), bool(row.get("also")))
     except KeyError as error:
         raise KeyError(f"{where}: {error} in {row}") from error
 
@@ -325,10 +340,17 @@ def families() -> dict[str, tuple[Row, ...]]:
 
 
 @cache
-def _asked(family: str, event: str) -> tuple[Row, ...]:
-    """The rows of a family that may fit an event; none is asked after one that renames it."""
-    rows = families().get(family, ())
-    return tuple(row for row in rows if row.events is None or event in row.events)
+def _asked(family: str, event: str, *held: bool) -> tuple[Row, ...]:
+    """The rows of a family that may fit an event; none is asked after one that renames it.
+
+    Args:
+        family: file and event.
+        event: its name.
+        held: what holds of it of `_PLAIN`.
+    """
+    known = dict(zip(_PLAIN, held, strict=True))
+    rows = [r for r in families().get(family, ()) if r.events is None or event in r.events]
+    return tuple(r for r in rows if all(known[name] == asked for name, asked in r.plain.items()))
 
 
 def say(family: str, clause: Clause, context: Context) -> bool:
@@ -343,7 +365,9 @@ def say(family: str, clause: Clause, context: Context) -> bool:
         Whether a row fits.
     """
     fitted = False
-    for row in _asked(family, clause.event.name):
+    event = clause.event
+    plain = event.negated, event.passive, event.nominal, bool(event.pps)
+    for row in _asked(family, event.name, *plain):
         for test in row.tests:
             if not test(clause, context):
                 break

@@ -15,10 +15,10 @@ _VERBAL = frozenset({"s", "ed"})
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """``First car stops, second brakes``: the first car, the second."""
     found: list[Term] = []
-    listed = sum(_names(terms, k, tokens) for k in range(len(terms))) > 1
+    named = {k for k in range(len(terms)) if _names(terms, k, tokens)}
     for k, term in enumerate(terms):
         word = tokens[term.i].low
-        if _names(terms, k, tokens) and (listed or word != "first"):
+        if k in named and (len(named) > 1 or word != "first"):
             found += [Term("det", "def", term.i, term.i), Term("label", word, term.i, term.j)]
         else:
             found.append(term)
