@@ -23,23 +23,6 @@ class Stop:
     goes_at: AtTime | Travelled | None = None
 
 
-def _bend_of(
-    laid: LaidDrive, cruise_mps: float, lateral_mps2: float
-) -> tuple[float, float, float] | None:
-    """From where to where a way bends too much for ``cruise_mps``, and the speed that it allows.
-
-    The comfortable speed is sqrt(lateral acceleration * radius) of the lane driven.
-    """
-    found = [
-        (begins_m, ends_m, speed)
-        for begins_m, ends_m, radius_m in laid.bends
-        if (speed := sqrt(lateral_mps2 * radius_m)) < cruise_mps * _WORTH_IT
-    ]
-    if not found:
-        return None
-    return found[0][0], found[-1][1], min(speed for _, _, speed in found)
-
-
 def turning_changes(
     laid: LaidDrive,
     cruise_mps: float,
@@ -51,19 +34,22 @@ def turning_changes(
 ) -> list[SpeedChange]:
     """The marks of a drive along a way at ``cruise_mps``.
 
-    ``stop`` is where it stands for a while.
+    ``stop`` is where it stands for a while. The comfortable speed in a bend is sqrt(lateral
+    acceleration * radius) of the lane driven; from the first to the last bend that is too narrow
+    for ``cruise_mps`` the least of these is kept.
     """
-    bend = _bend_of(laid, cruise_mps, lateral_mps2)
-    begins_m, ends_m, speed = bend or (0.0, 0.0, cruise_mps)
+    limits = [(begin, end, sqrt(lateral_mps2 * radius_m)) for begin, end, radius_m in laid.bends]
+    bend = [limit for limit in limits if limit[2] < cruise_mps * _WORTH_IT]
+    speed = min((limit for _, _, limit in bend), default=cruise_mps)
     marks: list[SpeedChange] = []
     if stop is not None:
         goes, then_s, at = Sort.GOES_ON, stop.stands_s, stop.goes_at
         on = SpeedChange(speed, faster_mps2, sort=goes, then_s=then_s, trigger=at)
         marks.append(_slow_before(stop.line_s_m, cruise_mps, 0.0, slowing_mps2, on))
     elif bend:
-        marks.append(_slow_before(begins_m, cruise_mps, speed, slowing_mps2))
+        marks.append(_slow_before(bend[0][0], cruise_mps, speed, slowing_mps2))
     if bend:
-        marks.append(SpeedChange(cruise_mps, faster_mps2, s_m=ends_m, sort=Sort.FREES))
+        marks.append(SpeedChange(cruise_mps, faster_mps2, s_m=bend[-1][1], sort=Sort.FREES))
     return marks
 
 
