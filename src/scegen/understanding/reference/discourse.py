@@ -92,7 +92,7 @@ class Discourse:
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if (known := self._of_two(mention)) != []:
+        if (known := self._of_two(mention) or self._at_the_wheel(mention)) != []:
             found = known
         elif mention.pronoun is not None:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
@@ -118,6 +118,12 @@ class Discourse:
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
         meant = self._roster.together([]) if words in word_list("two_of_them") else []
         return meant if len(meant) == _A_PAIR else []
+
+    def _at_the_wheel(self, mention: Mention) -> list[Entity]:
+        """``the ego's driver``: the ego."""
+        owner, head = mention.owner, mention.head
+        drives = owner is not None and head is not None and head.value == "driver"
+        return list(owner.entities) if drives and owner is not None else []
 
     def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
         """``half of them``: so many, no matter which; ``some of them`` says not how many."""
