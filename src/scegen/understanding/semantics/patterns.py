@@ -134,15 +134,20 @@ def noun(words: list[str]) -> NounTest:
     filters = [_filter(word) for word in words[1:]]
     kinds = words[0].split("|")
     special = {"who", "thing", "event", "none", "place", "named", ANY}
-    if all(k.partition(".")[0] not in special for k in kinds):
-        named = frozenset(kinds)
-        if not filters:
-            return lambda n, _: isinstance(n, Place) and n.kind in named
-        return lambda n, c: (
-            isinstance(n, Place) and n.kind in named and all(f(n, c) for f in filters)
-        )
+    named = frozenset(kinds)
     tests = [_alternative(kind) for kind in kinds]
-    return lambda n, c: any(t(n, c) for t in tests) and all(f(n, c) for f in filters)
+    kind: NounTest = tests[0]
+    if all(k.partition(".")[0] not in special for k in kinds):
+        kind = lambda n, _: isinstance(n, Place) and n.kind in named  # noqa: E731
+    elif len(tests) > 1:
+        kind = lambda n, c: any(t(n, c) for t in tests)  # noqa: E731
+    for further in filters:
+        kind = _both(kind, further)
+    return kind
+
+
+def _both(one: NounTest, other: NounTest) -> NounTest:
+    return lambda n, c: one(n, c) and other(n, c)
 
 
 def _in_front(p: Prep, context: Context) -> bool:

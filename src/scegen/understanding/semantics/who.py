@@ -202,6 +202,11 @@ def who(expression: str) -> Who:
     if not parts:
         return base
     tests = [(entity(part[1:]), part[0] == "+") for part in parts]
-    return lambda clause, c: [
-        e for e in base(clause, c) if all(test(e, c) == wanted for test, wanted in tests)
-    ]
+
+    def kept(clause: Clause, context: Context) -> list[Entity]:
+        found = base(clause, context)
+        for test, wanted in tests:
+            found = [e for e in found if test(e, context) == wanted]
+        return found
+
+    return kept
