@@ -45,7 +45,13 @@ def test_every_family_is_reached():
     asked |= {"dangers.drives_on", "dangers.move_off", "movements.past_a_light"}
     asked |= {f"movements.{name}" for name in ("sets_off", "overtakes", "runs")}
     asked |= {f"nouns.{name}" for name in ("noun", "named", "idle", "place", "text")}
-    asked |= {"nouns.hidden", "nouns.past", "dangers.from_behind"}
+    asked |= {
+        "nouns.stray",
+        "nouns.hidden",
+        "nouns.past",
+        "dangers.from_behind",
+        "dangers.oncoming",
+    }
     asked |= {f"positions.{name}" for name in ("first", "up_to", "after_all")}
     known = set(verbs(load().root))
     assert not {

@@ -13,7 +13,6 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning import (
     crossed_arms,
-    dangers,
     on_strips,
     red_lights,
     rows,
@@ -27,7 +26,6 @@ from scegen.understanding.meaning.out_of_turn import out_of_turn
 from scegen.understanding.meaning.placing import Placer
 from scegen.understanding.meaning.reactions import mark_answers, mark_late
 from scegen.understanding.meaning.roadside import read_thing
-from scegen.understanding.meaning.sides_left import sides_left
 from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.semantics import numbered_lanes
 from scegen.understanding.semantics.context import Clause, Context
@@ -54,9 +52,6 @@ _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
 _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
-_ON_THE_MOVE = frozenset({"swing_wide", "pull_out", "swerve", "use", "enter", "move", "cross",
-                          "lose_control", "lane_change", "merge", "overtake", "bypass", "turn",
-                          "sharp_turn", "approach", "unknown"})  # fmt: skip
 _INTO_LANES = frozenset({"lane_change", "cut_in", "merge", "cut_off"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
@@ -135,11 +130,16 @@ class Interpreter:
         rows.line_up(chunks, events, self._draft)
         for clause in told:
             self._event(clause)
+        self._all_told(chunks, events)
+        return self._clauses
+
+    def _all_told(self, chunks: list[Chunk], events: list[Event]) -> None:
+        """What follows once everything that happens is known."""
         red_lights.on_red(chunks, events, self._context)
         read_states(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)
-        screen_sides.share(chunks, self._clauses, self._context)
         nouns = [clause_of_noun(c) for c in chunks if isinstance(c, Mention)]
+        screen_sides.share(chunks, [*self._clauses, *nouns], self._context)
         everybody = clause_of_everybody(self._draft.entities)
         for clause in (*nouns, *self._clauses):
             say("nouns.hidden", clause, self._context)
@@ -157,9 +157,9 @@ class Interpreter:
         for clause in (*nouns, *strays, *map(without_nouns, self._clauses)):
             say("nouns.place", clause, self._context)
         say("nouns.text", everybody, self._context)
-        sides_left(chunks, self._context)
+        for clause in strays:
+            say("nouns.stray", clause, self._context)
         crossed_arms.note_arms(chunks, self._clauses, self._context)
-        return self._clauses
 
     def _mention(self, mention: Mention) -> None:
         self._placer.adjectives(mention)
@@ -238,8 +238,7 @@ class Interpreter:
         say("dangers.after_a_thing", clause, self._context)
         if not self._overruled(clause):
             say(f"dangers.{event.name}", clause, self._context)
-        if event.name in _ON_THE_MOVE:
-            dangers.oncoming_lane(clause, self._context)
+        say("dangers.oncoming", clause, self._context)
         say("dangers.from_behind", clause, self._context)
 
     def _places(self, clause: Clause) -> None:

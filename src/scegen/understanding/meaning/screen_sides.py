@@ -27,11 +27,6 @@ def share(chunks: list[Chunk], clauses: list[Clause], context: Context) -> None:
         if hides and not event.passive:
             for hider in event.subject[:1]:
                 _place(hider, clause.targets, chunks, context)
-    for chunk in chunks:
-        if isinstance(chunk, Mention):
-            for prep in chunk.pps:
-                if prep.word.cat == "locus" and prep.value in _HIDING:
-                    _place(prep.target, chunk.entities, chunks, context, prep.word.i)
 
 
 def _place(

@@ -71,7 +71,6 @@ FACTS: dict[str, Test] = {
     **along.FACTS,
     **owed.FACTS,
     **met.FACTS,
-    "head_on_somewhere": lambda clause, c: any(ways.head_on(clause, p, c) for p in clause.places()),
     "passes_round": passes_round,
     "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
     "leaves_its_number": lambda clause, c: leaves_it(clause.event, clause.drivers, c.tokens),

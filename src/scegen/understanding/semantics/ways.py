@@ -278,6 +278,16 @@ def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     return not sideways and any(context.oncoming(e) and not e.ego for e in clause.drivers)
 
 
+def head_on_somewhere(clause: Clause, context: Context) -> bool:
+    """Whether any place of a clause leads the other way, or is another's, but the one it leaves."""
+    left = {id(p.target) for p in clause.event.pps if p.value in {"from", "against"}}
+    return any(
+        head_on(clause, place, context) or any(against(e, place) for e in clause.drivers)
+        for place in clause.places()
+        if id(place) not in left
+    )
+
+
 def stays_there(clause: Clause, context: Context) -> bool:
     """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
 
@@ -347,6 +357,7 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "turns_across": turns_across,
     "set_across": set_across,
     "against_lane": _against_lane,
+    "head_on_somewhere": head_on_somewhere,
     "head_on": lambda clause, c: head_on(clause, into_lane(clause.event), c),
     "stays_there": stays_there,
     "onto_the_road": lambda clause, _: onto_the_road(clause.event),
