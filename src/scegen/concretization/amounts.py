@@ -133,6 +133,11 @@ def _target_mps(
     return usual_mps if act.kind is ActKind.SET_OFF else 0.0
 
 
+def hardest_mps2(body: Body, grip_mps2: float) -> float:
+    """How hard somebody can brake."""
+    return min(body.max_deceleration_mps2, _OF_GRIP * grip_mps2)
+
+
 def falls_back(act: Act) -> bool:
     """Whether one brakes of whom nobody says how far: no more than the one ahead makes it."""
     said = (act.target_speed_mps, act.duration_s, act.distance_m)

@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.along.doors import opens
-from scegen.concretization.answering import answer
+from scegen.concretization.answering import answer, note_answers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.deeds import do_acts, lead_in_missing_s, set_triggers, stand_in_line
@@ -216,10 +216,12 @@ def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
     short, who = shortfall(scene, moments.offsets_s)
     if short > 0:
         raise NeedsLongerArms(short, who)
-    answer(scene, moments)
-    reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
         draft.offset_s = moments.offsets_s[name]
+    answer(moments.traffic())
+    note_answers(scene, scene.drives)
+    reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
+    for name, draft in scene.drives.items():
         draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
         station = draft.laid.station_m(draft.start_m)
         reason = reasons.get(name, "in line on its arm")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from scegen.concretization.courses import Course, course_of
@@ -17,6 +18,7 @@ from scegen.concretization.turning import Stop, turning_changes
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import lay_towards
 from scegen.motion.polyline import LaidDrive
+from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import AtTime, DriveMotion, LaneChange, Travelled
@@ -84,6 +86,31 @@ class DriveDraft:
     def acceleration_mps2(self, wanted_mps2: float) -> float:
         """The same for speeding up."""
         return min(wanted_mps2, self.body.max_acceleration_mps2, self.grip_mps2)
+
+    @property
+    def speed_mps(self) -> float:
+        """Its speed before all that it does."""
+        return self.cruise_mps
+
+    @property
+    def steps(self) -> list[SpeedChange]:
+        """How it changes its speed of its own accord."""
+        return self.deeds
+
+    @steps.setter
+    def steps(self, steps: list[SpeedChange]) -> None:
+        self.deeds = steps
+
+    def timing(self) -> Callable[[SpeedChange, float], SpeedChange]:
+        """What puts a step where it is at a moment, as it drives now."""
+        course, late_s = self.course, self.offset_s
+        return lambda step, time_s: replace(
+            step, s_m=course.s_at(just_before_step_s(time_s) - late_s)
+        )
+
+    def after(self, step: SpeedChange, then_s: float) -> SpeedChange:
+        """A step that comes so long after the one before it is over."""
+        return replace(step, then_s=then_s)
 
     @property
     def laid(self) -> LaidDrive:

@@ -8,14 +8,20 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.amounts import ASIDE, OUT_AND_BACK
+from scegen.concretization.answering import Traffic
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import partner_of, rendezvous
 from scegen.motion.model import Array
 from scegen.motion.standing import object_path
+from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import Spacing
+
+_GONE_M = 0.1
+_AFTER_S = 30.0
+"""Those who go on once others are out of their way arrive so much later."""
 
 
 @dataclass
@@ -114,3 +120,45 @@ class Moments:
         at = np.array([time_s])
         tracks = self.track(own, at), self.track(other, at)
         return float(missing_m(said.measure, said.value.middle, *tracks)[0])
+
+    def traffic(self) -> Traffic:
+        """All who drive here, for those who brake for others: who reverses looks ahead.
+
+        Of walkers those of whom the text says when they set off, or who stop in somebody's way.
+        """
+        scene, drives = self.scene, self.scene.drives
+        self.sets_off_s |= {n: self.leaves_s(n) for n, walk in scene.walks.items() if walk.stops}
+        backs = frozenset(n for n, draft in drives.items() if draft.reversal is not None)
+        ends = max(d.offset_s + float(d.course.time_s[-1]) for d in drives.values())
+        things = (thing.id for thing in scene.objects)
+        return Traffic(
+            tale=scene,
+            movers={name: draft for name, draft in drives.items() if name not in backs},
+            touchable=[*drives, *self.sets_off_s, *scene.stands, *things],
+            times_s=np.arange(0.0, ends + _AFTER_S, STEP_S),
+            track=self._track_until_gone,
+            seen_s=self._seen_s,
+            in_line=lambda one, other: drives[one].drive.entry == drives[other].drive.entry,
+            backs=backs,
+            go_on=True,
+        )
+
+    def _track_until_gone(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
+        """The same, nan once it has come to the end of its way."""
+        boxes, speed = self.track(name, times_s)
+        draft = self.scene.drives.get(name)
+        if draft is None:
+            return boxes, speed
+        leaves_s = draft.course.profile.time_s(draft.laid.path.length_m - _GONE_M)
+        gone = times_s >= self.offsets_s[name] + leaves_s
+        return boxes._replace(x=np.where(gone, np.nan, boxes.x)), speed
+
+    def _seen_s(self, _: str, name: str) -> float:
+        """When somebody slows down, moves aside or steps out; at the start if it does not."""
+        draft = self.scene.drives.get(name)
+        if draft is None:
+            return self.leaves_s(name) if name in self.scene.walks else 0.0
+        course = draft.course
+        begins = [p.begins_s for p in course.phases if p.target_mps < course.speed_then(p.begins_s)]
+        begins += [course.time_at(draft.laid.path_s_m(c.position_m)) for c in draft.lane_changes]
+        return self.offsets_s[name] + min(begins) if begins else 0.0

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from scegen.claims.boxes import Boxes
 from scegen.concretization.limits import starting_mps2
 from scegen.motion.model import Array, Path
 from scegen.scenario.bodies import Body
@@ -80,6 +81,36 @@ class Walker:
                 hazard=HazardKind.STOPPING if stops else None,
             ),
         )
+
+
+@dataclass
+class Walk(Walker):
+    """One who goes across an open road: at ``x_m`` of it, ``sets_off_s`` after the start.
+
+    ``setback_m`` is how far outside the carriageway it starts, ``arrives_s`` when it is in the way
+    of whom it meets, ``stops_after_m`` where its way ends if it does not go across, ``from_y_m``
+    where it starts, to the ego's left of the centre line.
+    """
+
+    from_left: bool
+    meets: str
+    x_m: float = 0.0
+    setback_m: float = 0.0
+    sets_off_s: float = 0.0
+    arrives_s: float = 0.0
+    stops_after_m: float | None = None
+    timed: bool = False
+    act: str | None = None
+    from_y_m: float = 0.0
+
+    def track(self, times_s: Array) -> tuple[Boxes, Array]:
+        """Its boxes over time, and its speeds."""
+        way, speed = gained(self.speed_mps, self.rate_mps2, times_s - self.sets_off_s)
+        way = way if self.stops_after_m is None else np.minimum(way, self.stops_after_m)
+        into = -1.0 if self.from_left else 1.0
+        x, cos, sin = (np.full_like(way, value) for value in (self.x_m, 0.0, into))
+        y = self.from_y_m + into * (way + self.body.centre_ahead_m)
+        return Boxes(x, y, cos, sin, self.body.length_m / 2, self.body.width_m / 2), speed
 
 
 @dataclass

@@ -211,6 +211,6 @@ class Tale:
         for change in changes:
             slows = change.target_mps < before_mps and change.then_s is None
             if slows and self.is_loose(change.act):
-                named = {spacing.at for spacing in self.functional.spacings}
+                named = {s.at for s in self.functional.spacings if s.since == "begin"}
                 return None if change.act in named else change
         return None

@@ -36,7 +36,7 @@ _STEPS_OFF_M = 0.5
 _OF_PEAK = 0.9
 """Of the pace at which one who sets off must begin to stop, the share that is used."""
 OWES = HazardKind.FAILURE_TO_YIELD
-BRAKES = BRAKING | {HazardKind.STOPPING}
+_BRAKES = BRAKING | {HazardKind.STOPPING}
 
 
 def pace_mps(tale: Tale, participant: Participant, width_m: float) -> float:
@@ -61,7 +61,7 @@ def setback_m(walk: Walker, strip_m: float, *, hidden: bool = False) -> float:
 def brakes(tale: Tale, name: str) -> bool:
     """Whether one who meets somebody on foot is said to brake for it."""
     acts = {a.kind for a in tale.acts if a.participant == name and tale.is_loose(a.id)}
-    return bool(tale.kinds_by(name) & BRAKES or acts & {ActKind.BRAKE, ActKind.STOP})
+    return bool(tale.kinds_by(name) & _BRAKES or acts & {ActKind.BRAKE, ActKind.STOP})
 
 
 def aim_m(

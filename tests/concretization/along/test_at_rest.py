@@ -11,9 +11,10 @@ from told import act, apart
 
 from scegen.concretization import concretize
 from scegen.concretization.along.compose import lay
-from scegen.concretization.along.reactions import contacts
+from scegen.concretization.along.reactions import traffic_of
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
+from scegen.concretization.answering import contacts
 from scegen.criticality import raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.scenario.spacings import Measure, Spacing
@@ -58,7 +59,7 @@ def test_it_stops_so_far_behind_one_that_stops(speed, gap, rate):
     )
     story = story_of(said, enumerate_scenarios(said).scenarios[0])
     lay(story)
-    assume(not list(contacts(story)))
+    assume(not list(contacts(traffic_of(story))))
     assert gap_m(story.ego, story.runners["lead"], LONG_S) == pytest.approx(gap, abs=0.5)
 
 

@@ -9,9 +9,10 @@ from roads import AHEAD, BEHIND, STAY, ego, kmh, one, road
 from told import act, apart, as_soon_as
 
 from scegen.concretization.along.compose import lay
-from scegen.concretization.along.reactions import REACTION_S, contacts
+from scegen.concretization.along.reactions import REACTION_S, traffic_of
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
+from scegen.concretization.answering import contacts
 from scegen.enumeration import enumerate_scenarios
 
 
@@ -37,7 +38,7 @@ def test_the_latest_braking_leaves_a_little_room(speed, headway, rate, share):
         spacings=[apart("ego", "lead", "headway_s", headway, "slows")],
     )
     story = laid(said)
-    assume(not list(contacts(story)))  # too close behind one who brakes too hard
+    assume(not list(contacts(traffic_of(story))))  # too close behind one who brakes too hard
     ego_ = story.ego
     body = ego_.body
     if not ego_.steps:
@@ -56,7 +57,7 @@ def test_a_queue_of_followers_stops_one_behind_the_other():
         one("tail", "truck", BEHIND, speed=60),
     ]
     story = laid(road(people, acts=[act("halts", "lead", "stop", rate_mps2=5.0)]))
-    assert not list(contacts(story))
+    assert not list(contacts(traffic_of(story)))
     late = 40.0
     gaps = [gap_m(story.ego, story.runners[name], late) for name in ("lead", "tail")]
     assert all(0.3 < gap < 1.5 for gap in gaps), gaps
@@ -68,7 +69,7 @@ def test_nobody_brakes_for_one_who_is_to_be_hit():
     outcome = {"kind": "collision", "between": ["ego", "wreck"]}
     story = laid(road(people, outcome=outcome))
     assert story.ego.steps == []
-    assert len(list(contacts(story))) == 1
+    assert len(list(contacts(traffic_of(story)))) == 1
 
 
 def test_nobody_brakes_where_there_is_no_need():

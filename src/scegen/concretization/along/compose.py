@@ -7,20 +7,18 @@ in time, and where one starts follows.
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from scegen.claims.boxes import gap_m
 from scegen.concretization.along.auxiliary import fitted
-from scegen.concretization.along.crossing import Walk, cross
+from scegen.concretization.along.crossing import cross
 from scegen.concretization.along.doors import opens
 from scegen.concretization.along.frame import Frame, frame_of, road_of
 from scegen.concretization.along.moments import perform_waiting, time_what_is_known
 from scegen.concretization.along.overtaking import come_back, overtake
 from scegen.concretization.along.parked import park, shift_to_pass, strips_m
 from scegen.concretization.along.placing import place_all
-from scegen.concretization.along.reactions import contacts, react
+from scegen.concretization.along.reactions import react, traffic_of
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import offset_all
 from scegen.concretization.along.story import Story
@@ -33,8 +31,10 @@ from scegen.concretization.along.writing import (
     written_runner,
     written_walk,
 )
+from scegen.concretization.answering import contacts, note_answers
 from scegen.concretization.boxes import apart
 from scegen.concretization.occluders import hide
+from scegen.concretization.others import Walk
 from scegen.concretization.roads import plan
 from scegen.concretization.things import made_of, shape_of
 from scegen.concretization.written import written_scenario
@@ -77,7 +77,7 @@ def lay(story: Story) -> list[Walk]:
         for name, (steps, moves, offset) in kept.items():
             runner = story.runners[name]
             runner.steps, runner.moves, runner.offset_m = list(steps), list(moves), offset
-        story.begins_s, story.ends_s = dict(begins), dict(ends)
+        story.begins_s, story.ends_s, story.walks = dict(begins), dict(ends), []
         offset_all(story)
         shift_to_pass(story)
         place_all(story, wider=wider)
@@ -89,43 +89,15 @@ def lay(story: Story) -> list[Walk]:
                 where=act.participant,
                 hint="Change the value of its trigger, or the speeds or distances of the two.",
             )
-        _rest_as_said(story)
         overtake(story)
         perform_waiting(story, [act for act in following if act.id not in story.begins_s])
         come_back(story)
-        touching = react(story)
+        react(story)
         walks = cross(story, strips_m(story))
-        touching += react(story)
-        unwanted = [p for p in touching if not story.contact_wanted(*p)]
-        unwanted += [
-            (a, b) for _, a, b in contacts(story)
-            if not story.contact_wanted(a, b) and (a, b) not in unwanted
-        ]  # fmt: skip
-        if not unwanted:
+        react(story)
+        if all(story.contact_wanted(a, b) for _, a, b in contacts(traffic_of(story))):
             break
     return walks
-
-
-def _rest_as_said(story: Story) -> None:
-    """Who stops so far behind another brakes later where its place leaves it too much room."""
-    for spacing in story.functional.spacings:
-        pair = spacing.participant, spacing.reference
-        if spacing.since == "begin" or not story.runners.keys() >= {*pair}:
-            continue
-        act = story.act(spacing.at)
-        runner = story.runners[act.participant]
-        step = next((s for s in runner.steps if s.act == act.id), None)
-        if step is None or step.timed or not story.is_loose(act.id):
-            continue
-        rest = np.array([_LATEST_S])
-        one, other = (story.runners[name].track(rest)[0] for name in pair)
-        too_far_m = float(gap_m(one, other)[0]) - spacing.value.middle
-        late_s = too_far_m / max(runner.speed_at_mps(step.begins_s), 0.1)
-        if 0.0 < late_s < _LATER_S and step.target_mps == 0.0:
-            later = replace(step, begins_s=step.begins_s + late_s)
-            runner.steps = [later if s is step else s for s in runner.steps]
-            story.begins_s[act.id] += late_s
-            story.ends_s[act.id] += late_s
 
 
 def closest_s(story: Story, at_least_s: float) -> float:
@@ -272,10 +244,7 @@ def _note(story: Story, walks: list[Walk]) -> None:
             continue
         reason = "as the description says" if runner.id in said else "usual speed"
         story.note(f"{runner.id}.speed_mps", runner.speed_mps, reason)
-        for step in runner.steps:
-            if step.act is None and step.reacts_to is not None:
-                reason = f"brakes for {step.reacts_to}, as a driver who sees it does"
-                story.note(f"{runner.id}.rate_mps2", step.rate_mps2, reason)
+    note_answers(story, story.runners)
     for walk in walks:
         reason = "as the description says" if walk.id in said else "usual pace"
         story.note(f"{walk.id}.speed_mps", walk.speed_mps, reason)

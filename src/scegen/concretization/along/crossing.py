@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from itertools import chain
-from math import ceil, floor
+from math import ceil
 
 import numpy as np
 
+from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import goes_on_when_free
-from scegen.concretization.limits import HARD_BRAKING_MPS2, REACTION_S
-from scegen.concretization.others import Walker, abreast_m, gained
-from scegen.concretization.profile import NEVER_S, SpeedChange
+from scegen.concretization.others import Walk, abreast_m, gained
+from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
     BEHIND_KERB_M,
-    BRAKES,
     OWES,
     aim_m,
-    brakes,
     goes_far_m,
     pace_mps,
     setback_m,
 )
-from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.logical import Crossing
 from scegen.scenario.spacings import LENGTHWISE, Measure
@@ -37,39 +32,16 @@ _HOLDS_S = 0.6
 _LEAST_LEAD_S = 1.0
 BEFORE_WALKER_M = 0.9
 """Who is parked and hides somebody stands so far before that one's line."""
-_STOPS_SHORT_M = 0.8
 _STAYS_M = 0.3
-_BEFORE_CROSSWALK_M = 0.3
-_STANDS_S = 0.5
-"""Who waits for one who crosses stands at least so long."""
-_LOOK_S, _LATEST_S = 0.05, 40.0
-
-
-@dataclass
-class Walk(Walker):
-    """One who goes across: at ``x_m`` of the road, ``sets_off_s`` after the start.
-
-    ``setback_m`` is how far outside the carriageway it starts, ``arrives_s`` when it is in the way
-    of whom it meets, ``stops_after_m`` where its way ends if it does not go across.
-    """
-
-    from_left: bool
-    meets: str
-    x_m: float = 0.0
-    setback_m: float = 0.0
-    sets_off_s: float = 0.0
-    arrives_s: float = 0.0
-    stops_after_m: float | None = None
-    timed: bool = False
-    act: str | None = None
+_LOOK_S = 0.05
 
 
 def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
     """The walks of all who go across; ``strips`` is how wide those are beside each side's lanes."""
-    walks: list[Walk] = []
     for crossing in story.logical.crossings:
-        walks.append(_walk(story, crossing, strips, walks))
-    return walks
+        story.walks.append(_walk(story, crossing, strips, story.walks))
+        react(story)
+    return story.walks
 
 
 def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: list[Walk]) -> Walk:
@@ -113,8 +85,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
         walk.stops_after_m = walk.setback_m + far
     elif HazardKind.STOPPING in story.kinds_by(walk.id):
         walk.stops_after_m = walk.setback_m + abs(meets.y_m(0.0) - edge) + _STAYS_M
-    for runner in (meets, *(r for r in story.runners.values() if r is not meets and not r.stands)):
-        _brake_before(story, walk, runner)
+    walk.from_y_m = edge - into * walk.setback_m
     return walk
 
 
@@ -180,77 +151,3 @@ def _spacing(
     said = story.between(name, other, *LENGTHWISE)
     own = said is not None and act is not None and said.at == act.id
     return None if said is None else (said.measure, said.value.middle, own)
-
-
-def _brake_before(story: Story, walk: Walk, meets: Runner) -> None:
-    """Who is said to brake for somebody, or would hit it, stops short of its line.
-
-    Not where the two are to touch. Who is not said to brake does so as a driver who sees it step
-    out.
-    """
-    if story.contact_wanted(walk.id, meets.id):
-        return
-    said = meets.id == walk.meets and brakes(story, meets.id)
-    own = next((s for s in meets.steps if s.target_mps < meets.speed_mps and not s.timed), None)
-    if (own is not None and (not said or own.reacts_to is not None)) or not (
-        said or _touches(walk, meets, story)
-    ):
-        return
-    most = min(meets.body.max_deceleration_mps2, 0.95 * story.grip_mps2)
-    rate = own.rate_mps2 if own is not None else min(HARD_BRAKING_MPS2[0], most)
-    target = own.target_mps if own is not None else 0.0
-    meets.steps = [s for s in meets.steps if s is not own]
-    said_m = story.rests_at(own.act) if own is not None and own.act else None
-    short = walk.body.width_m / 2 + (_STOPS_SHORT_M if said_m is None else said_m.value.middle)
-    if said_m is None and walk.crossing.arm in story.functional.junction.crosswalks:
-        short = max(short, CROSSWALK_WIDTH_M / 2 + _BEFORE_CROSSWALK_M)
-    stop = walk.x_m - meets.towards * (short + meets.leading_m)
-    room = abs(stop - (meets.at_m or 0.0))
-    if not said:
-        seen = room - meets.profile.way_m(walk.sets_off_s + REACTION_S)
-        rate = min(max(rate, meets.speed_mps**2 / (2 * max(seen, 0.1))), most)
-    begins = meets.profile.time_s(max(room - meets.speed_mps**2 / (2 * rate), 0.0))
-    if begins >= NEVER_S:
-        return
-    if said_m is not None:  # to the metre: players begin in the middle of a step before
-        begins = floor(begins / _LOOK_S) * _LOOK_S
-        gone = meets.profile.way_m(begins - _LOOK_S / 2)
-        rate = meets.speed_at_mps(begins) ** 2 / (2 * (room - gone))
-    hazard = next(iter(sorted(story.kinds_by(meets.id) & BRAKES)), None)
-    act = own.act if own is not None else None
-    answers = None if said else walk.id
-    answer = SpeedChange(target, rate, begins, act=act, hazard=hazard, reacts_to=answers)
-    meets.steps.append(answer)
-    _go_on(story, walk, meets)
-
-
-def _go_on(story: Story, walk: Walk, meets: Runner) -> None:
-    """Who waits for somebody goes on as soon as that one is out of its way."""
-    edge = edge_y_m(story, left=walk.from_left)
-    wide = (meets.body.width_m + walk.body.length_m) / 2
-    across = abs(edge - meets.y_m(0.0)) + walk.setback_m + wide
-    gone_s = walk.sets_off_s + walk.runs_s(across) + _LEAST_LEAD_S
-    # Who is said to wait comes to rest; who lets another go first need not.
-    waits = {act.id for act in story.functional.acts if act.kind is ActKind.WAIT}
-    for n, step in enumerate(meets.steps):
-        if step.act is not None and goes_on_when_free(story.act(step.act).when):
-            before = [s for s in meets.steps if s is not step]
-            free = [gone_s, *(s.begins_s + _LEAST_LEAD_S for s in before)]
-            rests = [s.begins_s + meets.speed_mps / s.rate_mps2 for s in before if s.act in waits]
-            begins = max([*free, *(at_rest + _STANDS_S for at_rest in rests)])
-            meets.steps[n] = replace(step, begins_s=begins)
-            story.begins_s[step.act] = begins
-
-
-def _touches(walk: Walk, meets: Runner, story: Story) -> bool:
-    """Whether one who drives on as it does hits the one who crosses."""
-    into = -1 if walk.from_left else 1
-    begins = edge_y_m(story, left=walk.from_left) - into * walk.setback_m
-    wide = (meets.body.width_m + walk.body.length_m) / 2
-    near = (meets.body.length_m + walk.body.width_m) / 2
-    times = np.arange(0.0, _LATEST_S, _LOOK_S)
-    way, _ = gained(walk.speed_mps, walk.rate_mps2, times - walk.sets_off_s)
-    way = way if walk.stops_after_m is None else np.minimum(way, walk.stops_after_m)
-    y = begins + into * (way + walk.body.centre_ahead_m)
-    there, _ = meets.track(times)
-    return bool(np.any((np.abs(there.x - walk.x_m) < near) & (np.abs(there.y - y) < wide)))

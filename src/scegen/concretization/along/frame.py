@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from math import ceil, copysign
 
 from scegen.concretization.along.auxiliary import fitted, gaps_m, joint_m, room_m
-from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
+from scegen.concretization.others import Walk
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M

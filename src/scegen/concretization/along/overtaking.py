@@ -11,11 +11,11 @@ import numpy as np
 from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.moments import perform_waiting
 from scegen.concretization.along.parked import standings_beside
-from scegen.concretization.along.reactions import brakes_for
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
-from scegen.concretization.braking import last_that
+from scegen.concretization.amounts import BRAKING
+from scegen.concretization.answering import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import outward
@@ -112,7 +112,7 @@ def _meeting_when_back_s(
     """
     if story.contact_wanted(stray.id, other.id):
         return (out.ends_s + back.begins_s) / 2
-    if brakes_for(story, other.id, stray.id):
+    if stray.id in story.endangered_by(other.id, *BRAKING):
         return back.begins_s + _STILL_THERE * back.lasts_s
     if story.concern(stray.id, other.id):
         return just_missed_s(stray, other, back)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from scegen.concretization.along.crossing import BEFORE_WALKER_M, Walk
+from scegen.concretization.along.crossing import BEFORE_WALKER_M
 from scegen.concretization.along.doors import middle_m, opens
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m, strip_middle_m, strips_along
 from scegen.concretization.along.story import Story
+from scegen.concretization.others import Walk
 from scegen.road.cross_section import CARRIAGEWAY
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Standing

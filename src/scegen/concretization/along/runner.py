@@ -6,7 +6,8 @@ line (``y``, m). Times count from the start of the scenario (s).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from math import pi
 
 import numpy as np
@@ -108,6 +109,15 @@ class Runner:
     def fastest_mps(self) -> float:
         """The greatest speed that it ever has."""
         return max([self.speed_mps, *(step.target_mps for step in self.steps)])
+
+    def timing(self) -> Callable[[SpeedChange, float], SpeedChange]:
+        """What lets a step begin at a moment."""
+        return lambda step, time_s: replace(step, begins_s=time_s)
+
+    def after(self, step: SpeedChange, then_s: float) -> SpeedChange:
+        """A step that comes so long after the others are over."""
+        ends_s = max((self.profile.settles_s(s.begins_s) for s in self.steps), default=0.0)
+        return replace(step, begins_s=ends_s + then_s)
 
     @property
     def profile(self) -> Profile:

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from scegen.concretization.along.runner import Move, Runner
+from scegen.concretization.answering import last_that
 from scegen.concretization.boxes import apart, missing_m
-from scegen.concretization.braking import last_that
 from scegen.scenario.spacings import Measure
 
 JUST_M = 0.5

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.along.runner import Runner
+from scegen.concretization.others import Walk
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.motion.following import Driver, driver_of
@@ -28,6 +29,7 @@ class Story(Tale):
     """Who does what when; ``begins_s`` and ``ends_s`` by act, ``things`` lie in somebody's way."""
 
     runners: dict[str, Runner] = field(default_factory=dict)
+    walks: list[Walk] = field(default_factory=list)
     lane_count: int = 1
     things: tuple[Thing, ...] = ()
     begins_s: dict[str, float] = field(default_factory=dict)
@@ -84,7 +86,19 @@ class Story(Tale):
 
     def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
         """The boxes of somebody over time, and its speeds."""
-        return self.runners[name].track(times_s)
+        if name in self.runners:
+            return self.runners[name].track(times_s)
+        return next(walk for walk in self.walks if walk.id == name).track(times_s)
+
+    def seen_s(self, who: str, name: str) -> float:
+        """When another becomes a danger: it slows down, comes into the lane or steps out."""
+        if name not in self.runners:
+            return next(walk.sets_off_s for walk in self.walks if walk.id == name)
+        one, other = self.runners[who], self.runners[name]
+        slows = [s.begins_s for s in other.steps if s.target_mps < other.speed_mps]
+        comes = [m for m in other.moves if m.lane == one.lane and other.forward == one.forward]
+        moments = [*slows, *(move.begins_s for move in comes or other.moves)]
+        return min(moments, default=other.appears_s)
 
     def ranks(self) -> dict[str, int]:
         """The order of those along the road in their direction, 0 = foremost; things before all."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import hypot
 
-from scegen.concretization.along.crossing import Walk
 from scegen.concretization.along.doors import beside_outermost, endangered, is_one_way, opening_s
 from scegen.concretization.along.frame import Frame
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
+from scegen.concretization.others import Walk
 from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.written import written, written_phase
 from scegen.errors import MotionInfeasibleError
@@ -39,7 +39,8 @@ _LEAST_MOVE_M = 2.0
 _BETWEEN_M = 0.1
 """Two changes of lane without anything between would share a vertex, and players round."""
 _SPARE_M = 3.0
-_MOVES_MPS = 0.1
+_MOVES_MPS = 2.0
+"""How far one has come tells no moment if it is slower: some centimetres are long then."""
 _LOOK_S = 0.25
 _FLUNG_MPS2 = 6.0
 
@@ -131,7 +132,7 @@ def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
 
 
 def come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
-    """How far the first of them who moves has come at a moment; that moment if nobody does."""
+    """How far the first of them who drives on has come at a moment; that moment if nobody does."""
     for who in whose:
         if who.speed_at_mps(moment_s) > _MOVES_MPS:
             return Travelled(participant=who.id, distance_m=round(who.profile.way_m(moment_s), 3))
