@@ -84,7 +84,7 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
 
 def back_up_to(scene: Setup, draft: DriveDraft, walk: WalkDraft) -> None:
     """Let it drive past the place where somebody will cross, stop, and go back to it."""
-    point = meeting_point(draft.laid.path, walk.path)
+    point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
     if point is None:
         raise MotionInfeasibleError(
             f"its way and that of {walk.id} do not meet, so it cannot reverse into it",

@@ -1,90 +1,151 @@
-"""Keep those apart who have no business with each other."""
+"""How late two drives may be against each other: what their ways share forbids some differences.
+
+Ground that two cross is one's alone, and one of two on one line stays ahead. So everything that
+keeps two apart is a range of differences that is taken: no contact, a headway, right of way.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
+from math import inf
+from typing import NamedTuple, TypeVar
 
+import numpy as np
+
+from scegen.concretization.courses import Course
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.priorities import Manners, Waits
-from scegen.measures.nearing import Timetable, come_near
+from scegen.measures.grounds import Ground, grounds
+from scegen.measures.remembering import remembered
+from scegen.motion.model import Array, Path
 
-_MARGIN_M = 1.0
-_STEP_S = 0.5
-LONGEST_S = 40.0
+_STEP_M, _ASIDE_M, _NEAR_M = 2.0, 2.0, 1.0
+_BEYOND_M = 100.0
+"""Farther behind the junction whoever comes up with another brakes for it."""
 
-
-def touch(
-    first: DriveDraft, first_s: float, second: DriveDraft, second_s: float, begins_s: float
-) -> bool:
-    """Whether two drives with these offsets ever touch (or nearly) from a time on."""
-    one, two = _table(first, first_s), _table(second, second_s)
-    ends_s = min(float(table.time_s[-1]) + table.late_s for table in (one, two))
-    backing = [late for d, late in ((first, first_s), (second, second_s)) if d.backs_out]
-    return come_near(one, two, max([begins_s, *backing]), ends_s, _MARGIN_M)
+T = TypeVar("T")
+Placed = tuple[DriveDraft, float]
+Known = dict[tuple[str, str], tuple[Course, Course, list[T]]]
 
 
-def _table(draft: DriveDraft, late_s: float) -> Timetable:
-    """When it is where if it is so late."""
-    course, path, body = draft.course, draft.laid.path, draft.body
-    half = body.length_m / 2, body.width_m / 2
-    way = path.s_m, path.x_m, path.y_m, path.heading_rad
-    speeds = float(course.speed_mps[0]), course.fastest_mps
-    return Timetable(course.time_s, course.s_m, *speeds, late_s, *way, body.centre_ahead_m, *half)
+class Line(NamedTuple):
+    """A line that two drive along, by places of the one and of the other.
 
-
-def clear_offset(
-    draft: DriveDraft,
-    offset_s: float,
-    others: Iterable[DriveDraft],
-    offsets_s: Mapping[str, float],
-    begins_s: float,
-    *,
-    direction: int = 1,
-    within_s: float = LONGEST_S,
-    manners: Manners | None = None,
-    meeting: Iterable[DriveDraft] = (),
-) -> float:
-    """The offset next to ``offset_s`` at which a drive touches none of the others from a time on.
-
-    ``direction`` 1 looks later, -1 earlier, 0 both ways. Where none ``within_s`` is free, the
-    offset stays. With ``manners`` it waits for its green, and nobody takes another's way, of the
-    others or of those whom it is ``meeting`` and may touch.
+    By how much the other must be later from there on to stay behind, and by how much earlier to
+    stay ahead.
     """
-    placed = [(other, offsets_s[other.id]) for other in others]
-    everybody = [*placed, *((other, offsets_s[other.id]) for other in meeting)]
-    before = Waits.of([draft, *(other for other, _ in everybody)])
-    for k in range(int(within_s / _STEP_S) + 1):
-        signs = (direction,) if direction else (1, -1)
-        for sign in signs:
-            tried = offset_s + sign * k * _STEP_S
-            if manners is not None:
-                manners.wait(draft, tried)
-                if not manners.settle(draft, tried, everybody):
-                    before.restore()
-                    continue
-            if not any(
-                touch(draft, tried, other, at, begins_s) for other, at in placed
-            ) and not _waiting_touch(before.changed(), draft, tried, everybody, begins_s):
-                return tried
-            before.restore()
-    if manners is not None:
-        manners.wait(draft, offset_s)
-    return offset_s
+
+    one_m: Array
+    other_m: Array
+    later_s: Array
+    earlier_s: Array
 
 
-def _waiting_touch(
-    waiting: Iterable[DriveDraft],
-    draft: DriveDraft,
-    offset_s: float,
-    everybody: Sequence[tuple[DriveDraft, float]],
-    begins_s: float,
-) -> bool:
-    """Whether one of those who wait for a new one, or it, touches anybody meanwhile."""
-    people = [(draft, offset_s), *everybody]
-    late = {one.id: at for one, at in people}
-    return any(
-        touch(one, late[one.id], other, at, begins_s)
-        for one in waiting
-        for other, at in people
-        if other is not one
+@dataclass
+class Differences:
+    """What the courses of drives leave to how late they are, asked for however late they are.
+
+    ``begins_s`` is when the scenario does: nobody is in anybody's way before.
+    """
+
+    begins_s: float
+    _grounds: Known[Ground] = field(default_factory=dict)
+    _lines: Known[Line] = field(default_factory=dict)
+
+    def grounds_s(self, one: DriveDraft, other: DriveDraft) -> list[Ground]:
+        """The grounds of two in times, each on its own clock; inf where one never gets."""
+        return self._found(self._grounds, _in_time, one, other)
+
+    def _found(
+        self, known: Known[T], find: Callable[[DriveDraft, DriveDraft], Iterator[T]],
+        one: DriveDraft, other: DriveDraft,
+    ) -> list[T]:  # fmt: skip
+        """What was found of two, as long as their courses are the same."""
+        first, second, found = known.get((one.id, other.id), (None, None, []))
+        if first is not one.course or second is not other.course:
+            found = list(find(one, other))
+            known[one.id, other.id] = one.course, other.course, found
+        return found
+
+    def touch(self, one: Placed, two: Placed, room_s: float) -> bool:
+        """Whether two so late ever touch, or come so near in time."""
+        (first, first_s), (second, second_s) = one, two
+        if any(
+            first_s + shared.enter_m < second_s + shared.other_leaves_m + room_s
+            and second_s + shared.other_enters_m < first_s + shared.leave_m + room_s
+            for shared in self.grounds_s(first, second)
+        ):
+            return True
+        for line in self._found(self._lines, _along, first, second):
+            # The one behind starts somewhere on the line; what lies before that is nothing to it.
+            here = _index(line.one_m, first.course.s_at(self.begins_s - first_s))
+            there = _index(line.other_m, second.course.s_at(self.begins_s - second_s))
+            later_s = second_s - first_s
+            if later_s < line.later_s[there] + room_s and -later_s < line.earlier_s[here] + room_s:
+                return True
+        return False
+
+    def touches(self, one: Placed, others: Iterable[Placed], room_s: float) -> bool:
+        """Whether a drive with this offset touches any of the others."""
+        return any(self.touch(one, two, room_s) for two in others if two[0] is not one[0])
+
+
+def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
+    """Whether two drives start on the same arm in the same lane."""
+    return (
+        first.drive.entry == second.drive.entry
+        and first.entry_lane == second.entry_lane
+        and first.id != second.id
     )
+
+
+def _when_s(course: Course, place_m: float) -> float:
+    return course.time_at(place_m) if place_m < float(course.s_m[-1]) + _NEAR_M else inf
+
+
+def _index(places_m: Array, place_m: float) -> int:
+    """That of the first place not before one; of the last place if there is none."""
+    return min(int(np.searchsorted(places_m, place_m)), len(places_m) - 1)
+
+
+def _in_time(one: DriveDraft, other: DriveDraft) -> Iterator[Ground]:
+    a, b = one.course, other.course
+    for ground in grounds(one.laid.path, one.body, other.laid.path, other.body):
+        yield Ground(*map(_when_s, (a, a, b, b), ground))
+
+
+def _along(one: DriveDraft, other: DriveDraft) -> Iterator[Line]:
+    """From where they merge, or from the outer end of their arm, until they part
+    or are well behind the junction."""
+    a, b = one.body, other.body
+    begins = [(0.0, 0.0)] if one.drive.entry == other.drive.entry else []
+    begins += [
+        (ground.enter_m + a.front_m, ground.other_enters_m + b.front_m)
+        for ground in grounds(one.laid.path, a, other.laid.path, b)
+    ]
+    for one_m, other_m in begins:
+        length = _along_m(one.laid.path, one_m, other.laid.path, other_m)
+        length = min(length, one.exit_s_m + _BEYOND_M - one_m)
+        if length > 0.0:
+            s = np.append(np.arange(0.0, length, _STEP_M), length)
+            mine, its = one_m + s, other_m + s
+            later = one.course.times_at(mine + a.rear_m) - other.course.times_at(its - b.front_m)
+            earlier = other.course.times_at(its + b.rear_m) - one.course.times_at(mine - a.front_m)
+            yield Line(mine, its, _most_from(later), _most_from(earlier))
+
+
+def _most_from(values: Array) -> Array:
+    """The greatest from each on."""
+    return np.asarray(np.maximum.accumulate(values[::-1])[::-1])
+
+
+@remembered
+def _along_m(first: Path, first_m: float, second: Path, second_m: float) -> float:
+    """How far two ways run along one line from two places on; 0 if they do not."""
+    s = np.arange(0.0, min(first.length_m - first_m, second.length_m - second_m), _STEP_M)
+    x, y = (
+        np.interp(first_m + s, first.s_m, mine) - np.interp(second_m + s, second.s_m, its)
+        for mine, its in ((first.x_m, second.x_m), (first.y_m, second.y_m))
+    )
+    apart = np.flatnonzero(np.hypot(x, y) > _ASIDE_M)
+    return float(s[apart[0]] if apart.size else s[-1] if s.size else 0.0)

@@ -7,16 +7,13 @@ against the ego's; one common shift then makes the approach long enough.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from math import inf
+from collections.abc import Iterator, Mapping, Sequence
 
-import numpy as np
-
-from scegen.concretization.clearance import LONGEST_S, clear_offset
-from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.clearance import Differences, same_lane
 from scegen.concretization.lights import lights_of, stands_at_red
-from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S, QUEUE_GAP_M
-from scegen.concretization.meetings import BYSTANDER, ORDINARY, Meeting, shared_length_m
+from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S
+from scegen.concretization.meetings import BYSTANDER, ORDINARY, Meeting
+from scegen.concretization.placing import LONGEST_S, Placing, clear_offset
 from scegen.concretization.priorities import Manners, Waits, patient_ones
 from scegen.concretization.setup import Setup
 from scegen.motion.rules.giving_way import must_give_way
@@ -30,157 +27,76 @@ _DANGER_WITHIN_S = 1.5
 """Those who meet in danger may be this much off their meeting to spare others."""
 
 
-def arrange(scene: Setup, meetings: Sequence[Meeting], begins_s: float) -> dict[str, float]:
+def arrange(
+    scene: Setup, meetings: Sequence[Meeting], differences: Differences
+) -> dict[str, float]:
     """The offset of every drive against the ego's timeline (s), on which all begin at a time."""
     offsets = {scene.ego.id: 0.0}
     ordered = sorted(meetings, key=lambda m: m.priority)
     dangers = [m for m in ordered if m.priority < ORDINARY]
-    while _arrange_one(scene, dangers, offsets, begins_s, None):
-        continue
+    while (place := _met(scene, dangers, offsets)) is not None:
+        offsets[place.draft.id] = clear_offset(place, offsets, differences)
     duties = must_give_way(scene.functional, scene.logical)
-    manners = Manners(lights_of(scene, offsets), duties, patient_ones(scene, ordered, duties))
+    patient = patient_ones(scene, ordered, duties)
+    manners = Manners(lights_of(scene, offsets), differences, duties, patient)
     while len(offsets) < len(scene.drives):
-        if _arrange_one(scene, ordered, offsets, begins_s, manners):
-            continue
-        if _queue_one(scene, offsets, begins_s, manners):
-            continue
-        free = [n for n in scene.drives if n not in offsets]
-        name = min(free, key=lambda n: scene.drives[n].drive.rank)
-        draft, ego = scene.drives[name], scene.ego
-        # At the junction when the ego is.
-        offset = ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
-        offsets[name] = clear_offset(
-            draft, offset, _placed(scene, offsets), offsets, begins_s, manners=manners
-        )
+        place = _met(scene, ordered, offsets) or _in_line(scene, offsets) or _free(scene, offsets)
+        offsets[place.draft.id] = clear_offset(place, offsets, differences, manners)
     scene.signals = manners.lights.plan if manners.lights is not None else None
     return offsets
 
 
-def _partners(meetings: Sequence[Meeting], name: str) -> set[str]:
-    """Those whom one meets in danger."""
-    risky = [m for m in meetings if m.priority < ORDINARY and name in {m.first, m.second}]
-    return {other for m in risky for other in (m.first, m.second) if other != name}
-
-
-def _placed(
-    scene: Setup, offsets: dict[str, float], *, without: Collection[str] = ()
-) -> list[DriveDraft]:
-    return [d for n, d in scene.drives.items() if n in offsets and n not in without]
-
-
-def _arrange_one(
-    scene: Setup,
-    meetings: Sequence[Meeting],
-    offsets: dict[str, float],
-    begins_s: float,
-    manners: Manners | None,
-) -> bool:
-    """Arrange the most important meeting of which one side is fixed."""
+def _met(scene: Setup, meetings: Sequence[Meeting], offsets: Mapping[str, float]) -> Placing | None:
+    """By the most important meeting of which one side is fixed."""
     for meeting in meetings:
-        known, other = meeting.first in offsets, meeting.second in offsets
-        if known == other:
+        known = meeting.first in offsets
+        if known == (meeting.second in offsets):
             continue
         first, second = scene.drives[meeting.first], scene.drives[meeting.second]
-        gap = second.course.time_at(meeting.second_s_m) - first.course.time_at(meeting.first_s_m)
-        if known:
-            partner, draft = first, second
-            offset = offsets[first.id] + meeting.lag_s - gap
-        else:
-            partner, draft = second, first
-            offset = offsets[second.id] - meeting.lag_s + gap
-        if meeting.priority >= 0:
-            # Those in danger touch nobody else; who has no part in one touches nobody.
-            bystander = meeting.priority >= BYSTANDER
-            spared = set() if bystander else _partners(meetings, draft.id)
-            if not bystander and scene.contact_wanted(partner.id, draft.id):
-                spared.add(partner.id)
-            offset = clear_offset(
-                draft,
-                offset,
-                _placed(scene, offsets, without=spared),
-                offsets,
-                begins_s,
-                direction=1 if bystander else 0,
-                within_s=LONGEST_S if meeting.priority >= ORDINARY else _DANGER_WITHIN_S,
-                manners=manners if meeting.priority >= ORDINARY else None,
-                meeting=[scene.drives[n] for n in spared if n in offsets],
-            )
-        offsets[draft.id] = offset
-        return True
-    return False
+        later_s = meeting.lag_s + first.course.time_at(meeting.first_s_m)
+        later_s -= second.course.time_at(meeting.second_s_m)
+        draft = second if known else first
+        offset = offsets[first.id] + later_s if known else offsets[second.id] - later_s
+        if meeting.priority < 0:
+            return Placing(draft, offset, (), within_s=0.0, waits=False)
+        placed = [scene.drives[name] for name in offsets]
+        if meeting.priority >= BYSTANDER:  # who has no part in a danger touches nobody
+            return Placing(draft, offset, placed)
+        # Those in danger touch nobody else.
+        spared = {n for m in meetings if m.priority < ORDINARY for n in m.other_than(draft.id)}
+        spared |= {n for n in meeting.other_than(draft.id) if scene.contact_wanted(n, draft.id)}
+        clear = [each for each in placed if each.id not in spared]
+        near = [each for each in placed if each.id in spared]
+        ordinary = meeting.priority >= ORDINARY
+        within_s = LONGEST_S if ordinary else _DANGER_WITHIN_S
+        return Placing(draft, offset, clear, near, 0, within_s, waits=ordinary)
+    return None
 
 
-def _queue_one(
-    scene: Setup, offsets: dict[str, float], begins_s: float, manners: Manners | None
-) -> bool:
-    """Line one vehicle up behind or before those of its arm and lane that are fixed."""
-    for name, draft in sorted(scene.drives.items(), key=lambda item: item[1].drive.rank):
-        if name in offsets:
-            continue
-        same = [d for d in scene.drives.values() if d.id in offsets and same_lane(d, draft)]
-        if not same:
-            continue
-        ahead = [d for d in same if d.drive.rank < draft.drive.rank]
-        if ahead:
-            offset = max(_behind(d, offsets[d.id], draft, begins_s) for d in ahead)
-            direction = 1
-        else:
-            offset = min(_before(draft, d, offsets[d.id], begins_s) for d in same)
-            direction = -1
-        others = _placed(scene, offsets)
-        offsets[name] = clear_offset(
-            draft, offset, others, offsets, begins_s, direction=direction, manners=manners
-        )
-        return True
-    return False
+def _in_line(scene: Setup, offsets: Mapping[str, float]) -> Placing | None:
+    """Behind or before the next of its arm and lane that is fixed, at a distance."""
+    placed = [scene.drives[name] for name in offsets]
+    pairs = [
+        (abs(draft.drive.rank - each.drive.rank), n, draft, each)
+        for n, (name, draft) in enumerate(scene.drives.items())
+        for each in placed
+        if name not in offsets and same_lane(each, draft)
+    ]
+    if not pairs:
+        return None
+    *_, draft, each = min(pairs, key=lambda pair: pair[:2])
+    direction = 1 if each.drive.rank < draft.drive.rank else -1
+    gap_s = each.course.time_at(draft.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
+    offset = offsets[each.id] + gap_s + direction * HEADWAY_S
+    return Placing(draft, offset, placed, direction=direction, headway_s=HEADWAY_S)
 
 
-def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
-    """Whether two drives start on the same arm in the same lane."""
-    return (
-        first.drive.entry == second.drive.entry
-        and first.entry_lane == second.entry_lane
-        and first.id != second.id
-    )
-
-
-def _behind(lead: DriveDraft, lead_s: float, follow: DriveDraft, begins_s: float) -> float:
-    """The earliest offset of one that keeps its distance behind another from its start on."""
-    shared = shared_length_m(lead, follow)
-    offset = lead_s + headway_s(lead, follow, shared, inf)
-    while True:
-        # Who comes later starts farther out, where the one ahead may be nearer.
-        place = _place_m(follow, begins_s - offset)
-        later = lead_s + headway_s(lead, follow, shared, place)
-        if later <= offset + _SAME_S:
-            return offset
-        offset = later
-
-
-def _before(lead: DriveDraft, follow: DriveDraft, follow_s: float, begins_s: float) -> float:
-    """The latest offset of one that is kept at a distance by another from that one's start on."""
-    place = _place_m(follow, begins_s - follow_s)
-    return follow_s - headway_s(lead, follow, shared_length_m(lead, follow), place)
-
-
-def _place_m(draft: DriveDraft, time_s: float) -> float:
-    """Where a drive is at a time of its course; who backs out stands where it starts before."""
-    return draft.course.s_at(max(time_s, 0.0) if draft.backs_out else time_s)
-
-
-def headway_s(lead: DriveDraft, follow: DriveDraft, shared_m: float, from_m: float) -> float:
-    """How much later than ``lead`` ``follow`` must be to keep its distance from a place on (s).
-
-    At every place of their shared way from there on, its end at least, the follower's reference
-    point comes two seconds after the leader's, and its bumper stays behind.
-    """
-    end = max(1.0, min(shared_m, float(follow.course.s_m[-1])))
-    s = np.append(np.arange(min(from_m, end), end, 2.0), end)
-    bodies = QUEUE_GAP_M + lead.body.rear_m + follow.body.front_m
-    mine = follow.course.times_at(s)
-    by_time = lead.course.times_at(s) + HEADWAY_S
-    by_place = lead.course.times_at(s + bodies)
-    return float(np.max(np.maximum(by_time, by_place) - mine))
+def _free(scene: Setup, offsets: Mapping[str, float]) -> Placing:
+    """At the junction when the ego is."""
+    open_ = [draft for name, draft in scene.drives.items() if name not in offsets]
+    draft, ego = min(open_, key=lambda each: each.drive.rank), scene.ego
+    offset = ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
+    return Placing(draft, offset, [scene.drives[name] for name in offsets])
 
 
 def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
@@ -191,14 +107,16 @@ def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     """
     first_s = _first_places(scene, meetings)
     ego, waits = scene.ego, Waits.of(scene.drives.values())
-    begins_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
+    approach_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
+    differences = Differences(approach_s)
     for _ in range(_ROUNDS):
-        offsets = arrange(scene, meetings, begins_s)
-        assumed_s, begins_s = begins_s, min([begins_s, *_latest_s(scene, offsets, first_s)])
-        if begins_s >= assumed_s - _SAME_S:
+        offsets = arrange(scene, meetings, differences)
+        assumed_s = differences.begins_s
+        differences.begins_s = min([assumed_s, *_latest_s(scene, offsets, first_s)])
+        if differences.begins_s >= assumed_s - _SAME_S:
             break
         waits.restore()
-    return {name: offset - begins_s for name, offset in offsets.items()}
+    return {name: offset - differences.begins_s for name, offset in offsets.items()}
 
 
 def _latest_s(

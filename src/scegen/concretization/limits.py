@@ -29,7 +29,6 @@ LANE_CHANGE_S = 3.0  # the short end of usual durations, 3-6 s
 ABRUPT_LANE_CHANGE_S = 2.0
 
 HEADWAY_S = 2.0  # [2S]
-QUEUE_GAP_M = 8.0
 TAILGATING_HEADWAY_S = (0.4, 0.8)  # below the least gap of [ISO15622]
 CLOSE_FOLLOWING_S = 0.8  # followed closely, but not tailgated
 CUT_IN_HEADWAY_S = (0.3, 0.6)

@@ -9,19 +9,16 @@ from math import cos, sin
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.measures.conflict_areas import least_gap_m, nearest_points
+from scegen.measures.conflict_areas import least_gap_m
+from scegen.measures.grounds import grounds
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
+from scegen.scenario.bodies import Body
 
 _SAMPLE_M = 1.0
-_TOUCH_M = 0.8
-"""Ways sampled every metre that come this close cross or merge."""
 _GRAZE_M = 2.0
-"""Ways that come this close without crossing still let cars touch."""
-_OPPOSED_RAD = 2.6
-_BACK = 0.7
-"""The share of a change back after which a stray is out of the oncoming one's way."""
-_LANE_M = 5.0
+_OPPOSED = -0.85
+"""The cosine between those who meet head-on is less."""
 _CROSSES = 0.2
 
 STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
@@ -43,6 +40,11 @@ class Meeting:
     second_s_m: float
     lag_s: float = 0.0
     reason: str = ""
+
+    def other_than(self, name: str) -> set[str]:
+        """Whom one meets; nobody if it is not one of the two."""
+        pair = {self.first, self.second}
+        return pair - {name} if name in pair else set()
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,27 +69,16 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     )
 
 
-def meeting_point(first: Path, second: Path) -> MeetingPoint | None:
-    """Where two ways that start apart first cross, merge or graze each other.
-
-    Opposed ways on one line (an oncoming lane) meet in the middle of what they share.
-    """
-    s1, x1, y1, h1 = sampled(first)
-    s2, x2, y2, h2 = sampled(second)
-    nearest, gaps = nearest_points(x1, y1, x2, y2, _GRAZE_M)
-    touching = np.flatnonzero(gaps < _TOUCH_M)
-    opposed = False
-    if touching.size:
-        i = int(touching[0])
-        turn = (h1[i] - h2[nearest[i]] + np.pi) % (2 * np.pi) - np.pi
-        opposed = bool(abs(turn) > _OPPOSED_RAD)
-        if opposed:
-            i = int(touching[touching.size // 2])
-    else:
-        i = int(gaps.argmin())
-        if gaps[i] > _GRAZE_M:
-            return None
-    return MeetingPoint(float(s1[i]), float(s2[nearest[i]]), opposed)
+def meeting_point(first: Path, body: Body, second: Path, other_body: Body) -> MeetingPoint | None:
+    """Where two ways that start apart first cross or merge: amid the ground that they share."""
+    ground = next(iter(grounds(first, body, second, other_body)), None)
+    if ground is None:
+        return None
+    one = (ground.enter_m + min(ground.leave_m, first.length_m)) / 2 + body.centre_ahead_m
+    two = (ground.other_enters_m + min(ground.other_leaves_m, second.length_m)) / 2
+    two += other_body.centre_ahead_m
+    turn = first.pose(one).heading_rad - second.pose(two).heading_rad
+    return MeetingPoint(one, two, opposed=cos(turn) < _OPPOSED)
 
 
 def crossing_at(first: Path, second: Path, near: MeetingPoint) -> tuple[float, float, float]:
@@ -116,19 +107,23 @@ def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
 def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
     """Where two drives meet that start in different lanes, as places of their reference points.
 
-    The bodies' centres are to meet, which lie ahead of the reference points. Of two on one arm
-    nobody changes lanes: they meet where one turns across the other.
+    The bodies' centres are to meet, which lie ahead of the reference points; of one who strays and
+    comes back the other comes onto the ground as it has just left it. Of two on one arm nobody
+    changes lanes: they meet where one turns across the other.
     """
     if first.drive.entry == second.drive.entry:
         together = first.entry_lane == second.entry_lane
         if together or first.lane_changes or second.lane_changes:
             return None
-    point = meeting_point(first.laid.path, second.laid.path)
+    ways = first.laid.path, first.body, second.laid.path, second.body
+    point = meeting_point(*ways)
     if point is None:
         return None
-    back = _just_back(first, second) if point.opposed else None
-    if back is not None:
-        return MeetingPoint(*back, opposed=True)
+    ground = grounds(*ways)[0]
+    if point.opposed and _comes_back(first):
+        return MeetingPoint(ground.leave_m, ground.other_enters_m, opposed=True)
+    if point.opposed and _comes_back(second):
+        return MeetingPoint(ground.enter_m, ground.other_leaves_m, opposed=True)
     return MeetingPoint(
         max(0.0, point.first_s_m - first.body.centre_ahead_m),
         max(0.0, point.second_s_m - second.body.centre_ahead_m),
@@ -136,21 +131,9 @@ def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
     )
 
 
-def _just_back(first: DriveDraft, second: DriveDraft) -> tuple[float, float] | None:
-    """Where two meet head-on of whom one strays: it comes back into its own lane just then."""
-    for stray, other, swapped in ((first, second, False), (second, first, True)):
-        changes = stray.lane_changes
-        back = [b for a, b in pairwise(changes) if a.lane_after == 0 and b.lane_after > 0]
-        if not back:
-            continue
-        place = stray.laid.path_s_m(back[0].position_m + _BACK * back[0].length_m)
-        pose = stray.laid.path.pose(place + stray.body.front_m)
-        met, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
-        if apart > _LANE_M:
-            continue
-        met = max(0.0, met - other.body.front_m)
-        return (met, place) if swapped else (place, met)
-    return None
+def _comes_back(draft: DriveDraft) -> bool:
+    """Whether one leaves the lane of the oncoming again."""
+    return any(a.lane_after == 0 < b.lane_after for a, b in pairwise(draft.lane_changes))
 
 
 def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
@@ -159,12 +142,3 @@ def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
     _, x2, y2, _ = sampled(second.laid.path)
     wide_m = (first.body.width_m + second.body.width_m) / 2
     return least_gap_m(x1, y1, x2, y2, wide_m) < wide_m
-
-
-def shared_length_m(first: DriveDraft, second: DriveDraft) -> float:
-    """How far two drives from the same arm run along the same line (0 in different lanes)."""
-    s, x1, y1, _ = sampled(first.laid.path)
-    x2 = np.interp(s, second.laid.path.s_m, second.laid.path.x_m)
-    y2 = np.interp(s, second.laid.path.s_m, second.laid.path.y_m)
-    apart = np.flatnonzero(np.hypot(x1 - x2, y1 - y2) > _GRAZE_M)
-    return float(s[apart[0]]) if apart.size else float(s[-1])

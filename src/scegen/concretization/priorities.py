@@ -10,14 +10,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from math import inf
 
-from scegen.concretization.courses import Course
+from scegen.concretization.clearance import Differences, Placed
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup
-from scegen.measures.grounds import Ground, grounds
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty
 from scegen.scenario.concrete import AtTime, Travelled
 from scegen.scenario.outcome import OutcomeKind
@@ -39,8 +38,6 @@ _LONGEST_S = 25.0
 """Nobody is let wait longer for others: of a stream somebody comes later instead."""
 
 _SIGNED = frozenset({Control.YIELD, Control.STOP, Control.ALL_WAY_STOP})
-
-Placed = tuple[DriveDraft, float]
 
 
 @dataclass(frozen=True)
@@ -72,10 +69,10 @@ class Manners:
     """
 
     lights: Lights | None
+    differences: Differences
     duties: tuple[Duty, ...] = ()
     patient: frozenset[str] = frozenset()
     _by_pair: dict[frozenset[str], Duty] = field(default_factory=dict)
-    _met: dict[tuple[str, str], tuple[Course, Course, list[Ground]]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._by_pair.update({frozenset((d.yields, d.other)): d for d in self.duties})
@@ -100,7 +97,7 @@ class Manners:
             if taken is None:
                 return True
             (late, late_s), (other, other_s) = taken
-            if late.id not in self.patient or not _lets_by(late, late_s, other, other_s):
+            if late.id not in self.patient or not self._lets_by(late, late_s, other, other_s):
                 return False
             changed.add(late.id)
         return False
@@ -122,18 +119,38 @@ class Manners:
         return any(
             name_s + own.enter_m < other_s + own.other_leaves_m + _ROOM_S
             and name_s + own.leave_m + CLEAR_S + _ROOM_S > other_s + own.other_enters_m
-            for own in self._times_s(name, other)
+            for own in self.differences.grounds_s(name, other)
         )
 
-    def _times_s(self, name: DriveDraft, other: DriveDraft) -> list[Ground]:
-        """Their grounds in times, each on its own clock: asked for however late they are."""
-        one, two = name.course, other.course
-        known = self._met.get((name.id, other.id))
-        if known is None or known[0] is not one or known[1] is not two:
-            shared = grounds(name.laid.path, name.body, other.laid.path, other.body)
-            times_s = [Ground(*map(_when_s, (one, one, two, two), ground)) for ground in shared]
-            known = self._met[name.id, other.id] = one, two, times_s
-        return known[2]
+    def _lets_by(self, late: DriveDraft, late_s: float, other: DriveDraft, other_s: float) -> bool:
+        """Let one wait until another is before it, and gone as it comes; whether it can."""
+        waited_s, served = late.waits_s, late.lets_by
+        late.waits_s = STOPS_FOR_S
+        again = _going_on(late).begins_s
+        stops_s = late.course.stop.begins_s if late.course.stop is not None else again
+        rests_s = again - STOPS_FOR_S
+        # One that would still come too soon waits until the other is gone.
+        early = served != other.id
+        free_s = self._free_s(late, again if early else None, other) + other_s
+        wait_s = max(free_s - late_s - rests_s, stops_s + _BRAKES_S - rests_s)
+        if late.stops_at_line:
+            wait_s = max(wait_s, STOPS_FOR_S)
+        late.waits_s, late.lets_by = wait_s, other.id
+        return (waited_s is None or wait_s > waited_s + _MORE_S) and wait_s < _LONGEST_S
+
+    def _free_s(self, late: DriveDraft, again_s: float | None, other: DriveDraft) -> float:
+        """When one may go on: the other is before it, and a little gone as it comes.
+
+        If it does not go on at some time anyway, only as the other has left all that they share.
+        """
+        soonest = -inf
+        for shared in self.differences.grounds_s(late, other):
+            comes, gone = shared.other_enters_m, shared.other_leaves_m
+            if gone == inf:  # where both go on along one way, where it is ahead
+                gone = comes + other.body.length_m / max(other.course.fastest_mps, 1.0)
+            needs = 0.0 if again_s is None else shared.enter_m - again_s
+            soonest = max(soonest, comes, gone + _AFTER_S - max(needs, 0.0))
+        return soonest
 
 
 def patient_ones(
@@ -196,48 +213,6 @@ def set_gaps(scene: Setup) -> None:
 
 def _going_on(draft: DriveDraft) -> SpeedChange:
     return next(phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON)
-
-
-def _lets_by(late: DriveDraft, late_s: float, other: DriveDraft, other_s: float) -> bool:
-    """Let one wait until another is before it, and gone as it comes; whether it can."""
-    waited_s, served = late.waits_s, late.lets_by
-    late.waits_s = STOPS_FOR_S
-    again = _going_on(late).begins_s
-    stops_s = late.course.stop.begins_s if late.course.stop is not None else again
-    rests_s = again - STOPS_FOR_S
-    # One that would still come too soon waits until the other is gone.
-    early = served != other.id
-    free_s = _free_s(late, again if early else None, other, other_s)
-    wait_s = max(free_s - late_s - rests_s, stops_s + _BRAKES_S - rests_s)
-    if late.stops_at_line:
-        wait_s = max(wait_s, STOPS_FOR_S)
-    late.waits_s, late.lets_by = wait_s, other.id
-    return (waited_s is None or wait_s > waited_s + _MORE_S) and wait_s < _LONGEST_S
-
-
-def _free_s(late: DriveDraft, again_s: float | None, other: DriveDraft, other_s: float) -> float:
-    """When one may go on: the other is before it, and a little gone as it comes.
-
-    If it does not go on at some time anyway, only as the other has left all that they share.
-    """
-    soonest = -inf
-    for ground in grounds(late.laid.path, late.body, other.laid.path, other.body):
-        comes = other_s + other.course.time_at(ground.other_enters_m)
-        gone = other_s + other.course.time_at(_left_m(ground, other))
-        needs = 0.0 if again_s is None else late.course.time_at(ground.enter_m) - again_s
-        soonest = max(soonest, comes, gone + _AFTER_S - max(needs, 0.0))
-    return soonest
-
-
-def _left_m(ground: Ground, other: DriveDraft) -> float:
-    """Where another has left a ground; where both go on along one way, where it is ahead."""
-    if ground.other_leaves_m < inf:
-        return ground.other_leaves_m
-    return ground.other_enters_m + other.body.length_m
-
-
-def _when_s(course: Course, place_m: float) -> float:
-    return course.time_at(place_m) if place_m < inf else inf
 
 
 def _rests_s(draft: DriveDraft, offset_s: float) -> float:

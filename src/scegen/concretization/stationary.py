@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from scegen.concretization.boxes import apart, box_of, box_on
-from scegen.concretization.clock import same_lane
+from scegen.concretization.clearance import same_lane
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.meetings import drives_meet

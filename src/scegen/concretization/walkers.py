@@ -148,7 +148,7 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
 def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
     """The drive into whose way a walker steps."""
     for draft in scene.concerned(walk.id):
-        point = meeting_point(draft.laid.path, walk.path)
+        point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
         if point is not None:
             return draft, point
     return None

@@ -8,7 +8,6 @@ import numpy as np
 
 from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import evaluate, measure
-from scegen.measures.nearing import Timetable, come_near
 from scegen.measures.occlusion import occlusion_series
 from scegen.measures.tables import build_tables
 from scegen.motion.batch import build_program, simulate_batch
@@ -32,8 +31,6 @@ def warm_kernels() -> float:
     evaluate(program, candidate, scene, duration_s=0.1)
     traces = simulate_batch(program, candidate, duration_s=0.1)
     measure(traces, scene)
-    table = Timetable(s, s, 1.0, 1.0, 0.0, s, s, s, ahead, 1.0, 2.0, 1.0)
-    come_near(table, table, 0.0, 0.1, 1.0)
     distances_at(traces.tracks, scene.bodies, scene.pairs[0], np.zeros((1, 1), dtype=np.int64))
     occlusion_series(traces.tracks, scene.bodies, scene.occlusions)
     return perf_counter() - begin

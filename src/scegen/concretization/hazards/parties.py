@@ -75,7 +75,7 @@ def stops_for_walkers(scene: Setup, draft: DriveDraft) -> tuple[float, float] | 
     """Where the reference point must rest for those who cross, and how long until they have."""
     stops = []
     for walk in scene.walks.values():
-        point = meeting_point(draft.laid.path, walk.path)
+        point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
         if point is not None:
             place = point.first_s_m - draft.body.front_m - _CLEAR_OF_WALKER_M
             clear = point.second_s_m + draft.body.width_m / 2 + 1.0 - walk.motion.setback_m
