@@ -115,8 +115,7 @@ def _in_time(one: DriveDraft, other: DriveDraft) -> Iterator[Ground]:
 
 
 def _along(one: DriveDraft, other: DriveDraft) -> Iterator[Line]:
-    """From where they merge, or from the outer end of their arm, until they part
-    or are well behind the junction."""
+    """From where they merge, or their arm begins, until they part or are well past the junction."""
     a, b = one.body, other.body
     begins = [(0.0, 0.0)] if one.drive.entry == other.drive.entry else []
     begins += [

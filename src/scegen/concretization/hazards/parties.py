@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from scegen.concretization.amounts import GAINING
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import drives_meet, meeting_point
@@ -21,6 +23,8 @@ _STANDS_OR_WALKS = frozenset(
 )
 """Made by where somebody walks or stands, not by how anybody drives."""
 _CLEAR_OF_WALKER_M, _CLEAR_OF_OTHER_M = 2.0, 3.0
+_TURNED_RAD = 0.75
+"""Who stops in a bend is seen to turn: it has got so far, and may stop a little sooner."""
 _BEFORE_S = 1.5
 """Who gains speed begins to so long before the place where it matters."""
 
@@ -103,4 +107,8 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     if draft is scene.ego:
         # The ego brakes to avoid, the others brake in its way.
         place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
+    elif act is ActKind.STOP and place > draft.junction_s_m:
+        path = draft.laid.path
+        turned = np.abs(path.heading_rad - path.heading_rad[0]) >= _TURNED_RAD
+        place = max(place, float(path.s_m[turned.argmax()]))
     return place
