@@ -35,6 +35,15 @@ def test_what_is_not_built_at_a_junction_is_said():
     assert any("cycle lane" in u.text for u in found.unsupported)
 
 
+@pytest.mark.parametrize("where", ["on the pavement", "at the bus stop", "at the edge of the road"])
+def test_what_is_not_built_beside_a_ramp_is_said(where):
+    text = f"A pedestrian stands {where} while the ego merges from a slip road."
+    scenario = read(text)
+    assert scenario.junction.auxiliary is not None
+    assert not scenario.junction.strips
+    assert any(u.text == where and "ramp" in u.instead for u in scenario.unsupported)
+
+
 @pytest.mark.parametrize(
     ("text", "kinds"),
     [

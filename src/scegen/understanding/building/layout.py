@@ -94,12 +94,13 @@ class Layout:
             self._proofs.add("junction.lane_width_m", self._around.lane_width_basis)
         self._proofs.add("junction.driving_side", self._around.side_basis, "right-hand traffic")
         carriageway = self._carriageway(kind, lanes)
-        strips = strips_beside(self._draft, self._along, self._proofs, kind, carriageway)
+        auxiliary = self._auxiliary(kind)
+        strips = strips_beside(self._draft, self._along, self._proofs, kind, carriageway, auxiliary)
         return Junction(
             carriageway=carriageway,
             strips=strips,
             bend=self._bend(kind, angles),
-            auxiliary=(auxiliary := self._auxiliary(kind)),
+            auxiliary=auxiliary,
             auxiliary_length_m=self._auxiliary_length_m(auxiliary),
             crosswalks=self._crosswalks(kind, auxiliary),
             kind=kind,

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from scegen.scenario.roadway import NOT_BESIDE_A_SHOULDER, PLAIN_ROAD_STRIPS, Carriageway, Strip
+from scegen.scenario.roadway import (
+    NOT_BESIDE_A_SHOULDER,
+    PLAIN_ROAD_STRIPS,
+    AuxiliaryLane,
+    Carriageway,
+    Strip,
+)
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.draft import Basis, Draft
@@ -12,10 +18,16 @@ AT_JUNCTIONS = "built only along a road without a junction; here the plain road 
 _INNER_SHOULDER = "no shoulder is built along the median; here it is on the outer one"
 _NOBODY_DRIVES = "there is one, but only who stands from the start is put on it"
 _BESIDE_A_SHOULDER = "built only where there is no hard shoulder; here it is left out"
+_BESIDE_A_RAMP = "built only where no ramp joins or leaves; here it is left out"
 
 
 def strips_beside(
-    draft: Draft, along: Lengthwise, proofs: Proofs, kind: JunctionKind, carriageway: Carriageway
+    draft: Draft,
+    along: Lengthwise,
+    proofs: Proofs,
+    kind: JunctionKind,
+    carriageway: Carriageway,
+    auxiliary: AuxiliaryLane | None,
 ) -> frozenset[Strip]:
     """The strips of the road; a motorway's hard shoulder only where it is one.
 
@@ -25,6 +37,7 @@ def strips_beside(
         proofs: where the evidence goes.
         kind: the shape of the road.
         carriageway: how its directions lie to each other.
+        auxiliary: the lane for a part of the road: only a hard shoulder lies beside it.
     """
     found: set[Strip] = set()
     for strip, basis in along.strips.items():
@@ -33,13 +46,16 @@ def strips_beside(
             proofs.add("junction.strips", along.without[strip])
         elif kind is not JunctionKind.STRAIGHT:
             _note(draft, None if of_road else basis, AT_JUNCTIONS)
+        elif auxiliary is not None and strip is not Strip.HARD_SHOULDER:
+            _note(draft, None if of_road else basis, _BESIDE_A_RAMP)
         elif not of_road or carriageway is Carriageway.DIVIDED:
             if strip is Strip.HARD_SHOULDER and not of_road and not _anybody_on_it(draft):
                 _note(draft, basis, _NOBODY_DRIVES)
             proofs.add("junction.strips", basis)
             found.add(strip)
-    found |= _stops(draft, proofs, kind)
-    _where_somebody_is(draft, proofs, kind, found)
+    if auxiliary is None:
+        found |= _stops(draft, proofs, kind)
+    _where_somebody_is(draft, proofs, kind, found, ramp=auxiliary is not None)
     return frozenset(found)
 
 
@@ -56,7 +72,9 @@ def _stops(draft: Draft, proofs: Proofs, kind: JunctionKind) -> set[Strip]:
     return found
 
 
-def _where_somebody_is(draft: Draft, proofs: Proofs, kind: JunctionKind, found: set[Strip]) -> None:
+def _where_somebody_is(
+    draft: Draft, proofs: Proofs, kind: JunctionKind, found: set[Strip], *, ramp: bool
+) -> None:
     """Adds the strips on which somebody is at first; who crosses starts behind them all."""
     kerb, sides = Approach(draft.kerb), {Approach.LEFT, Approach.RIGHT}
     for entity in draft.entities:
@@ -70,7 +88,10 @@ def _where_somebody_is(draft: Draft, proofs: Proofs, kind: JunctionKind, found: 
         if strip is Strip.HARD_SHOULDER and entity.approaches & sides == sides - {kerb}:
             _note(draft, basis, _INNER_SHOULDER)
             entity.approaches = {kerb}
-        if built and not beside:
+        if ramp and strip is not Strip.HARD_SHOULDER:
+            entity.strip = None
+            _note(draft, basis, _BESIDE_A_RAMP)
+        elif built and not beside:
             proofs.add("junction.strips", basis)
             found.add(strip)
         elif strip not in found:
