@@ -37,6 +37,7 @@ _MOVES_MPS = 0.1
 _GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0)
 _ROUNDS = 12
 _ROUNDING, _SOFTER = 1e-6, 0.8
+_SAME_M = 0.01
 
 
 class Contact(NamedTuple):
@@ -214,14 +215,14 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
 
     def leaves(room_m: float) -> bool:
         rest = (traffic.track(name, last)[0] for name in contact[1:])
-        return leaves_room(traffic, contact, room_m) and not gap_m(*rest)[0] < rests_m
+        return leaves_room(traffic, contact, room_m) and not gap_m(*rest)[0] < rests_m - _SAME_M
 
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = [step.begins_s for step in rest if step.target_mps > who.speed_mps]
     found = None
     # Who cannot stop for somebody who steps out any more brakes as it sees that one.
     for reaction_s in (REACTION_S, *(() if contact.other in traffic.movers else (0.0,))):
-        sees_s = ceil((traffic.seen_s(*contact[1:]) + reaction_s) / STEP_S) * STEP_S
+        sees_s = ceil((traffic.seen_s(*contact[1:]) + reaction_s) / STEP_S - _ROUNDING) * STEP_S
         earliest = max([sees_s, *gains, 0.0])
         found = found or brake_late(
             leaves, contact.time_s, rates, earliest, brake, exact=rests_m > -inf
