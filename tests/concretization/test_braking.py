@@ -7,7 +7,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from scegen.concretization.amounts import CLOSEST_M
-from scegen.concretization.answering import Contact, answer_each, brake_late
+from scegen.concretization.answering import answer_each, brake_late
+from scegen.concretization.traffic import Contact
 from scegen.motion.trigger_steps import STEP_S
 
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.amounts import ASIDE, OUT_AND_BACK
-from scegen.concretization.answering import Traffic
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
+from scegen.concretization.traffic import Traffic
 from scegen.concretization.walkers import partner_of, rendezvous
 from scegen.motion.model import Array
 from scegen.motion.standing import object_path

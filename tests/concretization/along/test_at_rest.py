@@ -14,7 +14,7 @@ from scegen.concretization.along.compose import lay
 from scegen.concretization.along.reactions import traffic_of
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
-from scegen.concretization.answering import contacts
+from scegen.concretization.traffic import contacts
 from scegen.criticality import raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.scenario.spacings import Measure, Spacing

@@ -31,12 +31,13 @@ from scegen.concretization.along.writing import (
     written_runner,
     written_walk,
 )
-from scegen.concretization.answering import contacts, note_answers
+from scegen.concretization.answering import note_answers
 from scegen.concretization.boxes import apart
 from scegen.concretization.occluders import hide
 from scegen.concretization.others import Walk
 from scegen.concretization.roads import plan
 from scegen.concretization.things import made_of, shape_of
+from scegen.concretization.traffic import contacts
 from scegen.concretization.written import written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths

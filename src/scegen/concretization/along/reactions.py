@@ -19,18 +19,16 @@ from scegen.concretization.amounts import (
     goes_on_when_free,
     hardest_mps2,
 )
-from scegen.concretization.answering import (
+from scegen.concretization.answering import answer, brake_for, last_that
+from scegen.concretization.limits import REACTION_S
+from scegen.concretization.profile import SpeedChange
+from scegen.concretization.traffic import (
     Contact,
     Traffic,
-    answer,
-    brake_for,
     had_ahead,
-    last_that,
     leaves_room,
     runs_first_into,
 )
-from scegen.concretization.limits import REACTION_S
-from scegen.concretization.profile import SpeedChange
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.motion.trigger_steps import STEP_S
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
