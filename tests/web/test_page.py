@@ -12,10 +12,7 @@ pytestmark = pytest.mark.browser
 CROSSING = (
     "The ego goes straight at a four-way intersection at 50 km/h; a van comes from the right."
 )
-STOPPING = (
-    "The ego is entering the intersection; a car comes from the opposite direction, turns left and "
-    "stops, causing a near collision with the ego."
-)
+RING = "A van enters the roundabout ahead of the ego and a car that circulates cuts it off."
 MANY = "Four cars meet at an uncontrolled four-way intersection."
 
 
@@ -215,7 +212,7 @@ def test_a_search_is_cancelled_and_survives_a_reload(server, visit):
 
 def test_where_nobody_chooses_what_shows_best_is_made(server, visit, tmp_path):
     visitor = visit(server.url)
-    visitor.understood(STOPPING)
+    visitor.understood(RING)
     visitor.search()
     assert visitor.page.locator(".card .dot.held").count() == 1
     passed_over = visitor.page.inner_text(".results .remark")

@@ -47,7 +47,7 @@ def test_it_sees_everything_that_it_may_change(advised, good_changes, chat_serve
         "speeding by car_1",
         "near-miss, without touching, pet 0.2 to 1 s",
         "- car_1 and car_2",
-        "car_1 is on their common ground from 6.38 to 7.48 s, car_2 from 6.61 to 7.26 s: gap -0.8",
+        "car_1 is on their common ground from 6.38 to 7.48 s, car_2 from 6.62 to 7.28 s: gap -0.8",
     ):
         assert words in message
     system = body["messages"][0]["content"]

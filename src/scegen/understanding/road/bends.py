@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.measures import role_of, value_of
 from scegen.understanding.words.terms import Term
@@ -72,7 +73,12 @@ def _with_radius(
 
 
 def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
-    """``at R = 750 m``: a bend that only its radius tells of, or one that is told of elsewhere."""
+    """``at R = 750 m``: a bend that only its radius tells of, or one that is told of elsewhere.
+
+    Where a roundabout is told of, the radius is that one's.
+    """
+    if any(term.data.get("kind") == JunctionKind.ROUNDABOUT for term in terms):
+        return terms
     bends = [k for k, t in enumerate(terms) if t.cat == "place" and t.value == "bend"]
     if any(terms[k].data.get("radius_m") for k in bends):
         return terms
