@@ -86,12 +86,15 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
         who.steps = [*rest, timed(replace(answer, rate_mps2=rate), begins_s)]
 
     rests_m, last = traffic.rests_m(contact, answer.act), traffic.times_s[-1:]
+    ahead = traffic.track(contact.other, traffic.times_s)[0]
     if own is not None and rests_m > -inf:  # as soft as it is told, if that is enough
         rates = sorted({own.rate_mps2, *(rate for rate in rates if rate > own.rate_mps2)})
 
     def leaves(room_m: float) -> bool:
+        if not leaves_room(traffic, contact, room_m, ahead):
+            return False
         rest = (traffic.track(name, last)[0] for name in contact[1:])
-        return leaves_room(traffic, contact, room_m) and not gap_m(*rest)[0] < rests_m - _SAME_M
+        return rests_m == -inf or not gap_m(*rest)[0] < rests_m - _SAME_M
 
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = [step.begins_s for step in rest if step.target_mps > who.speed_mps]

@@ -54,32 +54,23 @@ class Differences:
 
     def grounds_s(self, one: DriveDraft, other: DriveDraft) -> list[Ground]:
         """The grounds of two in times, each on its own clock; inf where one never gets."""
-        return self._found(self._grounds, _in_time, one, other)
-
-    def _found(
-        self, known: Known[T], find: Callable[[DriveDraft, DriveDraft], Iterator[T]],
-        one: DriveDraft, other: DriveDraft,
-    ) -> list[T]:  # fmt: skip
-        """What was found of two, as long as their courses are the same."""
-        first, second, found = known.get((one.id, other.id), (None, None, []))
-        if first is not one.course or second is not other.course:
-            found = list(find(one, other))
-            known[one.id, other.id] = one.course, other.course, found
-        return found
+        return _found(self._grounds, _in_time, (one, other), (one.course, other.course))
 
     def touch(self, one: Placed, two: Placed, room_s: float) -> bool:
         """Whether two so late ever touch, or come so near in time."""
-        (first, first_s), (second, second_s) = one, two
+        # What is known of two is kept in one order only.
+        (first, first_s), (second, second_s) = (one, two) if one[0].id < two[0].id else (two, one)
+        both, courses = (first, second), (first.course, second.course)
         if any(
             first_s + shared.enter_m < second_s + shared.other_leaves_m + room_s
             and second_s + shared.other_enters_m < first_s + shared.leave_m + room_s
-            for shared in self.grounds_s(first, second)
+            for shared in _found(self._grounds, _in_time, both, courses)
         ):
             return True
-        for line in self._found(self._lines, _along, first, second):
+        for line in _found(self._lines, _along, both, courses):
             # The one behind starts somewhere on the line; what lies before that is nothing to it.
-            here = _index(line.one_m, first.course.s_at(self.begins_s - first_s))
-            there = _index(line.other_m, second.course.s_at(self.begins_s - second_s))
+            here = _index(line.one_m, courses[0].s_at(self.begins_s - first_s))
+            there = _index(line.other_m, courses[1].s_at(self.begins_s - second_s))
             later_s = second_s - first_s
             if later_s < line.later_s[there] + room_s and -later_s < line.earlier_s[here] + room_s:
                 return True
@@ -88,6 +79,21 @@ class Differences:
     def touches(self, one: Placed, others: Iterable[Placed], room_s: float) -> bool:
         """Whether a drive with this offset touches any of the others."""
         return any(self.touch(one, two, room_s) for two in others if two[0] is not one[0])
+
+
+def _found(
+    known: Known[T],
+    find: Callable[[DriveDraft, DriveDraft], Iterator[T]],
+    both: tuple[DriveDraft, DriveDraft],
+    courses: tuple[Course, Course],
+) -> list[T]:
+    """What was found of two, as long as their courses are the same."""
+    pair = both[0].id, both[1].id
+    first, second, found = known.get(pair, (None, None, []))
+    if first is not courses[0] or second is not courses[1]:
+        found = list(find(*both))
+        known[pair] = *courses, found
+    return found
 
 
 def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
