@@ -44,7 +44,8 @@ class Way:
     it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
     ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm,
     ``line_m`` where that has its stop line; ``whole`` is the same way from the outer end of its
-    entry arm, on which it starts at ``starts_m``: None of one that is no such part.
+    entry arm, on which it starts at ``starts_m``: None of one that is no such part, and where no
+    ways cross.
     """
 
     participant: ConcreteParticipant
@@ -123,7 +124,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
     at, curvature = _curvature(laid.path)
     whole = None
-    if motion.reversal is None:
+    if motion.reversal is None and not network.plain:
         outer = motion.model_copy(update={"start_m": 0.0})
         whole = lay_drive(network, outer, participant.id)
     return Way(

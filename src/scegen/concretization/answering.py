@@ -93,8 +93,8 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
     def leaves(room_m: float) -> bool:
         if not leaves_room(traffic, contact, room_m, ahead):
             return False
-        rest = (traffic.track(name, last)[0] for name in contact[1:])
-        return rests_m == -inf or not gap_m(*rest)[0] < rests_m - _SAME_M
+        ends = (traffic.track(name, last)[0] for name in contact[1:])
+        return rests_m == -inf or not gap_m(*ends)[0] < rests_m - _SAME_M
 
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = [step.begins_s for step in rest if step.target_mps > who.speed_mps]

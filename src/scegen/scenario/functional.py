@@ -33,6 +33,7 @@ from scegen.scenario.model import (
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.roadway import (
     AUXILIARY_LENGTHS_M,
+    BESIDE_AN_AUXILIARY_LANE,
     LANE_WIDTH_M,
     LANE_WIDTHS_M,
     NOT_BESIDE_A_SHOULDER,
@@ -179,8 +180,8 @@ class Junction(FrozenModel):
         if self.auxiliary_length_m is not None and self.auxiliary is None:
             msg = "auxiliary_length_m is of an auxiliary lane; say which in auxiliary"
             raise ValueError(msg)
-        if self.auxiliary is not None and self.strips - {Strip.HARD_SHOULDER}:
-            beside = self.strips - {Strip.HARD_SHOULDER}
+        beside = self.strips - BESIDE_AN_AUXILIARY_LANE
+        if self.auxiliary is not None and beside:
             msg = f"strips: no {min(beside)} lies beside an auxiliary lane"
             raise ValueError(msg)
         return self

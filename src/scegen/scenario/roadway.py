@@ -97,4 +97,5 @@ PLAIN_ROAD_STRIPS = frozenset({Strip.HARD_SHOULDER, Strip.CYCLE_LANE})
 """Strips that no junction interrupts: only a road without one has them."""
 BAYS = frozenset({Strip.PARKING, Strip.BUS_STOP})
 """Strips that are built as the one for standing vehicles."""
+BESIDE_AN_AUXILIARY_LANE = frozenset({Strip.HARD_SHOULDER})
 NOT_BESIDE_A_SHOULDER = frozenset({Strip.CYCLE_LANE, Strip.PARKING, Strip.BUS_STOP})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.roadway import (
+    BESIDE_AN_AUXILIARY_LANE,
     NOT_BESIDE_A_SHOULDER,
     PLAIN_ROAD_STRIPS,
     AuxiliaryLane,
@@ -46,7 +47,7 @@ def strips_beside(
             proofs.add("junction.strips", along.without[strip])
         elif kind is not JunctionKind.STRAIGHT:
             _note(draft, None if of_road else basis, AT_JUNCTIONS)
-        elif auxiliary is not None and strip is not Strip.HARD_SHOULDER:
+        elif auxiliary is not None and strip not in BESIDE_AN_AUXILIARY_LANE:
             _note(draft, None if of_road else basis, _BESIDE_A_RAMP)
         elif not of_road or carriageway is Carriageway.DIVIDED:
             if strip is Strip.HARD_SHOULDER and not of_road and not _anybody_on_it(draft):
@@ -88,7 +89,7 @@ def _where_somebody_is(
         if strip is Strip.HARD_SHOULDER and entity.approaches & sides == sides - {kerb}:
             _note(draft, basis, _INNER_SHOULDER)
             entity.approaches = {kerb}
-        if ramp and strip is not Strip.HARD_SHOULDER:
+        if ramp and strip not in BESIDE_AN_AUXILIARY_LANE:
             entity.strip = None
             _note(draft, basis, _BESIDE_A_RAMP)
         elif built and not beside:
