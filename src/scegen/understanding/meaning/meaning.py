@@ -14,13 +14,12 @@ from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning import (
     crossed_arms,
     on_strips,
-    red_lights,
     rows,
     screen_sides,
     side_roads,
     standing,
 )
-from scegen.understanding.meaning.light_states import read_states
+from scegen.understanding.meaning.lights import read_lights
 from scegen.understanding.meaning.movements import follow_movement
 from scegen.understanding.meaning.out_of_turn import out_of_turn
 from scegen.understanding.meaning.placing import Placer
@@ -135,8 +134,7 @@ class Interpreter:
 
     def _all_told(self, chunks: list[Chunk], events: list[Event]) -> None:
         """What follows once everything that happens is known."""
-        red_lights.on_red(chunks, events, self._context)
-        read_states(self._clauses, chunks, self._context)
+        read_lights(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)
         nouns = [clause_of_noun(c) for c in chunks if isinstance(c, Mention)]
         screen_sides.share(chunks, [*self._clauses, *nouns], self._context)
