@@ -115,6 +115,7 @@ class Entity:
     exits: Basis | None = None
     """Words that say that it leaves the road by a ramp."""
     pulls_out: bool = False
+    gives_way: bool = False
     walks_up: bool = False
     """It goes towards the road, on foot, and has not crossed it."""
     was_parked: Basis | None = None

@@ -218,13 +218,14 @@ def _after_comma(event: Event, state: State) -> None:
 
 
 def _told_beside(event: Event, state: State) -> Mention | None:
-    """``with the ego 20 m behind it, doing 50 km/h``; ``a child …, running``: who is on foot."""
+    """``with the ego behind it, doing 50 km/h``; ``hit by a van, travelling …``; who runs."""
     on_foot = [m for m in state.mentions if m.head is not None and m.head.value == "pedestrian"]
     if event.name == "walk" and on_foot:
         return on_foot[-1]
     since = state.events[-1].i if state.events else 0
     return next(
-        (m for m in state.mentions if m.i > since and m.prep and m.prep.value == "with"), None
+        (m for m in state.mentions if m.i > since and m.prep and m.prep.value in {"with", "by"}),
+        None,
     )
 
 

@@ -73,6 +73,8 @@ def _behind_each_other(mods: list[Term], entities: list[Entity], draft: Draft) -
     drivers = [e for e in entities if e.moving_vehicle]
     if said is None or len(drivers) < _FEWEST:
         return
+    if [e.brakes_from is not None for e in drivers] == [False, True]:
+        drivers.reverse()  # "V1 and V2 in line; V2 brakes": whoever follows has to answer
     for leader, follower in combinations(drivers, 2):
         draft.place(leader, follower, {_ORDERS[said.value]}, Basis(said.i, said.j))
 

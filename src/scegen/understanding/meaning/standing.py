@@ -167,7 +167,8 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
     if term.value == "stationary":
         drivers = [e for e in others if e.moving_vehicle]
         if drivers:
-            context.draft.hazard(HazardKind.STOPPING, basis, drivers)
+            kind = HazardKind.OBSTACLE if term.data.get("broken") else HazardKind.STOPPING
+            context.draft.hazard(kind, basis, drivers)
         for entity in others:
             entity.stands = entity.stands or (None if entity.parked else basis)
         for ego in [e for e in entities if e.ego and e.speed is None]:

@@ -118,11 +118,11 @@ def _names(chunks: list[Chunk], k: int) -> tuple[list[Mention], int]:
 
 
 def _says_who(chunk: Chunk | None) -> bool:
-    """The ego, or a kind ("a truck")."""
+    """The ego, or a kind ("a truck", "passenger car")."""
     if not isinstance(chunk, Mention):
         return False
-    indefinite = [m.value for m in chunk.mods[:1]] == ["indef"]
-    return indefinite or chunk.is_ego
+    kind = not chunk.label and all(m.value == "indef" for m in chunk.mods if m.cat == "det")
+    return kind or chunk.is_ego
 
 
 def _is(chunks: list[Chunk], k: int, value: str) -> bool:

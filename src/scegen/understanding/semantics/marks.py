@@ -35,6 +35,10 @@ def _waits(entity: Entity, basis: Basis) -> None:
     entity.waits = entity.waits or basis
 
 
+def _gives_way(entity: Entity, _: Basis) -> None:
+    entity.gives_way = True
+
+
 def _by_ramp(entity: Entity, basis: Basis) -> None:
     entity.by_ramp = entity.by_ramp or basis
 
@@ -102,6 +106,7 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "moves": _moves,
     "stands": _stands,
     "waits": _waits,
+    "gives_way": _gives_way,
     "on_straight": _on_straight,
     "through": _through,
     "by_ramp": _by_ramp,

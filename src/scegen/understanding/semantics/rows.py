@@ -68,13 +68,14 @@ def _words(expression: str, reason: str | None) -> Words:
     Args:
         expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``phrase
             PATTERN`` or ``at PATTERN``, a phrase or place; ``to PATTERN`` and ``upto PATTERN``,
-            from the verb to the end of one; ``danger KIND``, those of a danger; one of `VALUES`
-            or `WORDS`.
+            from the verb to the end of one; ``danger KIND``, those of a danger; ``way WHO``, those
+            of what they do; one of `VALUES` or `WORDS`.
         reason: why, where the words do not say it themselves.
     """
     name, _, rest = expression.partition(" ")
     find = phrases(rest) if name in {"to", "phrase"} else lambda _clause, _context: []
     named = noun(rest.split())
+    movers = who(rest) if name == "way" else lambda _clause, _context: []
 
     def basis(clause: Clause, context: Context) -> Basis:
         found: Basis | None = None
@@ -87,6 +88,8 @@ def _words(expression: str, reason: str | None) -> Words:
                 found = Basis(clause.event.i if name == "to" else phrase.word.i, end(phrase))
         elif name == "danger":
             found = next((d.basis for d in context.draft.dangers if d.kind == rest), None)
+        elif name == "way":
+            found = next((e.maneuver_basis for e in movers(clause, context)), None)
         elif name in {"upto", "at"}:
             for place in [p for p in clause.places() if named(p, context)][:1]:
                 begins = clause.words.i if name == "upto" else place.i
