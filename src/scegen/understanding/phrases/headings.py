@@ -203,7 +203,10 @@ def _is_heading(title: list[Chunk], rest: list[Chunk]) -> bool:
         isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title
     )
     titled = [c for c in title if isinstance(c, Mention)]
-    bare = all(c.pronoun is None and (not _introduced(c) or _role(c, title)) for c in titled)
+    bare = all(
+        c.pronoun is None and (not _introduced(c) or _role(c, title) or _done_to(c, title, rest))
+        for c in titled
+    )
     named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)
     stated = any(isinstance(c, Word) and c.cat in {"aux", "copy"} for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
@@ -220,6 +223,14 @@ def _role(mention: Mention, title: list[Chunk]) -> bool:
     generic = mention.head is not None and mention.head.value == "car" and not mention.label
     doing = isinstance(title[0], Event) and not isinstance(title[-1], Event)
     return opened and generic and bool(mention.dirs) and doing and not mention.is_ego
+
+
+def _done_to(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> bool:
+    """``Overtaking a bicyclist: EBT 22 km/h, …``: one of its kind is told of after it."""
+    kind = mention.head.value if mention.head is not None else ""
+    alone = isinstance(title[0], Event) and title[0].form == "ing" and title[-1] is mention
+    again = (c for c in rest if isinstance(c, Mention) and c.head is not None and not c.is_ego)
+    return alone and kind in _SPECIFIC and any(c.head and c.head.value == kind for c in again)
 
 
 def _introduced(mention: Mention) -> bool:

@@ -49,6 +49,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         for e in events
         for p in e.pps
         if isinstance(p.target, Mention)
+        and (p.on_mention is None or p.on_mention in e.subject)
         and (_is_it(p.target) or _definite(p.target) or p.value == "between")
         for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
     }  # "drives between the ego and the van ahead": not the van itself
