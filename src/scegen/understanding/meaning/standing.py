@@ -16,6 +16,7 @@ _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", 
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
 _IN_LANE = frozenset({"road", "lane", "middle"})
 _SLOWING = frozenset({"brake", "hard_brake", "slow", "stop"})
+_IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.OBSTACLE})
 _REACH = 3
 _FROM_REACH = 10
 _STARTING = frozenset({"accelerate", "leave", "move", "light", "try"})
@@ -89,7 +90,7 @@ def _beside_the_lanes(actors: list[Entity], clause: Clause, context: Context) ->
         entity.was_parked, entity.pulls_out = entity.was_parked or clause.words, True
     context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
         d for d in context.draft.dangers
-        if d.kind is not HazardKind.STOPPING or not d.by or not all(e in beside for e in d.by)
+        if d.kind not in _IN_THE_WAY or not d.by or not all(e in beside for e in d.by)
     ]  # fmt: skip
 
 
