@@ -12,7 +12,7 @@ from scegen.understanding.lexicon import load
 from scegen.understanding.semantics.rows import _row, families
 
 FRAMES = files("scegen.understanding.frames")
-KINDS = ("constructions", "dangers", "movements", "nouns", "omissions", "positions")
+KINDS = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
 
 
 def rows():
@@ -38,7 +38,7 @@ def test_families_that_rows_lead_to_exist():
 
 def test_every_family_is_reached():
     asked = {f for _, row in rows() for f in row.get("then", ())}
-    asked |= {f"{kind}.any" for kind in KINDS}
+    asked |= {f"{kind}.any" for kind in KINDS} | {"acts.done", "acts.owed", "dangers.told"}
     asked |= {
         f"dangers.{name}" for name in ("onto_the_road", "after_a_thing", "answered", "unnamed")
     }
@@ -105,3 +105,15 @@ def test_the_more_specific_row_holds():
     assert kinds("The car ahead brakes.") == {HazardKind.HARD_BRAKING}
     assert kinds("The car ahead brakes gently.") == set()
     assert kinds("The car ahead brakes too late.") == {HazardKind.DELAYED_BRAKING}
+
+
+def test_what_numbers_say_is_a_condition_of_dangers():
+    def kinds(text):
+        return {h.kind for h in read(text).hazards}
+
+    text = "The ego follows a car at 80 km/h with a headway of 2 s. The car decelerates at {} m/s²."
+    assert kinds(text.format(7)) == {HazardKind.HARD_BRAKING}
+    assert kinds(text.format(2)) == set()
+    text = "A van follows the ego at 80 km/h with a headway of {} s."
+    assert kinds(text.format(0.5)) == {HazardKind.TAILGATING}
+    assert kinds(text.format(1.5)) == set()

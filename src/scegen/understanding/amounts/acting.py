@@ -5,28 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.chunks import Event
-from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import ActFrame, acts
+from scegen.understanding.draft import Basis
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import quantity_at
 
-_BEGINNING = frozenset({"start", "begin", "commence", "set"})
-_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
-_PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
-_WISHING = frozenset({"want", "intend", "plan", "hope", "wish", "aim"})
-_PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
 _CHANGING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
-_DRIVEN = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.CHANGE_LANE, ActKind.SWERVE,
-                     ActKind.REVERSE, ActKind.TURN, ActKind.GIVE_WAY,
-                     ActKind.OVERTAKE})  # fmt: skip
-_BY_THE_RULES = "the ego gives way as the rules of the junction say; this is not judged by itself"
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
 
@@ -38,6 +27,7 @@ def acts_in(text: Sentences, context: Context) -> list[Doing]:
         context: the scenario in the making, everything else understood.
     """
     found: list[Doing] = []
+    context.letting = [e for s in text.scenes if let_by(s, text.scenes) for e in s.actors]
     described = [s for s in text.scenes if s.event.premod_of is not None]
     told = [s for s in text.scenes if s.event.premod_of is None]
     for scene in told:
@@ -85,147 +75,29 @@ def _back_from_there(found: list[Doing]) -> None:
 
 def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
     event = scene.event
-    parent = event.parent
-    changed = [e for e in scene.actors if _changes_lane(e, event)]
-    frame = ActFrame(ActKind.CHANGE_LANE, always=True) if changed else acts().get(event.name)
-    if frame is None and _starts(event):
-        frame = ActFrame(ActKind.SET_OFF, always=False)  # "the van starts 0.7 s after the car"
     whom = let_by(scene, text.scenes)
-    if whom and event.name != "stop":
-        frame = ActFrame(ActKind.GIVE_WAY, always=True)
-    if frame is None or event.negated or event.unable:
+    context.acts = []
+    if whom and event.name not in {"stop", "wait"}:
+        scene = replace(scene, event=replace(event, name="yield"))
+    said = say("acts.done", scene, context) and context.acts
+    if not said or say("acts.owed", scene, context):
         return []
-    if parent is not None and (parent.name in _PREVENTED or parent.negated):
-        return []
-    if parent is not None and parent.lemma in _WISHING:
-        return []  # "wants to pass a truck"
-    basis = Basis(event.i, event.j)
     made = []
-    for entity in scene.actors:
-        kind = _kind(frame.kind, entity, event)
-        if kind is None or _stands_then(entity, event) or _rules_say(entity, event, context):
-            continue
-        if kind is ActKind.STOP and not whom and _by_the_rule(scene, text, context):
-            continue
-        across = event.name == "cut_in" and text.tokens[event.j - 1].low == "across"
-        if across and (entity.maneuvers & _TURNS or _round(context)):
-            continue  # "turns right and cuts across a cyclist"
-        if kind is ActKind.OVERTAKE and scene.targets and all(t.parked for t in scene.targets):
-            continue  # past one who is parked beside the lanes leads no move aside
-        always = frame.always or kind is ActKind.CHANGE_LANE
-        always = always and not (kind is ActKind.STOP and not entity.is_vehicle)
-        forced = _forced(entity, event)
+    for doing in [d for d in context.acts if whom or d.kind is not ActKind.GIVE_WAY]:
+        to_the_side(doing, scene, text, context)
+        doing.forced = doing.entity.ego and event.modal
         # "must brake or swerve", "must go round it, giving way": not what it does as an answer.
         either = [t.low for t in context.tokens[event.j : event.j + 1]] == ["or"]
-        loosely = forced and (either or kind is ActKind.GIVE_WAY)
-        always = always and not loosely
-        doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
-        doing.forced = forced and not loosely
-        if whom and kind in {ActKind.STOP, ActKind.GIVE_WAY}:
-            doing.into, doing.into_basis = whom[0], basis
-        to_the_side(doing, scene, text, context)
+        if doing.forced and (either or doing.kind is ActKind.GIVE_WAY):
+            doing.always = doing.forced = False
+        if whom and doing.kind in {ActKind.STOP, ActKind.GIVE_WAY}:
+            doing.into, doing.into_basis = whom[0], doing.basis
         again = _then_again(doing, text)
         _to_standstill(doing, text, again.i if again is not None else None)
         made += [doing] if again is None else [doing, again]
         further = whom[1:] if doing.kind is ActKind.GIVE_WAY else []
         made += [replace(doing, into=other) for other in further]
     return made
-
-
-def _round(context: Context) -> bool:
-    """At a roundabout who cuts across goes on round it."""
-    return context.junction.kind is JunctionKind.ROUNDABOUT
-
-
-def _starts(event: Event) -> bool:
-    """``the van starts``: nothing says what, so it sets off."""
-    told = event.finite and event.form in {"s", "ed"} and not (event.reduced or event.passive)
-    return told and event.lemma == "start" and not (event.children or event.object)
-
-
-def _changes_lane(entity: Entity, event: Event) -> bool:
-    """Whether it is this verb that says that somebody changes lanes."""
-    basis = entity.maneuver_basis
-    moved = Maneuver.LANE_CHANGE in entity.maneuvers
-    told = basis is not None and (basis.i == event.i or basis.j == event.j)
-    return moved and told and event.name not in _PASSING
-
-
-def _kind(kind: ActKind, entity: Entity, event: Event) -> ActKind | None:
-    """``starts to walk``: crosses; ``veers into the left lane``: changes lanes."""
-    afoot = not entity.is_vehicle
-    if (kind in _DRIVEN and afoot) or (kind is ActKind.OPEN_DOOR and not entity.parked):
-        return None
-    if kind is ActKind.ACCELERATE and entity.stands is not None and entity.sets_off >= event.i:
-        return ActKind.SET_OFF  # "accelerates from standstill"
-    if kind is ActKind.OVERTAKE and Maneuver.OVERTAKE not in entity.maneuvers:
-        return None
-    along = entity.maneuvers == {Maneuver.STRAIGHT}  # on foot: along the road
-    if kind is ActKind.CROSS and (along or not afoot) and Maneuver.CROSS not in entity.maneuvers:
-        return None
-    if kind is ActKind.CHANGE_LANE and _changes_lane(entity, event):
-        return kind
-    if event.name == "move":
-        begins = bool({event.lemma, event.parent.lemma if event.parent else ""} & _BEGINNING)
-        crosses = Maneuver.CROSS in entity.maneuvers
-        return (ActKind.CROSS if crosses else ActKind.SET_OFF) if begins else None
-    if event.name == "pull_out" and Maneuver.OVERTAKE in entity.maneuvers:
-        return ActKind.OVERTAKE
-    if (
-        kind is ActKind.SET_OFF
-        and not _starts(event)
-        and not (entity.pulls_out or entity.was_parked or entity.stands)
-    ):
-        return None
-    if event.name in {"merge", "cut_off"} and Maneuver.LANE_CHANGE not in entity.maneuvers:
-        return None
-    if event.name == "return" and Maneuver.OVERTAKE not in entity.maneuvers:
-        return None
-    return kind
-
-
-def _by_the_rule(scene: Clause, text: Sentences, context: Context) -> bool:
-    """``stops at the stop sign``, ``at the line``: there everybody on that road does."""
-    signed = context.junction.control in {Control.STOP, Control.ALL_WAY_STOP}
-    letting = any(s.actors == scene.actors and let_by(s, text.scenes) for s in text.scenes)
-    minor = bool(scene.actors) and all(e.on_minor and e.on_minor[0] for e in scene.actors)
-    elsewhere = any(p.kind not in {"access", "road", "junction"} for p in scene.places())
-    if signed and not letting and minor and not elsewhere:
-        return True  # "stops, then sets off"
-    return (
-        signed
-        and not letting
-        and any(
-            p.kind in {"stop_sign", "stop_line"} or context.tokens[p.j - 1].low == "line"
-            for p in scene.places()
-        )
-    )
-
-
-def _forced(entity: Entity, event: Event) -> bool:
-    """``the ego has to brake``, ``forces the ego to brake``: it does, as an answer."""
-    parent = event.parent
-    return entity.ego and (event.modal or (parent is not None and parent.name == "cause"))
-
-
-def _rules_say(entity: Entity, event: Event, context: Context) -> bool:
-    """Whether the ego has to where roads meet, and nothing that is told endangers it."""
-    draft = context.draft
-    meeting = context.junction.crossing or draft.access is not None
-    meeting = meeting or draft.crossing_implied is not None
-    owed = _forced(entity, event) and meeting and not draft.dangers
-    if owed:
-        draft.note(event.i, event.j, _BY_THE_RULES)
-    return owed
-
-
-def _stands_then(entity: Entity, event: Event) -> bool:
-    """``has stopped in the lane``: where it is, nothing that it does."""
-    said = [b for b in (entity.stands, entity.held, *entity.rests) if b is not None]
-    own = any(b.i == event.i for b in said)
-    return (own or entity.parked or (entity.stands is not None and entity.sets_off < 0)) and (
-        event.name in {"stop", "wait"}
-    )
 
 
 def _then_again(doing: Doing, text: Sentences) -> Doing | None:

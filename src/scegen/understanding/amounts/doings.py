@@ -147,9 +147,9 @@ class Filler(Teller):
 
     def _unread(self, event: Event, number: Measured, kinds: frozenset[ActKind]) -> bool:
         """``pulls away at 1 m/s² and then stops``: said of a doing that is no act yet."""
-        frame = frames().get(event.name)
+        kind = frames().get(event.name)
         known = any(event.i in (a.i, *a.told) for a in self._happenings.acts)
-        own = frame is not None and frame.kind in kinds and event.i < number.i
+        own = kind in kinds and event.i < number.i
         own = own and event.name != "move"
         return own and not known and not event.nominal
 
@@ -170,8 +170,7 @@ class Filler(Teller):
         kind = ActKind.SWERVE if role == "lateral_move" else None
         if role == "speed_after" and who:
             kind = self._towards(number, who[0])
-        frame = frames().get(event.name) if event is not None and event.name != "move" else None
-        gains = frame is not None and frame.kind in _GAINING
+        gains = event is not None and event.name != "move" and frames().get(event.name) in _GAINING
         if role == "rate":
             around = f"{number.around.before}{' '.join(number.around.after.split()[:1])}"
             gains = gains or any(w in around for w in ("accelerat", " start", " sets "))

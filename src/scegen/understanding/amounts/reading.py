@@ -6,10 +6,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.acting import acts_in
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart
 from scegen.understanding.amounts.aside import Aside
+from scegen.understanding.amounts.clauses import clauses_of
 from scegen.understanding.amounts.doings import FIELDS, Filler
 from scegen.understanding.amounts.items import items_in
 from scegen.understanding.amounts.letting_by import go_on
@@ -25,10 +25,8 @@ from scegen.understanding.chunks import Chunk
 from scegen.understanding.frames import AmountFrame, Measured, Numbers
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import Quantity
-
-_HARD_MPS2 = 3.5
-"""Below this nobody calls braking hard (UN R152: 5 m/s² in an emergency)."""
 
 
 def read_amounts(
@@ -75,7 +73,8 @@ def read_amounts(
     found.acts = go_on(found.acts, text)
     kept_apart(found, context)
     found.acts = _kept(found)
-    _gently(found, context)
+    for clause in clauses_of(found):
+        say("dangers.told", clause, context)
     return found
 
 
@@ -97,25 +96,6 @@ def _of_a_size(number: Measured, text: Sentences) -> Measured:
 def _note(number: Measured, context: Context) -> None:
     instead = number.frame.instead or "a measure that no rule could attach; left out"
     context.draft.note(number.i, number.j, instead)
-
-
-def _gently(found: Happenings, context: Context) -> None:
-    """Braking with a rate is hard, or it is not, by the rate."""
-    for doing in found.acts:
-        rate = doing.amounts.get("rate_mps2")
-        known = any(
-            d.kind is HazardKind.HARD_BRAKING and doing.entity in d.by
-            for d in context.draft.dangers
-        )
-        hard = rate is not None and rate.value.low >= _HARD_MPS2
-        leads = context.placed(doing.entity, Approach.AHEAD) and not doing.entity.ego
-        if doing.kind is ActKind.BRAKE and hard and leads and not known and rate is not None:
-            context.draft.hazard(HazardKind.HARD_BRAKING, rate.basis, [doing.entity])
-    for danger in [d for d in context.draft.dangers if d.kind is HazardKind.HARD_BRAKING]:
-        brakes = [a for a in found.acts if a.kind is ActKind.BRAKE and a.entity in danger.by]
-        rates = [a.amounts["rate_mps2"].value for a in brakes if "rate_mps2" in a.amounts]
-        if rates and len(rates) == len(brakes) and all(r.high < _HARD_MPS2 for r in rates):
-            context.draft.dangers.remove(danger)
 
 
 def _kept(found: Happenings) -> list[Doing]:

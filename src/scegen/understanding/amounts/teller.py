@@ -64,9 +64,8 @@ class Teller:
             acts: those that it may be.
         """
         noun = event if event.nominal else event.parent
-        named = noun is not None and noun.nominal
-        frame = frames().get(noun.name) if named and noun is not None else None
-        return [a for a in acts if frame is not None and a.kind is frame.kind]
+        kind = frames().get(noun.name) if noun is not None and noun.nominal else None
+        return [a for a in acts if a.kind is kind]
 
     def noun_for(self, start: int, end: int) -> Event | None:
         """The last words between two tokens that name what is done: "at the lane change".

@@ -27,14 +27,6 @@ class AmountFrame:
     instead: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class ActFrame:
-    """One row of ``acts.yaml``."""
-
-    kind: ActKind
-    always: bool
-
-
 def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
     text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
     return parse(text, where=f"{name}.yaml")
@@ -61,11 +53,14 @@ def amounts() -> tuple[AmountFrame, ...]:
 
 
 @lru_cache(maxsize=1)
-def acts() -> dict[str, ActFrame]:
-    """Verb -> what it is as an act."""
-    return {
-        row["verb"]: ActFrame(ActKind(row["act"]), bool(row.get("always"))) for row in _read("acts")
-    }
+def acts() -> dict[str, ActKind]:
+    """Verb -> the act that it is, or mostly is."""
+    found: dict[str, ActKind] = {}
+    for row in _read("acts")["done"]:
+        name, *verbs = row["if"][0].split()
+        if name == "event" and "act" in row:
+            found = dict.fromkeys(verbs, ActKind(row["act"])) | found
+    return found
 
 
 @lru_cache(maxsize=1)

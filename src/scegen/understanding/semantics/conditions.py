@@ -8,6 +8,7 @@
   the verb or a preposition; ``mod``: before or after it; ``ends``; ``said``: all its lemmas;
   where a list of the lexicon stands for words, it is called ``@NAME``;
 * ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``how VALUE…``: manner;
+* ``least|below FIELD NUMBER``: a number says that of it, or every one does (SI units);
 * ``control``, ``junction``; ``danger KIND…``: there is one; or a word of `FACTS`.
 
 ``not`` before any of them turns it round; ``A or B`` asks for one of two.
@@ -20,7 +21,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics import along, met, owed, patterns, ways
+from scegen.understanding.semantics import along, doing, met, owed, patterns, ways
 from scegen.understanding.semantics.contact import goal_of_contact
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.numbered_lanes import leaves_it
@@ -71,6 +72,7 @@ FACTS: dict[str, Test] = {
     **along.FACTS,
     **owed.FACTS,
     **met.FACTS,
+    **doing.FACTS,
     "passes_round": passes_round,
     "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
     "leaves_its_number": lambda clause, c: leaves_it(clause.event, clause.drivers, c.tokens),
@@ -211,6 +213,21 @@ def _danger(rest: str) -> Test:
     return lambda _, context: any(d.kind in kinds for d in context.draft.dangers)
 
 
+def _least(rest: str) -> Test:
+    name, value = rest.split()
+    return lambda clause, _: any(
+        v is not None and v.low >= float(value) for v in clause.amounts.get(name, ())
+    )
+
+
+def _below(rest: str) -> Test:
+    name, value = rest.split()
+    return lambda clause, _: (
+        name in clause.amounts
+        and all(v is not None and v.high < float(value) for v in clause.amounts[name])
+    )
+
+
 def _some(rest: str) -> Test:
     find = who(rest)
     return lambda clause, context: bool(find(clause, context))
@@ -244,7 +261,7 @@ _KINDS: dict[str, Callable[[str], Test]] = {
     "mod": _mod, "lemma": _lemma, "event": _event, "parent": _parent, "child": _child,
     "form": _form, "ends": _ends, "link": _link, "control": _control, "junction": _junction,
     "danger": _danger, "before": _before, "next": _next, "soon": _soon, "said": _said,
-    "via": _via, "over": _over,
+    "via": _via, "over": _over, "least": _least, "below": _below,
     "some": _some, "one": _one, "any": _any, "all": _all, "no": _no,
 }  # fmt: skip
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
+from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Draft, Entity
@@ -23,11 +25,13 @@ class Clause:
         event: the event.
         actors: who acts, after passives are turned round.
         targets: whom it is done to.
+        amounts: what numbers say of it, by the field (SI units); None where one is not told.
     """
 
     event: Event
     actors: list[Entity]
     targets: list[Entity]
+    amounts: dict[str, list[Interval | None]] = field(default_factory=dict)
 
     @property
     def drivers(self) -> list[Entity]:
@@ -98,6 +102,10 @@ class Context:
     """Whether the text tells in the past tense, so that "stopped" is something that happened."""
     screens: list[int] = field(default_factory=list)
     """Where in the text things are named that one cannot see through."""
+    acts: list[Any] = field(default_factory=list)
+    """What is done, as rows tell it."""
+    letting: list[Entity] = field(default_factory=list)
+    """Those who let somebody by."""
     barred: bool = False
     """Whether a thing is in the way, or the text tells of getting past."""
 

@@ -8,6 +8,7 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``maneuver``, ``light`` (how it meets that) of ``of``; ``place``: where ``of`` comes from, seen
   by ``from`` (the ego), with ``unsaid`` only where nothing is said of the two;
 * ``lanes``, ``crossing``: why the road has lanes, a junction; ``implies``: what else is there;
+* ``act`` of ``of``: what they do; ``always``: also where nothing sets it off;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
 * ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
 * ``then``: further families; ``words``, ``reason``: what it rests on.
@@ -22,9 +23,11 @@ from functools import cache, lru_cache
 from importlib.resources import files
 from typing import Any, TypeAlias
 
+from scegen.scenario.acts import ActKind
 from scegen.scenario.parsing import parse
 from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.semantics.marks import MARKS
@@ -36,12 +39,12 @@ from scegen.understanding.semantics.who import who
 
 Effect: TypeAlias = Callable[[Clause, Context], None]
 Words: TypeAlias = Callable[[Clause, Context], Basis]
-_FILES = ("constructions", "dangers", "movements", "nouns", "omissions", "positions")
+_FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
                    "also",
                    "as", "targets", "actors", "rewrite", "rules_out", "implies",
-                   "unsaid"})  # fmt: skip
+                   "unsaid", "act", "always"})  # fmt: skip
 
 _PLAIN = ("negated", "passive", "nominal", "phrases")
 """What a row may ask of an event that is known before any other condition is tried."""
@@ -199,6 +202,19 @@ def _mark(name: str, of: str, words: Words) -> Effect:
     return effect
 
 
+def _act(row: dict[str, Any], of: str, words: Words) -> Effect:
+    whom, kind, always = who(of), ActKind(row["act"]), bool(row.get("always"))
+
+    def effect(clause: Clause, context: Context) -> None:
+        event, basis = clause.event, words(clause, context)
+        context.acts += [
+            Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
+            for entity in whom(clause, context)
+        ]
+
+    return effect
+
+
 def _recast(name: str) -> Effect:
     def effect(clause: Clause, _: Context) -> None:
         clause.event.name = name
@@ -280,6 +296,8 @@ def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable
         yield _light(row["light"], of, words)
     if "hazard" in row:
         yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
+    if "act" in row:
+        yield _act(row, of, words)
     if "place" in row:
         approaches = set(map(Approach, row["place"].split()))
         unsaid = bool(row.get("unsaid"))

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Entity
-from scegen.understanding.semantics import met, owed, ways
+from scegen.understanding.semantics import doing, met, owed, ways
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
 
@@ -49,7 +49,17 @@ def _slow(e: Entity, context: Context) -> bool:
     return any(d.kind in _SLOWER and e in d.by for d in context.draft.dangers)
 
 
+def _leads(e: Entity, context: Context) -> bool:
+    """Somebody is behind it."""
+    return context.placed(e, Approach.AHEAD) or any(
+        (e.ego if p.reference is None else p.reference is e) and p.approaches == {Approach.BEHIND}
+        for p in context.draft.placements
+    )
+
+
 ENTITY: dict[str, EntityTest] = {
+    **doing.ENTITY,
+    "leads": _leads,
     "ego": lambda e, _: e.ego,
     "vehicle": lambda e, _: e.is_vehicle,
     "moving": lambda e, _: e.moving_vehicle,

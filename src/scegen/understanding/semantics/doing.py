@@ -1,0 +1,74 @@
+"""Whether somebody does what a clause tells: that it is not prevented, wished or over already."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding.draft import Entity
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.context import Clause, Context
+
+_PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
+_PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
+
+
+def _prevented(clause: Clause, _: Context) -> bool:
+    """``avoids braking``, ``wants to pass a truck``."""
+    parent = clause.event.parent
+    if parent is None:
+        return False
+    return parent.name in _PREVENTED or parent.negated or parent.lemma in word_list("wishing")
+
+
+def _rests_there(clause: Clause, _: Context) -> bool:
+    """``has stopped in the lane``: where everybody who acts is, nothing that they do."""
+    return bool(clause.actors) and all(_rests(e, clause.event.i) for e in clause.actors)
+
+
+def _rests(entity: Entity, i: int) -> bool:
+    said = [b for b in (entity.stands, entity.held, *entity.rests) if b is not None]
+    stays = entity.parked or (entity.stands is not None and entity.sets_off < 0)
+    return stays or any(b.i == i for b in said)
+
+
+def _from_rest(clause: Clause, _: Context) -> bool:
+    """``accelerates from standstill``."""
+    return any(e.stands is not None and e.sets_off >= clause.event.i for e in clause.actors)
+
+
+def _moves_over(clause: Clause, _: Context) -> bool:
+    """Whether it is this verb that says that somebody changes lanes."""
+    event = clause.event
+    moved = [e for e in clause.actors if Maneuver.LANE_CHANGE in e.maneuvers]
+    told = [e.maneuver_basis for e in moved if e.maneuver_basis is not None]
+    return event.name not in _PASSING and any(b.i == event.i or b.j == event.j for b in told)
+
+
+def _begins(clause: Clause, _: Context) -> bool:
+    """``starts to move``."""
+    parent = clause.event.parent
+    verbs = {clause.event.lemma, parent.lemma if parent is not None else ""}
+    return not verbs.isdisjoint(word_list("starting"))
+
+
+def may_cross(entity: Entity, _: Context) -> bool:
+    """Whoever is said to, or is on foot and not said to keep along the road."""
+    afoot = not entity.is_vehicle and entity.maneuvers != {Maneuver.STRAIGHT}
+    return afoot or Maneuver.CROSS in entity.maneuvers
+
+
+FACTS: dict[str, Callable[[Clause, Context], bool]] = {
+    "prevented": _prevented,
+    "rests_there": _rests_there,
+    "from_rest": _from_rest,
+    "moves_over": _moves_over,
+    "begins": _begins,
+}
+"""Words of conditions that ask whether something is done."""
+ENTITY: dict[str, Callable[[Entity, Context], bool]] = {
+    "may_cross": may_cross,
+    "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
+    "lets_by": lambda e, c: e in c.letting,
+}
+"""What a row may ask of those who act."""
