@@ -6,7 +6,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.amounts.whom import counterpart, ego_of
+from scegen.understanding.amounts.whom import ego_of
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Context
@@ -22,7 +22,7 @@ def as_fast(text: Sentences, context: Context) -> None:
         context: the scenario in the making; speeds are filled in.
     """
     _joined(text)
-    _alike(text, context)
+    _alike(text)
     _followed(text, context)
     _in_one_lane(text, context)
 
@@ -42,18 +42,14 @@ def _joined(text: Sentences) -> None:
                 entity.speed_basis = Basis(basis.i, basis.j, "said of both")
 
 
-def _alike(text: Sentences, context: Context) -> None:
+def _alike(text: Sentences) -> None:
     """``equally fast``, ``at the same speed``: as fast as the other."""
     span = text.find("alike", 0, len(text.tokens))
     if span is None:
         return
     start, end = text.bounds(span[0])
     named = [e for m in text.mentions if start <= m.i < end for e in m.entities]
-    near = [e for m in text.mentions if m.i < span[0] for e in m.entities]
     who = list(dict.fromkeys(e for e in reversed(named) if not e.parked))
-    for entity in list(who):
-        other = counterpart(entity, context, near) if len(who) < _PAIR else None
-        who += [other] if other is not None and other not in who else []
     known = [e for e in who if e.speed is not None]
     for entity in who if known else []:
         if entity.speed is None and entity.is_vehicle and not entity.still:
@@ -86,9 +82,8 @@ def _in_one_lane(text: Sentences, context: Context) -> None:
     if span is None or ego is None or ego.speed is None or len(others) != 1:
         return
     other = others[0]
-    free = other.speed is not None and not (other.maneuvers or other.parked or other.heading)
     placed = any(other in (p.entity, p.reference) for p in context.draft.placements)
-    if other.speed is None or not free or placed or other.speed == ego.speed:
+    if other.speed is None or other.maneuvers or placed:
         return
     where = Approach.AHEAD if other.speed.high < ego.speed.high else Approach.BEHIND
     basis = Basis(*span, "in one lane, the slower one is in front")

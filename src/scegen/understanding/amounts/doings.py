@@ -8,13 +8,11 @@ from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import Measured, words
+from scegen.understanding.frames import Measured
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import STILL, Amount, Doing, Trigger, amount_of, exactly
 from scegen.understanding.lexicon import word_list
 
-_SOON = 3
-"""So near after a time, a noun tells what takes it ("needs 6 s for its lane change")."""
 _ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
@@ -48,11 +46,8 @@ class Filler(Teller):
         rests = role == "duration" and self._rests(number, event)
         doing = rests or self.likewise(number, kinds) or self._act(number, kinds, name, event)
         if doing is None and role == "duration":
-            doing = self._said_of_it(number)
-            doing = doing or self._made(number, role, event)
-            if doing is None:
-                taken = any(number.around.preceded(w) for w in word_list("taking_time"))
-                return not taken and self._before_the_next(number)
+            taken = any(number.around.preceded(w) for w in word_list("taking_time"))
+            return not taken and self._before_the_next(number)
         doing = doing or self._made(number, role, event)
         return doing is not None and self._give(doing, number, name)
 
@@ -64,7 +59,7 @@ class Filler(Teller):
         clause = self._text.scene_at(number.i, number.j)
         who = [e for e in (clause.actors if clause is not None else []) if e.is_vehicle]
         who = who or [e for e in self._text.subject_before(number.i) if e.is_vehicle]
-        if not who or who[0].parked or event.nominal:
+        if not who:
             return None
         entity = who[0]
         start, _ = self._text.bounds(number.i)
@@ -96,8 +91,6 @@ class Filler(Teller):
             if name in same.amounts and same.amounts[name].value != amount.value:
                 return False
             same.amounts.setdefault(name, amount)
-            if same.amounts[name] is not amount:
-                self._happenings.further.append((name, same, amount.basis))
         return True
 
     def _alike(self, doing: Doing) -> list[Doing]:
@@ -117,11 +110,7 @@ class Filler(Teller):
             }
             own = [a for a in here if near & {a.i, *a.told}]
             own = own or self.named_by(event, fitting)
-            own = own or [a for a in here if a.nominal and a.i < event.i and self._of(a, event)]
-            named = [a for a in here if a.nominal and 0 <= a.i - number.j <= _SOON]
-            own = own or named[:1]
-            if number.around.preceded("needing") or number.around.preceded("taking"):
-                own = own or [a for a in here if a.i < number.i and self._of(a, event)]
+            own = own or [a for a in here if a.i < number.i and self._of(a, event)]
             return own[-1] if own else None
         if event is not None and self._unread(event, number, kinds):
             return None
@@ -153,23 +142,10 @@ class Filler(Teller):
         own = own and event.name != "move"
         return own and not known and not event.nominal
 
-    def _said_of_it(self, number: Measured) -> Doing | None:
-        """``the manoeuvre lasts 4 s``: what was told last, if nobody is named."""
-        start, _ = self._text.bounds(number.i)
-        marks = [k + 1 for k in range(start, number.i) if self._text.tokens[k].low in {",", "and"}]
-        start = max([start, *marks])
-        named = any(m.entities for m in self._text.mentions if start <= m.i < number.i)
-        before = [a for a in self._happenings.acts if a.i < start and a.always]
-        return before[-1] if before and not named else None
-
     def _made(self, number: Measured, role: str, event: Event | None) -> Doing | None:
         """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
-        if role == "duration":
-            return None
         who = self._text.subject_before(number.i)
         kind = ActKind.SWERVE if role == "lateral_move" else None
-        if role == "speed_after" and who:
-            kind = self._towards(number, who[0])
         gains = event is not None and event.name != "move" and frames().get(event.name) in _GAINING
         if role == "rate":
             around = f"{number.around.before}{' '.join(number.around.after.split()[:1])}"
@@ -181,14 +157,6 @@ class Filler(Teller):
         doing.told += [event.i] if event is not None and event.i < number.i else []
         return self.add(doing)
 
-    def _towards(self, number: Measured, who: Entity) -> ActKind | None:
-        """``its speed drops to 30 km/h``, ``lowers its speed to 30 km/h``: how it gets there."""
-        said = set(number.around.before.split())
-        up, down = (bool(said & {*words()[w]}) for w in ("rising", "falling"))
-        if up is down and who.speed is not None:
-            up, down = number.quantity.value.low > who.speed.high, True
-        return ActKind.ACCELERATE if up else ActKind.BRAKE if down else None
-
     def _changed(self, doing: Doing, number: Measured) -> Amount | None:
         """``slows by 20 km/h``: from the speed that it had."""
         speed = doing.entity.speed
@@ -197,8 +165,6 @@ class Filler(Teller):
         sign = 1 if doing.kind is ActKind.ACCELERATE else -1
         by = number.quantity.value
         low, high = sorted((speed.low + sign * by.low, speed.high + sign * by.high))
-        if low < 0:
-            return None
         reason = "its speed before, changed by so much"
         return Amount(Interval(low=low, high=high), Basis(number.i, number.j, reason))
 

@@ -129,7 +129,7 @@ class Judge(Teller):
                 begin -= 1
             after = tokens[k + 1].low if k + 1 < len(tokens) else ""
             done = [s.event for s in self._text.scenes if s.event.i <= k < s.event.j]
-            near = tokens[max(0, k - 1)].low == "near" or tokens[max(0, k - 2)].low == "near"
+            near = tokens[max(0, k - 1)].low == "near"
             compound = after in words()["of_impacts"] and not near
             if compound or any(not (e.nominal or self._bare(e)) for e in done):
                 continue
@@ -152,12 +152,12 @@ class Judge(Teller):
         governor = tokens[begin - 1].low if begin > start else ""
         before, after = self._text.low(start, begin), self._text.low(k + 1, min(end, k + _BEFORE))
         near = any(f" {w} " in before + after for w in words()["nearly"])
-        near = near or tokens[max(0, k - 1)].low == "near" or " near " in self._text.low(begin, k)
+        near = near or tokens[max(0, k - 1)].low == "near"
         if governor in words()["none"] and not vain:
             return None if near else OutcomeKind.AVOIDED
         if near:
             return OutcomeKind.NEAR_MISS
-        if tokens[k].low == "miss" or governor == "to":
+        if governor == "to":
             return None
         if prevented and not vain:
             managed = any(f" {w} " in before for w in words()["managed"])
@@ -165,10 +165,6 @@ class Judge(Teller):
             return None if supposed else OutcomeKind.AVOIDED
         if any(f" {w} " in before for w in words()["supposed"] if w != "to") and not vain:
             return None
-        if governor == "before" and not ends_a_quantity(tokens, begin - 1):
-            told = self._text.within(self._text.bounds(k)[0], k)
-            stops = tokens[k].low == "contact" or (bool(told) and told[-1].event.name == "stop")
-            return OutcomeKind.AVOIDED if stops else OutcomeKind.COLLISION
         return OutcomeKind.COLLISION
 
     def _prevented(self, start: int, k: int) -> list[Event]:
@@ -231,7 +227,7 @@ class Judge(Teller):
         if edge is None:
             other = next((e for e in ending.between if e is not ego), None)
             mirrored = other is not None and self._from_the_right(other)
-            if value.low != value.high or value.low != _HALF:
+            if value.low != _HALF:
                 side = "right" if mirrored else "left"
                 reason = f"counted from the {side}, from where the other comes"
                 basis = Basis(basis.i, basis.j, reason)
@@ -252,12 +248,8 @@ class Judge(Teller):
         ending = self._happenings.ending
         ego = ego_of(self._context)
         span = self._text.find("full_overlap", 0, len(self._text.tokens))
-        if span is None or ego is None:
-            return
-        named = [e for e in ending.between if e is not ego] if ending is not None else []
-        near = [e for m in self._text.mentions if m.i < span[0] for e in m.entities]
-        other = named[0] if named else counterpart(ego, self._context, near)
-        if other is not None:
+        other = next((e for e in ending.between if not e.ego), None) if ending is not None else None
+        if span is not None and other is not None:
             amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
             apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT)
             self._happenings.spacings.append(apart)

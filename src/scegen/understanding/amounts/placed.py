@@ -14,7 +14,7 @@ from scegen.understanding.amounts.releasing import JUNCTION, Releaser
 from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import behind_or_ahead, ego_of, in_file
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Amount, Apart, Doing, Happenings, amount_of
@@ -29,15 +29,11 @@ MEASURES = {
     "lateral_offset": Measure.LATERAL_OFFSET_M,
     "overlap": Measure.OVERLAP_PERCENT,
 }
-_APART = 4
 _AT = (" at ", " at a ", " at a gap of ", " at a distance of ", " at a time gap of ",
        " at a headway of ")  # fmt: skip
-_LED = frozenset({"at", "with", "upon"})
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _TWO_LANES = 7
-_EVADING = frozenset({"avoid", "react", "pull_over"})
-"""What is done then, and is no act."""
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
@@ -84,8 +80,6 @@ class Spacer(Teller):
             return False
         measure = self._sideways(measure, number, *pair)
         at = self._moment(number, measure, *pair)
-        if at is None:
-            return False
         if row:
             amount = amount_of(number)
             self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
@@ -119,10 +113,8 @@ class Spacer(Teller):
             if start <= a.i < number.i and a.entity in (pair or ())
             if a.always and a.ends_at_rest  # "must stop 2 m before": what is asked of it
         ]
-        if pair is None or not stops or measure is not Measure.GAP_M:
+        if pair is None or not stops:
             return False
-        if number.around.after.startswith(" behind "):
-            behind_or_ahead(number, *pair, self._context)
         amount = self._with_place(amount_of(number), number)
         self._happenings.spacings.append(Apart(measure, *pair, amount, stops[-1], since="end"))
         return True
@@ -231,9 +223,7 @@ class Spacer(Teller):
         before = self._text.low(number.i - 2, number.i).split()
         rests = before[-1:] and before[-1] in word_list("at_rest") and before[0] != "from"
         who = scene.actors if scene is not None else []
-        rested = any(a.ends_at_rest and a.entity in who for a in self._happenings.acts)
-        stops = name == "stop" or (name == "wait" and rested) or bool(rests)
-        stops = stops or (name == "pass" and not (scene and scene.targets))
+        stops = name == "stop" or bool(rests)
         stops = stops and bool(who) and not any(e.still for e in who)
         if scene is not None and (rests or scene.event.j == number.i):
             stops = stops and not number.around.after.startswith(" behind ,")
@@ -252,7 +242,7 @@ class Spacer(Teller):
         """The words of a number with those of place after it: "15 m in front of"."""
         after = self._text.phrase_after(number.j)
         basis = amount.basis
-        if after is None or after[0].i - number.j > _APART:
+        if after is None:
             return amount
         noun = after[1]
         part = noun is not None and isinstance(noun, Mention) and noun.possessor
@@ -263,8 +253,8 @@ class Spacer(Teller):
 
     def _moment(
         self, number: Measured, measure: Measure, entity: Entity, reference: Entity
-    ) -> Doing | str | None:
-        """When they are so far apart; None where what happens then is not told."""
+    ) -> Doing | str:
+        """When they are so far apart."""
         if measure is Measure.OVERLAP_PERCENT:
             return CONTACT
         start, end = self._text.bounds(number.i)
@@ -276,14 +266,7 @@ class Spacer(Teller):
         if measure not in LENGTHWISE:
             return START
         if self._text.says("starts", start, end):
-            named = self._text.low(start, end)
-            of_act = any(f" {w} of the " in named for w in ("beginning", "start", "onset"))
-            laned = [a for a in acts if a.kind in _LANED]
-            return laned[-1] if of_act and laned else START
-        noun = self.noun_for(start, number.i)
-        if noun is not None and self._begins_then(noun, number.i):
-            meant = [a for a in self.named_by(noun, acts) if a.i < end]
-            return meant[-1] if meant else None
+            return START
         own = self._text.verb_at(number.i, number.j)
         told = {own.i} if own is not None and own.i < number.i else set()
         into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
@@ -291,13 +274,7 @@ class Spacer(Teller):
         into = into or [a for a in [self._revealed_by(number, entity, reference)] if a is not None]
         if into:
             return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
-        then = [a for a in acts if number.i < a.i < end]
-        if then and self._opens(number, start):
-            return then[0]  # "at a TTC of 2 s the ego brakes"
-        trigger = self._text.subordinate(number.i)
         here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
-        if trigger is not None and trigger[2] in words()["triggers"] and here:
-            return here[-1]
         laned = [a for a in here if a.kind in _LANED | _MOVES_INTO]
         laned += [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
         laned = laned or [
@@ -306,18 +283,8 @@ class Spacer(Teller):
             if told & {a.i, *a.told}
             and (measure is Measure.TTC_S or number.around.before.endswith(_AT))
         ]  # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
-        changes = [a for a in acts if a.kind is ActKind.CHANGE_LANE]
-        beside = any(
-            p.entity in (entity, reference) and p.approaches == {Approach.ADJACENT}
-            for p in self._context.draft.placements
-        )
-        moving = not (entity.still or reference.still)
-        if not laned and beside and moving and len(changes) == 1:
-            laned = changes  # "gap 30 m; the van changes lane": when it does
         if laned:
             return laned[-1]
-        if own is not None and own.name in _EVADING and own.i < number.i:
-            return then[0] if then else None  # "reacts at a TTC of 3 s by braking"
         return self._until_it_brakes(entity, reference, acts)
 
     def _until_it_brakes(self, entity: Entity, reference: Entity, acts: list[Doing]) -> Doing | str:
@@ -331,31 +298,12 @@ class Spacer(Teller):
         later = [a for a in acts if a.kind in _ANSWERING and a.always]
         return later[0] if later and later[0].entity is leader else START
 
-    def _begins_then(self, noun: Event, i: int) -> bool:
-        """``TTC at the lane change: 2 s``, ``the braking starts at a TTC of 2 s``."""
-        before = self._text.low(noun.i - 1, noun.i + 1).split()
-        at = bool({"at", "upon", "during"} & set(before[:1]))
-        return at or bool(word_list("happening") & {*self._text.low(noun.j, i).split()})
-
-    def _opens(self, number: Measured, start: int) -> bool:
-        """``At a TTC of 2 s the ego brakes``: whether a clause begins so."""
-        tokens = self._text.tokens
-        led = (k for k in range(number.i - 1, start - 1, -1) if tokens[k].low in _LED)
-        at = next(led, None)
-        between = tokens[at : number.i] if at is not None else []
-        if at is None or any(t.kind in {"number", "punct"} for t in between):
-            return False
-        done = any(at <= a.i < number.i for a in self._happenings.acts)
-        joined = tokens[at].low == "at" and tokens[at - 1].low in {",", "and"}
-        return not done and (at == start or joined)
-
     def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
         """``… is 150 m away when the ego pulls out``: at that moment."""
         for told in (doing.i, *doing.told):
             clause = self._text.subordinate(told)
             if clause is None or not start <= told < end or clause[0] <= i < clause[1]:
                 continue
-            joined = i < clause[0] and ", and " in self._text.low(i, clause[0]).replace(" ,", ",")
-            if clause[2] in words()["triggers"] and told >= clause[0] and not joined:
+            if clause[2] in words()["triggers"] and told >= clause[0]:
                 return True
         return False

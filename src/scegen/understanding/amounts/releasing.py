@@ -11,7 +11,7 @@ from scegen.understanding.amounts.whom import behind_or_ahead, counterpart, in_f
 from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Apart, Doing, Item, Trigger, amount_of
+from scegen.understanding.happenings import Doing, Trigger, amount_of
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _LINES = JUNCTION | {"crosswalk"}
@@ -39,10 +39,8 @@ class Releaser(Teller):
         noun, word = self._what_follows(number)
         nears = clause is not None and clause[2] == "as" and self._nears(number)
         opened = opened or (nears and not isinstance(noun, Place))
-        if opened and self.until(number):
-            return False
         short = word in _SHORT
-        line = self._line(number, noun, word)
+        line = self._line(noun, word)
         junction = line is not None and (line.kind in JUNCTION or self._context.junction.crossing)
         thing = self._thing(noun, number.i) if short and measure is Measure.GAP_M else None
         if thing is not None:
@@ -56,7 +54,7 @@ class Releaser(Teller):
         if doing is None or (before and not opened and doing.ends_at_rest):
             return False
         if doing.when is not None:
-            return opened and self._also(number, measure, doing)
+            return False
         subject = self._subject(number, clause if opened else None, doing)
         if opened and clause is not None and self._acts_inside(clause, number, subject):
             return False  # "when the truck moves over 30 m in front of it"
@@ -64,7 +62,7 @@ class Releaser(Teller):
             amount = amount_of(number)
             subject = subject if opened else self._text.said_of(number.i) or subject
             moved = subject if subject is not doing.entity else None
-            if moved is not None and (not moved.is_vehicle or self._waits(number, moved)):
+            if moved is not None and self._waits(number, moved):
                 return False
             doing.when = Trigger("junction", amount.basis, amount, entity=moved)
             return True
@@ -96,26 +94,10 @@ class Releaser(Teller):
         doing.when.measure, doing.when.entity, doing.when.reference = measure, entity, reference
         return True
 
-    def _line(self, number: Measured, noun: NounPhrase | None, word: str) -> Place | None:
-        """The line across the road from which a distance counts: the junction, a crosswalk.
-
-        ``50 m before the junction``, ``the distance to the junction is 50 m``, ``the junction is
-        50 m ahead``.
-        """
+    def _line(self, noun: NounPhrase | None, word: str) -> Place | None:
+        """The line across the road from which a distance counts: ``50 m before the junction``."""
         if isinstance(noun, Place):
             return noun if noun.kind in _LINES and word in _SHORT | {"to"} else None
-        start, _ = self._text.bounds(number.i)
-        for place in reversed(self._text.places(start, number.i, _LINES)):
-            before, between = (
-                self._text.low(max(start, place.i - 3), place.i).split(),
-                self._text.low(place.j, number.i),
-            )
-            far = "distance" in before and before[-1] in {"to", "from"}
-            there = between.strip() in {"is", "is still", "is only"} and word in _SHORT
-            if far and not any(place.j <= m.i < number.i for m in self._text.mentions):
-                return place
-            if there:
-                return place
         return None
 
     def _on_it(self) -> list[Entity]:
@@ -130,10 +112,7 @@ class Releaser(Teller):
         word, noun = after
         if self._text.tokens[word.i].low not in {"from", "before"}:
             return False
-        if isinstance(noun, Place):
-            return noun.kind not in _ASIDE and noun.owner is None
-        named = self._text.tokens[word.j : word.j + 1]
-        return noun is None and bool(named) and named[0].low in {"the", "a", "an"}
+        return isinstance(noun, Place) and noun.kind not in _ASIDE and noun.owner is None
 
     def _waits(self, number: Measured, entity: Entity) -> bool:
         """``where a van waits 5 m before the line``: so far it stays, which sets nothing off."""
@@ -171,7 +150,7 @@ class Releaser(Teller):
     ) -> bool:
         """``35 m before the crate it brakes``: the gap to what lies there sets it off."""
         doing = self._main(clause, number, *self._text.bounds(number.i))
-        if doing is None or doing.when is not None or not doing.entity.is_vehicle:
+        if doing is None:
             return False
         items = self._happenings.items
         item = next((x for x in items if x.kind.value == kind_of(thing)), None)
@@ -193,19 +172,13 @@ class Releaser(Teller):
             number: the way that somebody has gone.
         """
         start, end = self._text.bounds(number.i)
-        clause = self._text.scene_at(number.i, number.j)
+        clause, opened = self._text.scene_at(number.i, number.j), self._text.subordinate(number.i)
         who = [e for e in (clause.actors if clause is not None else []) if e.is_vehicle]
-        who = who or [e for e in self._text.subject_before(number.i) if e.is_vehicle]
-        opened = self._text.subordinate(number.i)
         doing = self._main(opened, number, start, end) if opened is not None else None
-        acts = [a for a in self._happenings.acts if a.i > number.i or start <= a.i]
-        free = [a for a in acts if a.when is None and a.i > number.i]
+        free = [a for a in self._happenings.acts if a.when is None and a.i > number.i]
         own = [a for a in free if a.entity in who]
-        told = [a for a in acts if start <= a.i < number.i]
-        chosen = (
-            [doing] if doing is not None else [*[a for a in free if a.i < end], *told[-1:], *own]
-        )
-        if not chosen or chosen[0].when is not None:
+        chosen = [doing] if doing is not None else [*[a for a in free if a.i < end], *own]
+        if not chosen:
             return False
         moved = who[0] if who and who[0] is not chosen[0].entity else None
         amount = amount_of(number)
@@ -225,16 +198,6 @@ class Releaser(Teller):
         acts = self._happenings.acts
         return any(clause[0] <= a.i < number.i and a.entity is subject for a in acts)
 
-    def _also(self, number: Measured, measure: Measure, doing: Doing) -> bool:
-        """``3.6 s (60 m) away``: the same moment in another measure."""
-        when = doing.when
-        if when is None or when.kind != "measure" or isinstance(when.reference, Item):
-            return False
-        if when.entity is not None and when.reference is not None:
-            apart = Apart(measure, when.entity, when.reference, amount_of(number), doing)
-            self._happenings.spacings.append(apart)
-        return True
-
     def _main(
         self, clause: tuple[int, int, str] | None, number: Measured, start: int, end: int
     ) -> Doing | None:
@@ -250,9 +213,7 @@ class Releaser(Teller):
         after = [a for a in inside if a.i >= stop]
         if not (before or after) and begin == start:  # no comma: "when it is 20 m away it brakes"
             after = [a for a in acts if number.i < a.i < end]
-        noun = self.noun_for(start, begin) or self.noun_for(stop, end)
-        named = self.named_by(noun, acts) if noun is not None else []
-        return before[-1] if before else next(iter([*after, *named[-1:]]), None)
+        return before[-1] if before else next(iter(after), None)
 
     def _subject(
         self, number: Measured, clause: tuple[int, int, str] | None, doing: Doing

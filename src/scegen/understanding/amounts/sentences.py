@@ -135,7 +135,6 @@ class Sentences:
             i: index of the first token of the distance.
         """
         start, _ = self.bounds(i)
-        verbs = [s.event.i for s in self.within(start, i)]
         opened = [
             c
             for c in self.chunks
@@ -144,8 +143,6 @@ class Sentences:
         if not opened:
             return None
         if opened[-1].cat == "rel":
-            if any(opened[-1].i < v for v in verbs):
-                return None
             named = [m for m in self.mentions if m.i < opened[-1].i and not m.possessor]
             return named[-1].entities[0] if named and named[-1].entities else None
         return next(iter(self.own_subject(i)), None)

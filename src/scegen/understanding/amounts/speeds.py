@@ -42,13 +42,7 @@ def held(number: Measured, text: Sentences, context: Context, found: Happenings)
     shared = {t.low for t in text.tokens[number.j : number.j + 1]} & {"each", "both"}
     if taken and not shared:
         return True
-    event = text.verb_at(number.i, number.j)
-    hits = (
-        text.scene_at(number.i, number.j) if event is not None and event.name == "collide" else None
-    )
-    if hits is not None and any(e.speed not in (None, quantity.value) for e in hits.actors):
-        return False  # "drives 50 km/h … and hits it at 30 km/h": as fast as it then is
-    whose = _able(number, [e for e in _whose(number, text, context) if e not in taken], text)
+    whose = _able(number, [e for e in _whose(number, text) if e not in taken], text)
     ego = ego_of(context)
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
@@ -121,26 +115,14 @@ def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | No
         found.acts = sorted([*found.acts, *here], key=lambda a: a.i)
     if not here:
         return None
-    doing = [*[a for a in here if a.i < number.i], *here][-1 if here[-1].i < number.i else 0]
+    doing = next((a for a in reversed(here) if a.i < number.i), here[0])
     doing.amounts.setdefault("target_speed_mps", Amount(last, Basis(number.i, number.j)))
     return doing
 
 
-def _whose(number: Measured, text: Sentences, context: Context) -> list[Entity]:
+def _whose(number: Measured, text: Sentences) -> list[Entity]:
     """Who drives or walks so fast."""
-    tokens = text.tokens
     start, _ = text.bounds(number.i)
-    ego = ego_of(context)
-    before = {t.low for t in tokens[max(start, number.i - 3) : number.i]}
-    before |= {t.low for t in tokens[number.j : number.j + 1]} & {"each", "both"}
-    if before & {*words()["each"]}:
-        named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
-        named = named or [e for m in text.mentions if m.i < number.i for e in m.entities][-_PAIR:]
-        everybody = [e for e in context.draft.entities if e.is_vehicle]
-        named = named or (everybody if len(everybody) == _PAIR else [])  # "both at 15 m/s: …"
-        pair = list(dict.fromkeys([e for e in reversed(named) if not e.still]))
-        pair += [ego] if ego is not None and ego not in pair and len(pair) < _PAIR else []
-        return pair if "all" in before or "each" in before else pair[:_PAIR]
     scene = text.scene_at(number.i, number.j)
     adjacent = text.adjacent(number.i)
     if adjacent:
@@ -165,7 +147,7 @@ def _hand_on(entity: Entity, text: Sentences) -> None:
     """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
     basis = entity.speed_basis
     if basis is None or basis.i is None:
-        return
+        return  # nobody said it
     start, _ = text.bounds(basis.i)
     named = [m.entities for m in text.mentions if start <= m.i < basis.i]
     if not named or len(named[-1]) != 1:
@@ -194,15 +176,12 @@ def relative(number: Measured, text: Sentences, context: Context) -> bool:
         return False
     scene = text.scene_at(number.i, number.j)
     who = [e for e in (scene.actors if scene else []) if e.speed is None]
-    who = who or text.subject_before(number.i)
     near = [e for m in text.mentions if m.i < number.i for e in m.entities]
     other = counterpart(who[0], context, near) if who else None
     if not who or other is None or other.speed is None or who[0].speed is not None:
         return False
     sign, by = (1 if word == "faster" else -1), number.quantity.exact
     low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
-    if low < 0:
-        return False
     who[0].speed = Interval(low=low, high=high)
     who[0].speed_basis = Basis(number.i, number.j, f"so much {word} than the other")
     return True

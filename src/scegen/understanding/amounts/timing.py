@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import AtLight
 from scegen.understanding.amounts.teller import Teller
-from scegen.understanding.chunks import Place, Word
+from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing, Trigger, amount_of, exactly
@@ -78,8 +78,6 @@ class Clock(Teller):
         if not later and (not who or first.kind is not ActKind.ENTER):
             return False
         second = later[0] if later else self.same(first, who[0], number.j, first.basis)
-        if second.when is not None:
-            return False
         amount = amount_of(number)
         second.when = Trigger("after", amount.basis, amount, first, "begin")
         return True
@@ -89,8 +87,6 @@ class Clock(Teller):
         met = self._context.junction.crossing or self._context.draft.crossing_implied is not None
         _, end = self._text.bounds(number.i)
         told = [c for c in self._text.within(number.i, end) if c.event.name in _COMING]
-        before = self._text.scene_at(number.i, number.j)
-        told += [before] if before is not None and before.event.name in _COMING else []
         who = [e for c in told for e in c.drivers] or self._text.part(number.i)[1]
         if not met or not who or not who[0].is_vehicle:
             return None
@@ -107,8 +103,6 @@ class Clock(Teller):
         ):
             return None
         other = named[0].entities[0]
-        if other.is_vehicle is not doing.entity.is_vehicle:
-            return None
         alike = [a for a in self._happenings.acts if a.entity is other and a.kind is doing.kind]
         told = named[0]
         return alike[0] if alike else self.same(doing, other, told.i, Basis(told.i, told.j))
@@ -185,12 +179,6 @@ class Clock(Teller):
         tokens = self._text.tokens
         _, end = self._text.bounds(number.i)
         since = self._since(number)
-        if since == "start":
-            return None, "end"
-        said = {t.low for t in tokens[max(0, number.i - _REACTION_REACH) : number.i]}
-        told = [a for a in self._happenings.acts if a.i < doing.i and a.entity != doing.entity]
-        if "reaction" in said and told:
-            return told[-1], "begin"  # to what the other does
         if since == "after":
             clause = [a for _, a in self._told_in(number.j, end) if a is not doing]
             if clause:
@@ -216,8 +204,7 @@ class Clock(Teller):
         since = "end" if ends else "begin"  # of braking without an end, or that another answers
         if own or nearby & _LATER:
             return before[-1], since
-        clocked = before[-1].when is not None and before[-1].when.kind == "start"
-        return (None, "end") if clocked else (before[-1], "begin")  # "the ego reacts after 1 s"
+        return before[-1], "begin"  # "the ego reacts after 1 s"
 
     def order(self) -> None:
         """Acts without a number: "then", "as soon as", and what one does in turn."""
@@ -259,10 +246,7 @@ class Clock(Teller):
         start = max(before.basis.j or before.i, self._text.bounds(doing.i)[0])
         span = self._text.find("then", start, doing.i)
         forwards = span is not None and self._text.tokens[span[0]].low != "before"
-        lane = span is not None and any(
-            isinstance(c, Place) and c.i <= span[0] < c.j for c in self._text.chunks
-        )  # "in the next lane"
-        return span if forwards and not lane else None
+        return span if forwards else None
 
     def _clauses(self) -> None:
         """``as soon as the lead brakes, the ego changes lanes``."""
