@@ -12,6 +12,7 @@ from scegen.understanding.amounts.whom import counterpart, ego_of
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import Measured, words
+from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.happenings import Amount, Apart, Ending, amount_of
 from scegen.understanding.semantics.contact import goal_of_contact, touched
 from scegen.understanding.semantics.context import Clause
@@ -117,7 +118,7 @@ class Judge(Teller):
         return found
 
     def _of_nouns(self) -> list[Ending]:
-        """``no crash``, ``until impact``, ``a collision is avoided``: by the words that govern it.
+        """``no crash``, ``until impact``, ``a collision is avoided``: by the words around.
 
         What is denied of something else denies no contact: "neither brakes; collision".
         """
@@ -127,45 +128,19 @@ class Judge(Teller):
             begin = k
             while begin and tokens[begin - 1].low in words()["before_impacts"]:
                 begin -= 1
-            after = tokens[k + 1].low if k + 1 < len(tokens) else ""
             done = [s.event for s in self._text.scenes if s.event.i <= k < s.event.j]
-            near = tokens[max(0, k - 1)].low == "near"
-            compound = after in words()["of_impacts"] and not near
-            if compound or any(not (e.nominal or self._bare(e)) for e in done):
+            if any(not (e.nominal or self._bare(e)) for e in done):
                 continue
-            kind = self._governed(begin, k)
-            if kind is not None:
+            prevented = self._prevented(begin - _BEFORE, k)
+            verbs = {"in_vain" if _in_vain(e) else e.name for e in prevented}
+            verbs |= {t.low for t in tokens[begin:k]}
+            around = window(tokens, begin, k + 1, {})
+            role = frame_of("contact", 0.0, around, frozenset(verbs)).role
+            if role != "other":
                 i = begin - (begin > 0 and tokens[begin - 1].low in words()["none"])
-                avoided = [e.i for e in self._prevented(begin - _BEFORE, k) if e.i < begin]
-                i = min([i, *avoided])  # "cannot avoid the collision"
-                found.append(Ending(kind, Basis(i, k + 1), self._around(k, None)))
+                i = min([i, *(e.i for e in prevented if e.i < begin)])  # "cannot avoid it"
+                found.append(Ending(OutcomeKind(role), Basis(i, k + 1), self._around(k, None)))
         return found
-
-    def _governed(self, begin: int, k: int) -> OutcomeKind | None:
-        """What a noun of contact tells of the end; None if it does not say that there is one."""
-        tokens = self._text.tokens
-        start, end = self._text.bounds(k)
-        opens = (m for m in range(begin, start, -1) if tokens[m - 1].low in words()["joints"])
-        start = max(next(opens, start), begin - _BEFORE)
-        prevented = self._prevented(start, k)
-        vain = any(_in_vain(e) for e in prevented)
-        governor = tokens[begin - 1].low if begin > start else ""
-        before, after = self._text.low(start, begin), self._text.low(k + 1, min(end, k + _BEFORE))
-        near = any(f" {w} " in before + after for w in words()["nearly"])
-        near = near or tokens[max(0, k - 1)].low == "near"
-        if governor in words()["none"] and not vain:
-            return None if near else OutcomeKind.AVOIDED
-        if near:
-            return OutcomeKind.NEAR_MISS
-        if governor == "to":
-            return None
-        if prevented and not vain:
-            managed = any(f" {w} " in before for w in words()["managed"])
-            supposed = self._supposed(start, begin) and not managed
-            return None if supposed else OutcomeKind.AVOIDED
-        if any(f" {w} " in before for w in words()["supposed"] if w != "to") and not vain:
-            return None
-        return OutcomeKind.COLLISION
 
     def _prevented(self, start: int, k: int) -> list[Event]:
         """What keeps a contact from happening, or does not, around its noun."""
