@@ -110,7 +110,8 @@ class Filler(Teller):
             }
             own = [a for a in here if near & {a.i, *a.told}]
             own = own or self.named_by(event, fitting)
-            own = own or [a for a in here if a.i < number.i and self._of(a, event)]
+            moves = [a for a in here if a.i < number.i and a.kind is not ActKind.STOP]
+            own = own or [a for a in moves if self._of(a, event)]  # "changes lanes, needing 5 s"
             return own[-1] if own else None
         if event is not None and self._unread(event, number, kinds):
             return None

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Literal
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
+from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.aside import Aside
+from scegen.understanding.amounts.moments import Moments
 from scegen.understanding.amounts.pairs import pair_of, row_of
 from scegen.understanding.amounts.releasing import JUNCTION, Releaser
 from scegen.understanding.amounts.sentences import Sentences
@@ -16,7 +16,7 @@ from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import behind_or_ahead, ego_of, in_file
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import Measured, words
+from scegen.understanding.frames import Measured
 from scegen.understanding.happenings import Amount, Apart, Doing, Happenings, amount_of
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Context
@@ -29,17 +29,12 @@ MEASURES = {
     "lateral_offset": Measure.LATERAL_OFFSET_M,
     "overlap": Measure.OVERLAP_PERCENT,
 }
-_AT = (" at ", " at a ", " at a gap of ", " at a distance of ", " at a time gap of ",
-       " at a headway of ")  # fmt: skip
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _TWO_LANES = 7
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
-_ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
-_LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
-_MOVES_INTO = frozenset({ActKind.SWERVE, ActKind.CROSS, ActKind.OPEN_DOOR})
 _SHORT_OF = (" before ", " short ", " in front ")
 
 
@@ -50,6 +45,7 @@ class Spacer(Teller):
         super().__init__(text, context, happenings)
         self._releaser = Releaser(text, context, happenings)
         self._aside = Aside(text, context, happenings)
+        self._moments = Moments(text, context, happenings)
 
     def read(self, number: Measured) -> bool:
         """One number that lies between two; whether a place was found for it.
@@ -79,7 +75,7 @@ class Spacer(Teller):
         if pair is None:
             return False
         measure = self._sideways(measure, number, *pair)
-        at = self._moment(number, measure, *pair)
+        at = self._moments.at(number, measure, *pair)
         if row:
             amount = amount_of(number)
             self._happenings.spacings += [Apart(measure, a, b, amount, at) for a, b in row]
@@ -151,30 +147,9 @@ class Spacer(Teller):
             ]  # "with full overlap (100 %)"
         behind_or_ahead(number, one, other, self._context)
         self._in_file(measure, entity, reference, amount)
-        return Apart(measure, entity, reference, amount, at, side, self._since(at, one, other))
-
-    def _since(self, at: Doing | str, one: Entity, other: Entity) -> Literal["begin", "end"]:
-        """``when it has changed lanes``; what somebody reveals who leaves the lane."""
-        if not isinstance(at, Doing) or at.kind is not ActKind.CHANGE_LANE:
-            return "begin"
-        told = {at.i, *at.told}
-        over = any(s.event.perfect and s.event.i in told for s in self._text.scenes)
-        return "end" if over or at.entity not in (one, other) else "begin"
-
-    def _revealed_by(self, number: Measured, one: Entity, other: Entity) -> Doing | None:
-        """``the car ahead changes lanes and reveals a truck 60 m ahead``: as it has done so."""
-        if not (one.still or other.still) or not (one.ego or other.ego):
-            return None
-        ahead = [
-            a
-            for a in self._happenings.acts
-            if a.kind is ActKind.CHANGE_LANE
-            and a.entity not in (one, other)
-            and a.into is None
-            and a.i < self._text.bounds(number.i)[1]
-            and self._context.placed(a.entity, Approach.AHEAD)
-        ]
-        return ahead[0] if len(ahead) == 1 and ahead[0].when is None else None
+        return Apart(
+            measure, entity, reference, amount, at, side, self._moments.since(at, one, other)
+        )
 
     def _to_a_thing(self, number: Measured) -> bool:
         """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
@@ -250,60 +225,3 @@ class Spacer(Teller):
         end = noun.j if isinstance(noun, Place) and noun.kind == "side" else end
         end = min(end, self._text.bounds(number.i)[1])
         return Amount(amount.value, Basis(basis.i, end, basis.reason))
-
-    def _moment(
-        self, number: Measured, measure: Measure, entity: Entity, reference: Entity
-    ) -> Doing | str:
-        """When they are so far apart."""
-        if measure is Measure.OVERLAP_PERCENT:
-            return CONTACT
-        start, end = self._text.bounds(number.i)
-        acts = [a for a in self._happenings.acts if a.entity in (entity, reference)]
-        if measure is Measure.LATERAL_GAP_M:
-            acts = [] if entity.parked or reference.parked else acts
-            passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < end]
-            return passing[-1] if passing else START
-        if measure not in LENGTHWISE:
-            return START
-        if self._text.says("starts", start, end):
-            return START
-        own = self._text.verb_at(number.i, number.j)
-        told = {own.i} if own is not None and own.i < number.i else set()
-        into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
-        into = into or [a for a in acts if self._in_trigger(a, start, end, number.i)]
-        into = into or [a for a in [self._revealed_by(number, entity, reference)] if a is not None]
-        if into:
-            return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
-        here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
-        laned = [a for a in here if a.kind in _LANED | _MOVES_INTO]
-        laned += [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
-        laned = laned or [
-            a
-            for a in here
-            if told & {a.i, *a.told}
-            and (measure is Measure.TTC_S or number.around.before.endswith(_AT))
-        ]  # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
-        if laned:
-            return laned[-1]
-        return self._until_it_brakes(entity, reference, acts)
-
-    def _until_it_brakes(self, entity: Entity, reference: Entity, acts: list[Doing]) -> Doing | str:
-        """Between two who are as fast: as far as when the one in front brakes."""
-        one, other = entity.speed, reference.speed
-        unequal = one is not None and other is not None and one != other
-        stands = any(e.stands is not None or e.parked for e in (entity, reference))
-        if unequal or stands or not (entity.is_vehicle and reference.is_vehicle):
-            return START
-        leader = in_file(entity, reference, self._context)[1]
-        later = [a for a in acts if a.kind in _ANSWERING and a.always]
-        return later[0] if later and later[0].entity is leader else START
-
-    def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
-        """``… is 150 m away when the ego pulls out``: at that moment."""
-        for told in (doing.i, *doing.told):
-            clause = self._text.subordinate(told)
-            if clause is None or not start <= told < end or clause[0] <= i < clause[1]:
-                continue
-            if clause[2] in words()["triggers"] and told >= clause[0]:
-                return True
-        return False
