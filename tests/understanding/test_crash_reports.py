@@ -89,11 +89,6 @@ def test_reported_speech_keeps_its_subject():
     assert scenario.participant("van_1").maneuvers == {"overtake"}
 
 
-def test_the_red_one():
-    scenario = read("A red car and a black car meet at a junction. The red one turns left.")
-    assert scenario.participant("car_1").maneuvers == {"left"}
-
-
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

@@ -19,7 +19,6 @@ def ego(text):
         "With a taxi parked on its side, the ego is in the oncoming lane when a cyclist appears.",
         "A parked van obliges our car to go over onto the other side; an oncoming driver hoots.",
         "My way past the parked cars is blocked by an oncoming lorry that refuses to pull in.",
-        "A bus has broken down and the detour leads over the solid line; the ego meets a van.",
         "The ego waits behind a stopped coach, then noses over the centre line and sees a van.",
     ],
 )

@@ -87,7 +87,6 @@ def test_what_the_ego_does(text, expected):
     ("text", "expected"),
     [
         ("A dog runs out, leaving the ego no time to brake.", {"crossing_animal"}),
-        ("A car brakes hard, leaving the van behind it only a second to stop.", {"hard_braking"}),
         ("The ego approaches a fallen tree that blocks its lane.", {"obstacle"}),
         ("The ego overtakes a bus while an oncoming van does not slow down.", {"overtaking"}),
         ("The ego meets a truck travelling at a much lower steady speed.", {"slow_driving"}),
@@ -99,11 +98,6 @@ def test_what_the_ego_does(text, expected):
 )  # fmt: skip
 def test_dangers(text, expected):
     assert dangers(text) == expected
-
-
-def test_people_leave_their_vehicle_on_foot():
-    found = seen("The driver of a stalled bus steps out in front of the ego.")
-    assert "pedestrian" in dict(found)
 
 
 def test_no_junction_where_none_is():

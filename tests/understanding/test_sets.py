@@ -25,10 +25,6 @@ def moves(text):
         ("One car runs a red light while two others turn right.", {"car": 3}),
         ("The ego meets two cars coming from the left and one coming from the right.", {"car": 4}),
         ("Two cars reach a junction, one turning left and one turning right.", {"car": 2}),
-        (
-            "Three of us reach a crossroads at once, and the van on my right goes.",
-            {"car": 2, "van": 1},
-        ),
         ("A moped overtakes both a van and a lorry.", {"motorcycle": 1, "van": 1, "truck": 1}),
         ("A car brakes; a passenger looks on.", {"car": 1}),
         ("The bus stops and a passenger crosses the road.", {"bus": 1, "pedestrian": 1}),

@@ -146,13 +146,6 @@ def test_who_is_behind_brakes_too_late(text):
     assert [h.kind for h in read(text).hazards] == [HazardKind.DELAYED_BRAKING]
 
 
-def test_a_left_turner_turns_left():
-    assert doings("The opposing left-turner waits as the ego goes straight at the junction.") == [
-        {Maneuver.STRAIGHT},
-        {Maneuver.LEFT},
-    ]
-
-
 def test_what_is_to_be_done_is_done():
     text = "The leading vehicle, a moped, is slow; the ego is to overtake it."
     assert doings(text)[0] == {Maneuver.OVERTAKE}
@@ -242,8 +235,6 @@ def test_who_is_out_of_control():
         ("A car coming from the left rolls over the stop line at a junction.", "failure_to_yield"),
         ("An oncoming van leaves its lane, the ego keeps its lane.", "oncoming_lane"),
         ("A ball rolls onto the road, followed by a boy.", "crossing_pedestrian"),
-        ("V1 drives on and V2 comes from the left, where it should have stopped.",
-         "failure_to_yield"),
         ("The ego leaves the road on a curve.", "loss_of_control"),
     ],
 )  # fmt: skip

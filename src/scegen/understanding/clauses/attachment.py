@@ -13,7 +13,7 @@ from scegen.understanding.chunks import (
     Word,
 )
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import GOVERNING, finite_follows
+from scegen.understanding.phrases.lookahead import GOVERNING
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
 _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
@@ -70,12 +70,11 @@ def release(state: State) -> None:
         state.prep = None
 
 
-def _counts_lanes(prep: Prep, state: State) -> bool:
+def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     """``on a road with two lanes in each direction, a car …``: so many lanes, nobody is there."""
-    place, before = prep.target, state.last_prep.target if state.last_prep is not None else None
-    way = isinstance(place, Place) and place.kind == "direction"
-    lanes = isinstance(before, Place) and before.kind == "lane" and before.j == prep.word.i
-    return prep.fronted and way and lanes
+    way, lanes = prep.target, before.target if before is not None else None
+    each = isinstance(way, Place) and way.kind == "direction"
+    return each and isinstance(lanes, Place) and lanes.kind == "lane" and lanes.j == prep.word.i
 
 
 def attach(prep: Prep, state: State) -> None:
@@ -85,18 +84,14 @@ def attach(prep: Prep, state: State) -> None:
         prep: the phrase, complete.
         state: what the clause reader remembers.
     """
-    counted = _counts_lanes(prep, state)
-    state.last_prep = prep
+    before, state.last_prep = state.last_prep, prep
     if prep.fronted:
-        state.fronted += [] if counted else [prep]
+        if not _counts_lanes(prep, before):
+            state.fronted.append(prep)
         return
     part = prep.on_mention
     if part is not None and part.whole is not None and part.whole.j == prep.word.i:
         prep.on_mention = part.whole  # "one of the two cars ahead": both are
-    holders = [m for m in (prep.on_mention, state.candidate) if m is not None]
-    if any(_names_it_again(prep.target, m) for m in holders):
-        state.fronted.append(prep)
-        return
     head = _head_of(prep, state)
     whom = prep.on_mention
     if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
@@ -121,16 +116,6 @@ def attach(prep: Prep, state: State) -> None:
 def _from_a_side(prep: Prep) -> bool:
     place = prep.target
     return isinstance(place, Place) and place.kind in {"side", "direction"}
-
-
-def _names_it_again(target: object, mention: Mention) -> bool:
-    """``a pedestrian and, behind the pedestrian, a bus``: the bus is behind."""
-    if not isinstance(target, Mention) or target.head is None or mention.head is None:
-        return False
-    definite = any((m.cat, m.value) == ("det", "def") for m in target.mods)
-    first = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
-    alike = [h.value for h in target.heads] == [h.value for h in mention.heads]
-    return definite and first and alike and len(target.mods) == 1
 
 
 def _landmark(mention: Mention) -> bool:
@@ -189,21 +174,20 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
     begins = not state.events and state.candidate is None and not state.mentions
     begins = begins and state.anchor is None  # "a kiosk on the left hides a child"
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between
-    if not begins and not (joins and (state.candidate_done or state.events)):
+    inserted = {"conj", ","} <= state.between  # "a child and, behind the child, a bus"
+    listed = "conj" in state.between
+    if not begins and not (joins and (inserted or state.candidate_done or state.events)):
         return False
     m = _phrase_end(k, chunks)
     if m is None:
         return False
-    comma = _is(chunks, m, ",")
-    m = _behind_participle(chunks, m + 1) if comma else m
-    spoken = comma and not begins and _speaks(chunks, m)
-    if _word_of(chunks, m, frozenset({"aux", "copy"})):
-        m += 1
-    elif m < len(chunks) and not (comma and not begins):
-        m += _stands_before_subject(chunks[m])
-    if m >= len(chunks) or (comma and not begins and not spoken):
-        return False
-    return isinstance(chunks[m], Mention)
+    if _is(chunks, m, ","):
+        if not (begins or listed):
+            return False
+        m = _behind_participle(chunks, m + 1)
+    if m < len(chunks):
+        m += _word_of(chunks, m, frozenset({"aux", "copy"})) or _stands_before_subject(chunks[m])
+    return m < len(chunks) and isinstance(chunks[m], Mention)
 
 
 def _behind_participle(chunks: list[Chunk], m: int) -> int:
@@ -219,12 +203,6 @@ def _behind_participle(chunks: list[Chunk], m: int) -> int:
     opens = [c for c in inside if not isinstance(c, Word) or c.cat in GOVERNING][:1]
     participle = opens == events and bool(events) and events[0].form in {"ed", "ing"}
     return m + len(inside) if participle else m
-
-
-def _speaks(chunks: list[Chunk], m: int) -> bool:
-    """Whether a participant with a verb of its own stands here."""
-    here = chunks[m] if m < len(chunks) else None
-    return isinstance(here, Mention) and finite_follows(chunks, m)
 
 
 def _stands_before_subject(chunk: Chunk) -> bool:
@@ -248,14 +226,10 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     m = k + 1
     locus = isinstance(first, Word) and first.cat == "locus"
     while _word_of(chunks, m, GOVERNING):
-        locus = locus or _word_of(chunks, m, frozenset({"locus"}))
+        locus |= _word_of(chunks, m, frozenset({"locus"}))
         m += 1
     target = chunks[m] if m < len(chunks) else None
-    placed = isinstance(target, Place) and (
-        target.kind in _SIDES
-        or (target.kind == "road" and "opposite" in target.dirs)
-        or any(t.cat == "compass" for t in target.mods)
-    )
+    placed = isinstance(target, Place) and target.kind in _SIDES
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1

@@ -104,7 +104,7 @@ class ClauseReader:
             state.resumed = subjects.main_in_sentence(state)
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
-        if word.cat == "rel" and k and _blocks(self._chunks[k - 1]):
+        if word.cat == "rel" and k and _acts(self._chunks[k - 1]):
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
@@ -119,9 +119,7 @@ class ClauseReader:
         place = next(
             (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
         )
-        who = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
-        it = isinstance(who, Mention) and who.pronoun == "it"  # "moves into the lane, where it …"
-        if place is None or place.kind not in LANES or it:
+        if place is None or place.kind not in LANES:
             return
         word = Word(Term("prep", "in", place.i, place.i + 1))
         self._state.fronted.append(Prep(word, place, fronted=True))
@@ -160,11 +158,9 @@ class ClauseReader:
             state.ahead.append(word.term)
         elif state.events and not self._clause_start():
             state.events[-1].mods.append(word.term)
-            if isinstance(following, Word) and following.value == "or":
-                state.between.discard("or")
         elif state.candidate is not None:
             state.candidate.mods.append(word.term)
-        elif before_event or (word.cat == "manner" and isinstance(following, Mention)):
+        elif word.cat == "manner" and isinstance(following, Mention):
             state.ahead.append(word.term)  # "Suddenly a van …"
         elif self.events and not state.mentions and word.cat != "quantity":
             self.events[-1].mods.append(word.term)
@@ -209,11 +205,8 @@ class ClauseReader:
             return False
         beside = isinstance(anchor, Mention) and anchor.pronoun is not None
         beside = beside and any(p.target is anchor for p in who.pps)  # "the ego, behind it at …"
-        if not (anchor is who or beside):
-            return False
-        if state.events and state.events[-1].object is state.candidate and not state.between:
-            return False  # "the car that the ego overtakes at 60 km/h"
-        return not any(state.candidate in event.subject for event in state.events)
+        placed = anchor is who or beside
+        return placed and not any(who in event.subject for event in state.events)
 
     def _inverted(self, event: Event, k: int) -> bool:
         """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
@@ -238,26 +231,14 @@ class ClauseReader:
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"
             return "aux:be" not in self._state.between
-        unknown = isinstance(before, Word) and before.cat == "unknown" and k > 1
-        if not unknown or (self._state.candidate is not None and not self._state.candidate_done):
-            return False
-        opener = self._chunks[k - 2]
-        named = isinstance(opener, Place) or (isinstance(opener, Word) and opener.cat == "det")
-        return named and event.form in {"s", "ed"}
+        return False
 
     def _premodifiers(self, mention: Mention) -> None:
         """``a speeding car``, ``the left turning truck``: events of the noun itself."""
-        if mention.head is not None and mention.head.data.get("turns"):
-            turn = Event("turn", mention.i, mention.j, "ing", subject=[mention])
-            turn.mods = [m for m in mention.mods if m.value in {"left", "right"}]
-            turn.premod_of, turn.sentence = mention, self._sentence
-            mention.mods = [m for m in mention.mods if m not in turn.mods]
-            self.events.append(turn)
-        for position, mod in enumerate(mention.mods):
+        for mod in mention.mods:
             if mod.cat != "verb":
                 continue
-            before = [m for m in mention.mods[:position] if m.cat in {"dir", "manner"}]
-            event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], mods=before)
+            event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention])
             event.premod_of = mention
             event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
             event.sentence = self._sentence
@@ -265,8 +246,7 @@ class ClauseReader:
 
     def _event(self, event: Event, k: int) -> None:
         state = self._state
-        state.verb_follows = main_verb_follows(self._chunks, k)
-        event.reduced = state.anchor is state.candidate and state.verb_follows
+        event.reduced = state.anchor is state.candidate and main_verb_follows(self._chunks, k)
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence
@@ -283,16 +263,14 @@ class ClauseReader:
             event.pps += state.opening
             state.opening = []
         if by_follows(self._chunks, k):
-            subjects.before_by(event, state)
+            subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
         event.negated = negated or self._lacking(event) or event.negated
         event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
-        denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
-        event.unable = event.unable or (denied and "aux:can" in state.between)
-        event.negated = event.negated or denied
+        event.negated = event.negated or any(
+            m.denied or m.pronoun == "neither" for m in event.subject
+        )
         event.perfect = "aux:have" in state.between
-        if event.perfect and "aux:modal" in state.between:
-            event.negated = not event.negated  # "where it should have stopped": it did not
         event.modal = event.modal or "aux:modal" in state.between
         release(self._state)
         state.events.append(event)
@@ -309,8 +287,6 @@ class ClauseReader:
         return "without" in {by, own}
 
 
-def _blocks(chunk: Chunk) -> bool:
+def _acts(chunk: Chunk) -> bool:
     """``a fallen tree that blocks the lane``: the tree does it."""
-    if not isinstance(chunk, Thing) or (chunk.prep is not None and chunk.prep.value == "with"):
-        return False
-    return chunk.kind in {"obstacle", "object"}
+    return isinstance(chunk, Thing) and chunk.kind in {"obstacle", "object"}

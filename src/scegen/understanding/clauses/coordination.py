@@ -6,8 +6,6 @@ from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.state import State
 
-_ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
-
 
 def auxiliary(state: State) -> bool:
     """Whether an auxiliary stands before the verb."""
@@ -18,6 +16,18 @@ def _shape(event: Event) -> str:
     if event.link == "inf" or (event.modal and event.form == "base"):
         return "inf"
     return "finite" if event.finite and event.form != "ing" else event.form
+
+
+def told_beside(state: State, *words: str) -> Mention | None:
+    """``steps out with the ego 20 m away, doing 30 km/h``, ``hit by a van, travelling …``.
+
+    Args:
+        state: what the clause reader remembers.
+        words: the prepositions after which somebody is named.
+    """
+    since = state.events[-1].i if state.events else 0
+    named = [m for m in state.mentions if m.i > since and m.prep is not None]
+    return next((m for m in named if m.prep and m.prep.value in words), None)
 
 
 def coordinate(event: Event, state: State) -> None:
@@ -43,13 +53,10 @@ def coordinate(event: Event, state: State) -> None:
         return  # "ahead of the ego, which is doing 70 km/h and stops"
     outer = [e for e in verbs if not e.embedded]
     relative = bool(verbs) and verbs[-1].embedded and verbs[-1].form == event.form
-    # "A car passes the ego, which drives on, and changes lanes", "finds a spot where two stand,
-    # and has to change lanes", "comes up to a jam that crawls and brakes late".
-    besides = "," in state.between and (relative or "aux:modal" in state.between)
-    if besides or (relative and _no_jam(event, verbs[-1].subject)):
+    # "A car passes the ego, which drives on, and changes lanes".
+    if relative and "," in state.between:
         verbs = outer or verbs
     alike = [e for e in verbs if _shape(e) == wanted]
-    alike = alike or [e for e in verbs if wanted == "finite" and e.finite and e.modal]
     exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
     parallel = next(reversed(exact or alike), None)
     if parallel is None:
@@ -62,25 +69,16 @@ def coordinate(event: Event, state: State) -> None:
     if goes_on and who is not None and who is state.being:
         event.subject = chain(who)  # "pulls out when the ego is 20 m away and doing 30 km/h"
         return
-    near = state.mentions[-1] if state.mentions else None
-    beside = near is not None and near.prep is not None and near.prep.value == "with"
-    if wanted == "ing" and near is not None and beside and near.i > state.events[-1].i:
-        event.subject = [near]  # "steps out with the ego 20 m away and doing 30 km/h"
+    beside = told_beside(state, "with") if wanted == "ing" else None
+    if beside is not None:
+        event.subject = [beside]
         return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject
-    if parallel.name in {"inert", "unknown"}:  # "changed his mind at the last moment and turned"
-        event.mods += [m for m in parallel.mods if (m.cat, m.value) == ("manner", "sudden")]
     if wanted != "finite":
         event.parent, event.link = parallel.parent, parallel.link
         event.modal = event.modal or parallel.modal
     alternative(event, parallel, state)
-
-
-def _no_jam(event: Event, subject: list[Mention]) -> bool:
-    """``comes up to a jam that crawls and brakes late``: what one does, and no jam."""
-    head = subject[-1].head if subject else None
-    return event.name in _ONES and head is not None and bool(head.data.get("mass"))
 
 
 def _as_finite(first: Event, second: Event) -> bool:
@@ -91,7 +89,5 @@ def _as_finite(first: Event, second: Event) -> bool:
 def _agree(verb: Event, subject: list[Mention]) -> bool:
     """``must wait until two trucks have passed and then turns``: no plural turns."""
     plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
-    if verb.form == "s" and any(m.head is not None and m.head.data.get("me") for m in subject):
-        return False  # "fails to see that we stop and rams our rear"
     numbered = any((m.label or "").startswith("#") for m in subject)
     return verb.form != "s" or numbered or not plural

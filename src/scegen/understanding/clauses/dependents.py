@@ -9,9 +9,6 @@ _OPENING = frozenset({"against", "in", "with", "of"})
 _ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
 """Verbs whose object is what others do ("blocks the merge")."""
 
-_MANEUVERS = frozenset({"turn", "u_turn", "lane_change", "overtake", "merge", "cross", "move"})
-"""Nouns of what a vehicle itself does, so that the clause after them says who."""
-
 
 def chain(mention: Mention) -> list[Mention]:
     """A mention with those that it is joined to ("a car and a truck"), in order."""
@@ -77,15 +74,11 @@ def nominal(event: Event, state: State) -> None:
     owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
     if owner is not None:
         event.subject = [owner]
-    elif state.main and "sub" in state.between and any(m.cat == "possessive" for m in event.mods):
-        event.subject = state.main  # "before its left turn"
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
         during = state.prep is not None and state.prep.value != "to"  # "can't see during its turn"
         if not event.subject and (during or anchor.name not in _ABOUT_OTHERS):
             _share_subject(event, anchor, state)
-    elif event.name == "bypass" and any(m.value == "def" for m in event.mods):
-        return  # "and the detour leads …": anybody's
     elif "conj" in state.between and state.events:
         event.subject = event.subject or state.events[-1].subject
         alternative(event, state.events[-1], state)
@@ -109,8 +102,6 @@ def _in_a_phrase(event: Event, state: State) -> None:
         event.subject = chain(who)
     elif last is not None:
         event.subject = last.subject
-    elif event.name in _MANEUVERS:
-        state.pending.append(event)
 
 
 def infinitive(event: Event, state: State) -> None:

@@ -38,9 +38,8 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         if not isinstance(joint, Word) or joint.value not in _JOINTS:
             continue
         verb = _verb_before(chunk, events)
-        title = verb is not None and verb.nominal and not verb.subject
-        if verb is None or title or not _ends(chunks, k + 2):
-            continue  # "Cut-out: lead 60 km/h, ego 80 km/h": the title is nobody's
+        if verb is None or not _ends(chunks, k + 2):
+            continue
         if _further(chunk, chunks, k, verb):
             continue
         copy = _copy(verb, chunk, chunks, k + 1)

@@ -6,8 +6,6 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import BOUNDARIES, finite_follows
 
-_COMING = frozenset({"approach", "collide", "overtake", "pass", "cut_in", "cut_off", "follow"})
-
 
 def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``a car and a truck``: the second takes the role of the first.
@@ -54,9 +52,17 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
 def _is_somewhere(who: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
     since = [c for c in chunks[:k] if c.i >= who.j]
-    if any(isinstance(c, Event) or (isinstance(c, Word) and c.cat == "rel") for c in since):
-        return False
     return any(isinstance(c, Word) and (c.cat, c.value) == ("aux", "be") for c in since)
+
+
+def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
+    """``a car, a van and a bus``: a comma alone does not make a list."""
+    for chunk in chunks[k + 1 :]:
+        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
+            return False
+        if isinstance(chunk, Word) and chunk.value in {"and", "or"}:
+            return True
+    return False
 
 
 def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -70,16 +76,6 @@ def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State)
         mention.prep = last.subject[-1].prep
 
 
-def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
-    """``a car, a van and a bus``: a comma alone does not make a list."""
-    for chunk in chunks[k + 1 :]:
-        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
-            return False
-        if isinstance(chunk, Word) and chunk.value in {"and", "or"}:
-            return True
-    return False
-
-
 def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``lets two people and a cyclist cross``: both are let."""
     last = state.events[-1] if state.events else None
@@ -90,11 +86,12 @@ def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
 
 
 def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``a bus hits me from the left and a taxi from the right``: the taxi hits, too."""
+    """``a bus approaches the ego from the left and a taxi from the right``: the taxi does, too."""
+    known = anchor.is_ego or anchor.pronoun is not None  # others are described by where they are
     last = state.events[-1] if state.events else None
-    if last is None or last.object is not anchor or last.name not in _COMING or k < 3:
+    if not known or last is None or last.object is not anchor or not 3 <= k < len(chunks) - 1:
         return False
-    before, after = chunks[k - 3], chunks[k + 1] if k + 1 < len(chunks) else None
+    before, after = chunks[k - 3], chunks[k + 1]
     if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
         return False
     return before.value == after.value and isinstance(chunks[k - 2], Place)

@@ -19,6 +19,16 @@ def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     return target
 
 
+def loci_of(mention: Mention) -> set[str]:
+    """Where a noun is said to be: "the car behind" is not "the car in front".
+
+    Args:
+        mention: a noun with phrases of place.
+    """
+    loci = {p.value for p in mention.pps if p.word.cat == "locus" and not p.predicate}
+    return loci | ({"elsewhere"} if mention.elsewhere else set())
+
+
 def as_the_ego_sees(mention: Mention) -> bool:
     """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego.
 
@@ -30,13 +40,3 @@ def as_the_ego_sees(mention: Mention) -> bool:
         and (p.target is None or (isinstance(p.target, Mention) and p.target.is_ego))
         for p in mention.pps
     )
-
-
-def loci_of(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front".
-
-    Args:
-        mention: a noun with phrases of place.
-    """
-    loci = {p.value for p in mention.pps if p.word.cat == "locus" and not p.predicate}
-    return loci | ({"elsewhere"} if mention.elsewhere else set())

@@ -6,13 +6,13 @@ from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach, place_in_front
 from scegen.understanding.clauses.joining import joins
-from scegen.understanding.clauses.partitives import further_ones, partitive_before
 from scegen.understanding.clauses.phrases import (
     also_from,
     apposed_to,
     bracketed,
+    further_ones,
+    partitive_before,
     relative_noun,
-    whose,
 )
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import finite_follows
@@ -23,7 +23,6 @@ _SMALL = frozenset({"prep", "manner"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
-_INTRANSITIVE = frozenset({"pass", "cross", "move", "walk", "merge", "enter", "turn", "leave"})
 
 
 def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
@@ -59,7 +58,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
     elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks, state):
-        _undergo(anchor, mention)
+        anchor.object = mention
     elif (described := _described(mention, k, chunks, state)) is not None:
         mention.same_as = described
         if described is state.candidate or bracketed(chunks, k):
@@ -81,25 +80,6 @@ def _resume(part: Mention, state: State) -> None:
     state.candidate = state.anchor = before
     state.candidate_done = any(before in e.subject for e in state.events)
     state.between = set()
-
-
-def _undergo(verb: Event, mention: Mention) -> None:
-    """The object of a verb; ``lets pass three cyclists``: they pass, nobody passes them."""
-    parent = verb.parent
-    let = parent is not None and parent.control == "object" and parent.object is None
-    let = let and verb.form == "base" and verb.link == "ing" and verb.name in _INTRANSITIVE
-    if let and parent is not None:
-        verb.subject, parent.object = [mention], mention
-    else:
-        verb.object = mention
-
-
-def _emphasises(mention: Mention, state: State) -> bool:
-    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
-    if mention.pronoun != "reflexive" or state.between or state.prep is not None:
-        return False
-    mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
-    return mention.same_as is not None
 
 
 def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -258,21 +238,6 @@ def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     return owned or any(m.cat == "possessive" for m in side.mods)
 
 
-def _left_to(noun: NounPhrase, state: State) -> bool:
-    """``leaving the ego little time to brake``: nobody leaves, and it does not brake."""
-    verb = state.events[-1] if state.events else None
-    if verb is None or verb.name not in {"leave", "cause", "inert"} or not isinstance(noun, Thing):
-        return False
-    whom = verb.object
-    granted = isinstance(whom, Mention) and (
-        whom is state.anchor or any(p.target is state.anchor for p in whom.pps)
-    )
-    if not granted or noun.kind != "noun":
-        return False
-    verb.name, verb.control = "inert", "object"
-    return True
-
-
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
     """A place or thing: what a preposition or verb governs.
 
@@ -282,13 +247,13 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    opens = not state.events or bool(state.between & {"sub", ",", "conj"}) or whose(k, chunks)
+    opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     end = _whole(chunks, k)
     if state.prep is None and opens and finite_follows(chunks, end):
         part = end > k and chunks[end].owner is not None  # type: ignore[union-attr]
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
-        opens = opens or whose(k, chunks) or part
+        opens = opens or part
         state.topic = noun if opens else None
     if state.prep is not None:
         if state.prep.value == "of" and state.topic is not None and noun.owner is not None:
@@ -299,7 +264,7 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
             attach(state.prep, state)
         state.prep = None
         return
-    if also_from(noun, state) or _left_to(noun, state):
+    if also_from(noun, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and anchor.object is None
@@ -320,3 +285,11 @@ def _whole(chunks: list[Chunk], k: int) -> int:
     end = k + 2 + (bool(owner) and isinstance(owner[0], Mention) and owner[0].possessor)
     part = chunks[end] if end < len(chunks) else None
     return end if isinstance(part, Place | Thing) else k
+
+
+def _emphasises(mention: Mention, state: State) -> bool:
+    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
+    if mention.pronoun != "reflexive" or state.between or state.prep is not None:
+        return False
+    mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None
+    return mention.same_as is not None

@@ -64,14 +64,6 @@ def _possessor(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | No
     return None
 
 
-def _told_of(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
-    """``50 km/h is the speed of the ego``."""
-    is_, rate, of, who = (*chunks[k + 1 : k + 5], *[None] * 4)[:4]
-    linked = isinstance(is_, Word) and is_.cat == "aux"
-    named = rate is not None and of is not None and _of_a_rate([rate, of], tokens)
-    return who if linked and named and isinstance(who, Mention) else None
-
-
 def _of_a_rate(chunks: list[Chunk], tokens: list[Token]) -> bool:
     rate, of = chunks
     named = isinstance(rate, Thing) and _rates(rate, tokens)
@@ -92,24 +84,6 @@ def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
             own = isinstance(before, Mention) and before.prep is None and not before.possessor
             return before if own and isinstance(before, Mention) else None
     return None
-
-
-def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | None:
-    """``waits for a van at 50 km/h``, ``backs out in front of a van at 50 km/h``: the van's.
-
-    Who waits has no speed, and who sets off has none yet.
-    """
-    who, at = (chunks[m] if m >= 0 else None for m in (k - 2, k - 1))
-    said = isinstance(at, Word) and at.cat == "prep"
-    if not said or not isinstance(who, Mention) or who.possessor:
-        return None
-    waits = who.prep is not None and any(e.name in {"wait", "yield"} for e in holders)
-    front = any(
-        e.name in _FROM_REST and p.value == "ahead" and p.target is who
-        for e in holders
-        for p in e.pps
-    )
-    return who if waits or front else None
 
 
 def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:
@@ -137,3 +111,29 @@ def _fronted(chunks: list[Chunk], k: int) -> Mention | None:
 
 def _is_comma(chunk: Chunk | None) -> bool:
     return isinstance(chunk, Word) and chunk.value == ","
+
+
+def _told_of(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
+    """``50 km/h is the speed of the ego``."""
+    is_, rate, of, who = (*chunks[k + 1 : k + 5], *[None] * 4)[:4]
+    linked = isinstance(is_, Word) and is_.cat == "aux"
+    named = rate is not None and of is not None and _of_a_rate([rate, of], tokens)
+    return who if linked and named and isinstance(who, Mention) else None
+
+
+def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | None:
+    """``waits for a van at 50 km/h``, ``backs out in front of a van at 50 km/h``: the van's.
+
+    Who waits has no speed, and who sets off has none yet.
+    """
+    who, at = (chunks[m] if m >= 0 else None for m in (k - 2, k - 1))
+    said = isinstance(at, Word) and at.cat == "prep"
+    if not said or not isinstance(who, Mention) or who.possessor:
+        return None
+    waits = who.prep is not None and any(e.name in {"wait", "yield"} for e in holders)
+    front = any(
+        e.name in _FROM_REST and p.value == "ahead" and p.target is who
+        for e in holders
+        for p in e.pps
+    )
+    return who if waits or front else None

@@ -1,4 +1,4 @@
-"""Noun phrases that continue others: appositions, and sides joined by "and"."""
+"""Noun phrases that continue others: appositions, parts of sets, and sides joined by "and"."""
 
 from __future__ import annotations
 
@@ -42,22 +42,6 @@ def _places(anchor: object, who: Mention) -> bool:
     return any(p.target is anchor for p in who.pps)
 
 
-def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
-    """``the driver, a man from Leeds, lost …``: a noun and its phrases between two commas."""
-    role, noun = state.candidate, chunks[k]
-    if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
-        return False
-    bare = noun.mods[0].value == "indef" or noun.is_ego
-    after = chunks[k + 1 : k + 9]
-    ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
-    if not bare or ends is None or ends + 1 >= len(after):
-        return False
-    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
-    verb = after[ends + 1]
-    finite = isinstance(verb, Event) and verb.form != "ing" and not verb.nominal
-    return not joined and (finite or (isinstance(verb, Word) and verb.cat == "aux"))
-
-
 def also_from(noun: NounPhrase, state: State) -> bool:
     """``from the north and the east``: the preposition counts for both.
 
@@ -91,6 +75,51 @@ def bracketed(chunks: list[Chunk], k: int) -> bool:
     return [c.value for c in around if isinstance(c, Word)] == ["(", ")"]
 
 
+def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
+    """``struck V2, an oncoming pickup.``: a noun without a name after one with a name."""
+    here, before = chunks[k], state.anchor
+    if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
+        return False
+    named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
+    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    listed = isinstance(following, Word) and following.cat == "conj"
+    indefinite = any(m.value == "indef" for m in here.mods)
+    acts = isinstance(following, Event) and following.form != "ing"
+    return named and indefinite and not listed and not acts
+
+
+def partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
+    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are.
+
+    Args:
+        k: index of the noun.
+        chunks: the chunks of the text.
+    """
+    if k < 3:
+        return None
+    part, of, whole = chunks[k - 3 : k]
+    if not isinstance(part, Mention) or not isinstance(of, Word) or of.value != "of":
+        return None
+    named = isinstance(whole, Mention) and whole.pronoun == "they"
+    return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
+
+
+def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
+    """``the driver, a man from Leeds, lost …``: a noun and its phrases between two commas."""
+    role, noun = state.candidate, chunks[k]
+    if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
+        return False
+    bare = noun.mods[0].value == "indef" or noun.is_ego
+    after = chunks[k + 1 : k + 9]
+    ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
+    if not bare or ends is None or ends + 1 >= len(after):
+        return False
+    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
+    verb = after[ends + 1]
+    finite = isinstance(verb, Event) and verb.form != "ing" and not verb.nominal
+    return not joined and (finite or (isinstance(verb, Word) and verb.cat == "aux"))
+
+
 def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
     """``struck vehicle 2, which was a taxi``: the noun says what vehicle 2 is.
 
@@ -112,25 +141,23 @@ def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
     return who if relative and said and single and isinstance(who, Mention) else None
 
 
-def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
-    """``struck V2, an oncoming pickup.``: a noun without a name after one with a name."""
-    here, before = chunks[k], state.anchor
-    if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
-        return False
-    named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
-    listed = isinstance(following, Word) and following.cat == "conj"
-    indefinite = any(m.value == "indef" for m in here.mods)
-    acts = isinstance(following, Event) and following.form != "ing"
-    return named and indefinite and not listed and not acts
-
-
-def whose(k: int, chunks: list[Chunk]) -> bool:
-    """``the ego, whose light has turned green, starts``: the clause is about the light.
+def further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``two cars coming from the left and one from the right``: three cars, not two.
 
     Args:
-        k: index of a noun.
+        mention: the noun.
+        k: index of the noun.
         chunks: the chunks of the text.
+        state: what the clause reader remembers.
     """
-    before = chunks[k - 1] if k else None
-    return isinstance(before, Word) and before.value == "whose"
+    if mention.pronoun not in {"one", "count"} or not {"and"} <= state.between <= {"and", "conj"}:
+        return False
+    before, following = state.anchor, chunks[k + 1] if k + 1 < len(chunks) else None
+    participle = isinstance(before, Event) and before.form == "ing" and len(before.subject) == 1
+    who = before.subject[0] if isinstance(before, Event) and participle else before
+    number = who.mod("num") if isinstance(who, Mention) and who.heads else None
+    if number is None or number.data["number"] < 2:
+        return False
+    again = isinstance(following, Event) and following.form == "ing" and participle
+    off = isinstance(following, Word) and following.value == "from"
+    return again or (off and state.last_prep is not None and state.last_prep.value == "from")

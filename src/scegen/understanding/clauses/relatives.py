@@ -39,16 +39,13 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
 
 def _acts(k: int, chunks: list[Chunk]) -> bool:
     """Whether a verb follows that wants an object and does not get one."""
-    auxiliary = False
     for m, chunk in enumerate(chunks[k + 1 : k + 1 + _REACH], start=k + 1):
         if isinstance(chunk, Event):
             after = chunks[m + 1] if m + 1 < len(chunks) else None
-            passive = auxiliary and chunk.form == "ed"
-            free = not isinstance(after, Mention) and not passive
+            free = not isinstance(after, Mention)
             return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
         if not isinstance(chunk, Word) or chunk.cat not in {"aux", "manner", "neg"}:
             return False
-        auxiliary = auxiliary or (chunk.cat, chunk.value) == ("aux", "be")
     return False
 
 
@@ -62,8 +59,6 @@ def close(event: Event, state: State) -> bool:
         return False
     actor, about = state.relative
     event.subject, event.object = [actor], about
-    kept = isinstance(about, Mention) or event.name == "merge"
-    event.name = event.name if kept else "inert"  # which place it is, not what is done
     event.negated = any(word.startswith("neg:") for word in state.between)
     state.relative = None
     state.events.append(event)

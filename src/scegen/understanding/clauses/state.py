@@ -31,7 +31,6 @@ class State:
         bracket: anchor and words between, as they were when a bracket opened.
         resumed: who goes on after a clause put between ("and, once it has passed, drives on").
         relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
-        verb_follows: another verb makes the clause after the participle just read.
         where: a clause has been opened that says what takes place somewhere.
         trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
         being: who is said to be somewhere before an "and" ("is 20 m away and doing 30 km/h").
@@ -55,10 +54,9 @@ class State:
     opening: list[Prep] = field(default_factory=list)
     last_prep: Prep | None = None
     bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
-    verb_follows: bool = False
     where: bool = False
     trailing: list[Mention] = field(default_factory=list)
-    relative: tuple[Mention, NounPhrase] | None = None
+    relative: tuple[Mention, Mention] | None = None
     relating: Mention | None = None
     resumed: list[Mention] = field(default_factory=list)
     being: Mention | None = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase
-from scegen.understanding.clauses.coordination import auxiliary, coordinate
+from scegen.understanding.clauses.coordination import auxiliary, coordinate, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
     depend,
@@ -21,9 +21,11 @@ PASSIVE = frozenset(
      "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
-_MOVING = frozenset({"enter", "lane_change", "cross", "move", "merge", "swerve", "sharp_turn"})
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
+
+_SHOWN = frozenset({"encounter", "cause", "prevent"})
+"""Verbs that say what their object is doing."""
 
 
 def link(event: Event, state: State) -> None:
@@ -63,8 +65,7 @@ def _link(event: Event, state: State) -> None:
         event.passive = event.name in _DESCRIBING & PASSIVE
         return
     if event.form == "ed" and event.name in PASSIVE:
-        reduced = isinstance(state.anchor, Mention) and "aux:have" not in state.between
-        event.passive = "aux:be" in state.between or (reduced and _bare_participle(event, state))
+        event.passive = "aux:be" in state.between
     if event.finite and event.subject:
         state.main = event.subject
         waits = "rel" in state.between and event.subject[-1] is state.candidate
@@ -77,20 +78,15 @@ def _without_ability(state: State) -> bool:
     return state.prep is not None and state.prep.value == "without" and bool(helped)
 
 
-def before_by(event: Event, state: State) -> None:
+def before_by(event: Event) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive.
 
     Args:
         event: the verb form right before "by".
-        state: what the clause reader remembers.
     """
     if event.form != "ed" or event.name not in PASSIVE or event.nominal:
         return
     event.passive = True
-    finite = [e for e in state.events if e.finite]
-    thing = bool(finite) and not finite[-1].subject and finite[-1] not in state.pending
-    if thing and "," in state.between:
-        event.subject = []  # "a ball rolls out, followed by a boy"
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
@@ -116,12 +112,6 @@ def _blocked(event: Event, state: State) -> bool:
         return False
     event.passive, event.object = True, anchor
     return True
-
-
-def _bare_participle(event: Event, state: State) -> bool:
-    """``the car hit by a truck`` has no auxiliary, but it is not the end of its clause either."""
-    anchor = state.anchor
-    return isinstance(anchor, Mention) and anchor is not state.candidate and not event.finite
 
 
 def _clause(event: Event, state: State) -> None:
@@ -203,7 +193,7 @@ def _after_comma(event: Event, state: State) -> None:
     if waiting and (state.anchor is who or placed) and state.candidate is not None:
         event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
         return
-    beside = None if event.finite else _told_beside(event, state)
+    beside = None if event.finite else _on_foot(event, state) or told_beside(state, "with", "by")
     if beside is not None:
         event.subject = [beside]
         return
@@ -217,16 +207,10 @@ def _after_comma(event: Event, state: State) -> None:
         state.pending.append(event)
 
 
-def _told_beside(event: Event, state: State) -> Mention | None:
-    """``with the ego behind it, doing 50 km/h``; ``hit by a van, travelling …``; who runs."""
+def _on_foot(event: Event, state: State) -> Mention | None:
+    """``a child …, running``: who is on foot."""
     on_foot = [m for m in state.mentions if m.head is not None and m.head.value == "pedestrian"]
-    if event.name == "walk" and on_foot:
-        return on_foot[-1]
-    since = state.events[-1].i if state.events else 0
-    return next(
-        (m for m in state.mentions if m.i > since and m.prep and m.prep.value in {"with", "by"}),
-        None,
-    )
+    return on_foot[-1] if event.name == "walk" and on_foot else None
 
 
 def _inherit_mood(event: Event, state: State) -> None:
@@ -250,11 +234,6 @@ def main_in_sentence(state: State) -> list[Mention]:
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     waiting = state.candidate is not None and not state.candidate_done
     if event.finite and waiting and state.candidate is not None:
-        past = event.form == "ed" and anchor is not state.candidate and not auxiliary(state)
-        if past and not _resumes(event, anchor, state):
-            event.finite = False
-            event.subject = chain(anchor)
-            return
         event.subject = chain(state.candidate)
         return
     if anchor is not state.candidate:
@@ -264,41 +243,11 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
         return
-    if last is not None and last.object is anchor and _by_doing(event, last, anchor):
-        event.subject = last.subject  # "overtakes a bus using the oncoming lane"
-        return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         depend(event, last, "ing")
-    granted = last is not None and last.object is anchor and last.name in {"leave", "inert"}
-    if granted and "neg:unable" in state.between:
-        event.name = "inert"  # "leaving the ego no time to brake"
-    if last is not None and _pronoun_object(anchor, last) and not event.finite:
+    told = anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads)
+    done_to = last is not None and last.object is anchor and last.name not in _SHOWN
+    if last is not None and done_to and told and not event.finite:
         event.subject = last.subject  # "nearly hit me coming from the right"
         return
     event.subject = chain(anchor)
-
-
-def _by_doing(event: Event, last: Event, passed: Mention) -> bool:
-    """Whether a participle says how somebody is passed, and not what the one passed does."""
-    if event.form != "ing" or last.name not in {"overtake", "bypass", "pass", "avoid"}:
-        return False
-    parked = any(m.cat == "state" for m in passed.mods)
-    return event.name == "use" or (parked and event.name in _MOVING)
-
-
-def _resumes(event: Event, anchor: Mention, state: State) -> bool:
-    """``the car coming towards us began …``: the verb of the clause, not said of "us"."""
-    if anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads):
-        return True
-    last = state.events[-1] if state.events else None
-    embedded = last is not None and last.object is anchor and last.form == "ing"
-    describing = event.name in _DESCRIBING | PASSIVE | {"stop"}
-    return embedded and not describing and not state.verb_follows
-
-
-def _pronoun_object(anchor: Mention, verb: Event) -> bool:
-    """Pronouns are not described further, except where they are seen to do something."""
-    bare = anchor.pronoun in {"it", "him", "they"} or bool(
-        anchor.head and anchor.head.data.get("me")
-    )
-    return verb.object is anchor and bare and verb.name not in {"encounter", "cause", "prevent"}

@@ -6,8 +6,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.alighting import open_from_inside
-from scegen.understanding.reference.bystanders import mark_bystanders, put_there
-from scegen.understanding.reference.reference import tells
+from scegen.understanding.reference.reference import is_pronoun, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -41,15 +40,13 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
         if isinstance(chunk, Mention):
             chunk.sides |= _sides(chunk.pps)
     _people__in_traffic(chunks, events)
-    mark_bystanders(chunks, events)
+    _aside(chunks, events)
     _chases(events)
     _own_vehicles(events, tokens)
     _vehicles_of_parties(chunks)
     _drivers(events, tokens)
     _ridden(chunks, tokens)
-    _towed(events)
     _left_standing(events, tokens)
-    put_there(chunks, tokens)
     _done_already(events, tokens)
 
 
@@ -120,18 +117,13 @@ def _breaks_a_rule(event: Event) -> bool:
     )
 
 
-def _for_walkers(place: Place) -> bool:
-    """``the red man``: a light for people on foot."""
-    return place.head is not None and "walk" in place.head.data
-
-
 def _by_word(mention: Mention, word: Token) -> None:
     """``the claimant was cycling``, ``the insured walked``: people who are no drivers."""
     base = word.forms[-1][0]
-    party = any("party" in h.data for h in mention.heads)
+    walks = base in word_list("walking") and any("driver" in h.data for h in mention.heads)
     if base in _CYCLING and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE
-    elif base in word_list("walking") and (party or any("driver" in h.data for h in mention.heads)):
+    elif walks:
         mention.goes_by = ParticipantKind.PEDESTRIAN
 
 
@@ -148,37 +140,15 @@ def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
         whose = what.mods[0] if what.mods else None
         own = whose is not None and whose.cat == "possessive" and whose.value == "its"
         operates = tokens[event.i].forms[-1][0] in word_list("operating")
-        party = (who.label or "").startswith("#")  # "driver 2, who was riding a motorcycle"
-        driven = operates and (_is_person(who) or who.pronoun is not None or tells(who) or party)
+        driven = operates and (_is_person(who) or tells(who))
         driven = driven or (event.name == "reverse" and _is_person(who))  # "a man backs a van out"
         if what.heads and not what.label and (own or driven):
             what.same_as = who
             who.drives = True
 
 
-def _drivers(events: list[Event], tokens: list[Token]) -> None:
-    """``a van driven by a student``: the student drives it."""
-    for event in events:
-        if tokens[event.i].forms[-1][0] not in word_list("operating") or event.form != "ed":
-            continue
-        for prep in event.pps if event.subject else []:
-            if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
-                prep.target.same_as = event.subject[-1]
-
-
 def _is_person(mention: Mention) -> bool:
     return any(h.value in {"driver", "pedestrian", "rider"} for h in mention.heads)
-
-
-def _vehicles_of_parties(chunks: list[Chunk]) -> None:
-    """``the insured's van``, ``driver 2's car``: its owner stands for it."""
-    for chunk in chunks:
-        owner = chunk.owner if isinstance(chunk, Mention) else None
-        if owner is None or not isinstance(chunk, Mention) or not chunk.heads:
-            continue
-        drives = any("driver" in h.data for h in owner.heads)
-        if drives and not _is_person(chunk):
-            chunk.same_as = owner
 
 
 def _chases(events: list[Event]) -> None:
@@ -187,22 +157,6 @@ def _chases(events: list[Event]) -> None:
         if event.name == "chase":
             afoot = any(h.value == "pedestrian" for m in event.subject for h in m.heads)
             event.name = "cross" if afoot and not event.passive else "follow"
-
-
-def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
-    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
-    tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
-    for teller in tellers:
-        for prep in teller.pps:
-            if tokens[prep.word.i].low in word_list("aboard"):
-                _stands_for(teller, prep.target)
-
-
-def _towed(events: list[Event]) -> None:
-    """``a car towing a van``, ``a van towed by a car``: what is towed does not drive."""
-    for event in (e for e in events if e.name == "tow"):
-        if isinstance(event.object, Mention) and not event.passive:
-            event.object.negated = True
 
 
 def _left_standing(events: list[Event], tokens: list[Token]) -> None:
@@ -216,12 +170,6 @@ def _left_standing(events: list[Event], tokens: list[Token]) -> None:
             who.negated = True
             what.same_as = None
             what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
-
-
-def _stands_for(who: Mention, what: object) -> None:
-    if isinstance(what, Mention) and _vehicle(what) and what.same_as is None and what is not who:
-        what.same_as = who
-        who.drives = True
 
 
 def _vehicle(noun: object) -> bool:
@@ -269,16 +217,6 @@ def _along(mention: Mention) -> bool:
     return False
 
 
-def _takes_a_turn(event: Event) -> bool:
-    """``makes a left``: who says so means a driver."""
-    target = event.object
-    return event.name == "light" and isinstance(target, Place) and target.kind == "side"
-
-
-def _by_car(event: Event, tokens: list[Token]) -> bool:
-    return tokens[event.i].forms[-1][0] in word_list("steering")
-
-
 def _in_traffic(event: Event, tokens: list[Token]) -> bool:
     """``the man coming the other way``, ``she turns into her drive``: only drivers do so.
 
@@ -289,9 +227,72 @@ def _in_traffic(event: Event, tokens: list[Token]) -> bool:
     if event.name == "move":
         return any(d.value == "opposite" for d in event.dirs)
     goals: list[object] = [p.target for p in event.pps if p.value in {"into", "in"}]
-    if event.name == "enter" and _by_car(event, tokens):
+    if event.name == "enter" and tokens[event.i].forms[-1][0] in word_list("steering"):
         goals.append(event.object)
     goes_in = any(isinstance(g, Place) and g.kind in _OFF_THE_ROAD for g in goals)
     return (
         event.name in {"turn", "sharp_turn", "pull_over", "enter"} and not event.nominal and goes_in
     )
+
+
+def _for_walkers(place: Place) -> bool:
+    """``the red man``: a light for people on foot."""
+    return place.head is not None and "walk" in place.head.data
+
+
+def _aside(chunks: list[Chunk], events: list[Event]) -> None:
+    """``officers said …``, ``two people were hurt``: nobody who takes part."""
+    for event in events:
+        told = [p.target for p in event.pps if p.value == "to"]
+        for mention in [*event.subject, event.object, *told] if event.says else []:
+            if isinstance(mention, Mention) and any("onlooker" in h.data for h in mention.heads):
+                mention.negated = True
+    referred = [c.i for c in chunks if isinstance(c, Mention) and is_pronoun(c)]
+    doing = {id(m) for e in events if e.name != "harm" for m in (*e.subject, e.object)}
+    for event in (e for e in events if e.name == "harm"):
+        for hurt in event.subject if event.passive or event.object is None else [event.object]:
+            if isinstance(hurt, Mention) and id(hurt) not in doing and _person(hurt):
+                afoot = any("afoot" in h.data for h in hurt.heads)
+                hurt.negated = not (hurt.pps or afoot or any(i > event.i for i in referred))
+
+
+def _drivers(events: list[Event], tokens: list[Token]) -> None:
+    """``a van driven by a student``: the student drives it."""
+    for event in events:
+        if tokens[event.i].forms[-1][0] not in word_list("operating") or event.form != "ed":
+            continue
+        for prep in event.pps if event.subject else []:
+            if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
+                prep.target.same_as = event.subject[-1]
+
+
+def _vehicles_of_parties(chunks: list[Chunk]) -> None:
+    """``the insured's van``, ``driver 2's car``: its owner stands for it."""
+    for chunk in chunks:
+        owner = chunk.owner if isinstance(chunk, Mention) else None
+        if owner is None or not isinstance(chunk, Mention) or not chunk.heads:
+            continue
+        drives = any("driver" in h.data for h in owner.heads)
+        if drives and not _is_person(chunk):
+            chunk.same_as = owner
+
+
+def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
+    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
+    tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
+    for teller in tellers:
+        for prep in teller.pps:
+            if tokens[prep.word.i].low in word_list("aboard"):
+                _stands_for(teller, prep.target)
+
+
+def _stands_for(who: Mention, what: object) -> None:
+    if isinstance(what, Mention) and _vehicle(what) and what.same_as is None and what is not who:
+        what.same_as = who
+        who.drives = True
+
+
+def _takes_a_turn(event: Event) -> bool:
+    """``makes a left``: who says so means a driver."""
+    target = event.object
+    return event.name == "light" and isinstance(target, Place) and target.kind == "side"

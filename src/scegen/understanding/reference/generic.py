@@ -22,7 +22,6 @@ def mark_generic(chunks: list[Chunk], events: list[Event]) -> None:
         chunks: the chunks of the text; who is nobody in particular is marked as ``negated``.
         events: its events.
     """
-    entered = {id(e.object) for e in events if e.name in {"enter", "merge", "inert"}}
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     each = {
         id(p.target)
@@ -35,8 +34,6 @@ def mark_generic(chunks: list[Chunk], events: list[Event]) -> None:
             continue
         if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
             chunk.negated = True  # "each 20 m from the car in front": the next of them
-        if id(chunk) in entered and "mass" in chunk.head.data and not chunk.mods:
-            chunk.negated = True  # "entering traffic from a driveway, a van …"
         if chunk.prep is None:
             chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
             continue

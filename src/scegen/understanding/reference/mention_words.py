@@ -68,7 +68,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     single = numbered is not None and numbered.data["number"] == 1  # "one in each lane", too
     det_value = det.value if det else ("one" if single else "bare")
     if det and det.cat == "possessive":
-        det_value = "indef" if _a_strangers(mention) else "def"
+        det_value = "def"
     labels = {h.data["label"] for h in heads if "label" in h.data}
     labels |= {m.value for m in mention.mods if m.cat == "label" and m.value == "adversary"}
     labels |= {tokens[m.i].low for m in mention.mods if m.cat == "label" and m.value == "colour"}
@@ -90,15 +90,6 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         reason=reason,
         called=called(mention, tokens),
     )
-
-
-def _a_strangers(mention: Mention) -> bool:
-    """``somebody's car``, ``my neighbour's car``: nobody's that takes part."""
-    owner = mention.owner
-    if owner is None or owner.head is None:
-        return False
-    aside = owner.head.value == "pedestrian" and not owner.entities
-    return aside or "vague" in owner.head.data
 
 
 def _mine(mention: Mention, kind: ParticipantKind) -> bool:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.everybody import everybody
 from scegen.understanding.reference.roster import Roster
 from scegen.understanding.words.ordinals import POSITIONS
@@ -47,22 +48,17 @@ class Pronouns:
             return self._single(mention, exclude)
         if which == "they" and not mention.walks and all(e.ego for e in self.draft.entities):
             return self._new_driver(mention)
-        if which == "neither" and self.tokens[mention.i].low == "none":
-            return everybody(mention, self.draft)
         if which in {"they", "both", "all", "neither"}:
             return self._together(mention, exclude)
         if which == "other":
             rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
-            if len(self.roster.subject) > 1 and not rest:
-                return []  # "neither can see past the other": of those just spoken of
             return rest or [self.roster.new(ParticipantKind.CAR, basis)]
         if which == "ordinal":
             found = self._ordinal(mention)
             if found:
                 return found
             if mention.mods and mention.mods[0].value == "indef":
-                alike = [e.kind for e in self.roster.recent if e.is_vehicle]
-                return [self.roster.new((alike or [ParticipantKind.CAR])[-1], basis)]
+                return self.roster.further(exclude, basis)
         if which == "another":
             return self.roster.further(exclude, basis)
         return self._counted(mention, exclude, basis)
@@ -71,9 +67,7 @@ class Pronouns:
         """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
         one = len(self.draft.entities) == 1 and not self.draft.entities[0].ego
         if mention.pronoun == "both" and one:
-            ego = self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))
-            ego.ego = ego.claimed = True
-            ego.named_by.add("ego")
+            the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
         meant = self.roster.together(exclude)
         number = mention.mod("num")
         if number is not None and int(number.data["number"]) != len(meant):
@@ -85,8 +79,6 @@ class Pronouns:
         return meant
 
     def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        if mention.landmark and mention.pronoun == "it" and self.roster.landmark:
-            return self.roster.landmark
         subject, recent = self.roster.subject, self.roster.recent
         word = self.tokens[mention.i].low
         if word == "it":
@@ -177,32 +169,21 @@ class Pronouns:
             whole = mention.whole.entities
             exclude = [*exclude, *(e for e in self.draft.entities if e not in whole)]
         count = 1
-        if which == "others" and mention.mod("num") is None:
-            opened = [g for g in self.roster.groups if 0 < len(g.free) < len(g.members)]
-            return picked(opened[-1].free) if opened else []
-        if which in {"count", "others", "further"}:
-            count = int(mention.mods[0].data["number"])
-        coloured = {self.tokens[m.i].low for m in mention.mods if m.value == "colour"}
-        painted = [e for e in self.roster.recent if coloured & e.labels]
-        if painted and which == "one":
-            return painted[-1:]
         named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
         if named and which == "one" and mention.mods and mention.mods[0].value == "def":
             return named[-1:]  # "the one from the left"
-        definite = which == "one" and any(m.value == "def" for m in mention.mods)
-        pointed = definite and self.tokens[mention.i].low in {"that", "this"}
-        free = which != "further" and not pointed
-        claimed = self.roster.claim(count, exclude) if free else []
+        number = mention.mod("num") if which in {"count", "others", "further"} else None
+        if which == "others" and number is None:
+            opened = [g for g in self.roster.groups if 0 < len(g.free) < len(g.members)]
+            return picked(opened[-1].free) if opened else []
+        count = int(number.data["number"]) if number is not None else 1
+        claimed = self.roster.claim(count, exclude) if which != "further" else []
         if which in {"others", "further"} and not claimed:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
             kind = (alike or [ParticipantKind.CAR])[-1]
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
         if claimed or which == "count":
             return picked(claimed) if which in {"one", "count"} and not mention.sides else claimed
-        if definite and not mention.sides and (pointed or _placed(mention)):
-            others = [e for e in self.roster.recent if not e.ego and e not in exclude]
-            if others:
-                return others[-1:]  # "another waits in the stem; the one in the stem …"
         new = which != "one" or bool(self.roster.recent)
         kinds = {e.kind for e in self.draft.entities if not e.ego}
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
@@ -219,7 +200,3 @@ def picked(entities: list[Entity]) -> list[Entity]:
     for entity in entities:
         entity.some = entity.claimed = True
     return entities
-
-
-def _placed(mention: Mention) -> bool:
-    return any(isinstance(p.target, Place) for p in mention.pps)

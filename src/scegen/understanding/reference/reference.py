@@ -10,17 +10,6 @@ from scegen.understanding.reference.mention_words import Reading, read_mention
 _MOTOR = frozenset(ParticipantKind) - ON_FOOT
 _DENSITY = frozenset({"manner", "inert", "unknown", "noted"})
 """Classes of words that say how dense traffic is."""
-_RIDDEN = frozenset({ParticipantKind.MOTORCYCLE, ParticipantKind.BICYCLE})
-
-
-def own_vehicle(reading: Reading, mention: Mention, owners: list[Entity]) -> bool:
-    """``the driver opens the door of his vehicle``: what the driver stands for."""
-    possessed = bool(mention.mods) and mention.mods[0].cat == "possessive"
-    whose = possessed and mention.mods[0].value == "its"
-    riding = reading.kind in _RIDDEN and any(e.kind in _RIDDEN for e in owners)
-    if mention.goes_by is ParticipantKind.PEDESTRIAN:
-        return False  # "its driver walks along the road"
-    return whose and (reading.generic or riding) and not reading.plural and not reading.dirs
 
 
 def is_pronoun(target: object) -> bool:
@@ -32,9 +21,8 @@ def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
     prep = mention.prep.value if mention.prep is not None else ""
     first = [m.value for m in mention.mods[:1]]
-    traffic = mention.head is not None and "mass" in mention.head.data
-    if prep == "without" and (first in (["indef"], ["other"]) or (traffic and first != ["def"])):
-        return True  # "without any target", "without other cars", "without oncoming traffic"
+    if prep == "without" and first in (["indef"], ["other"]):
+        return True  # "without any target", "without other cars"
     mass = bool(mention.head and mention.head.data.get("mass")) and all(
         m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
     )
@@ -75,11 +63,6 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     """
     if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
-    person = mention.head is not None and mention.head.value == "pedestrian" and reading.driver
-    if person and entity.ego and any(m.value == "first_person" for m in mention.mods[:1]):
-        return True  # "my neighbour": not the one who tells it
-    if person and (mention.pps or mention.narrowed) and entity.is_vehicle:
-        return not reading.called & entity.named_by  # "the bloke behind me"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
     return bare and bool(mention.pps) and bool(entity.dirs)
 

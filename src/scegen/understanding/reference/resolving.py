@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from dataclasses import dataclass, field
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
@@ -12,13 +14,81 @@ from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import mark_generic
-from scegen.understanding.reference.groups import rank
+from scegen.understanding.reference.ranks import rank
 from scegen.understanding.words.tokens import Token
 
-_CLOSING_IN = frozenset({"avoid"})
 _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
-_BEHIND = frozenset({"follow", "tailgate"})
+_FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
 _BACK = frozenset({"it", "him", "they"})
+
+
+@dataclass(slots=True)
+class _Bonds:
+    """What the clauses say about whom a mention can mean, by the mention.
+
+    Attributes:
+        unlike: whom it cannot mean: who acts on it, and whom it places.
+        follows: events that drive behind it, or up to it.
+        passed: what is driven around.
+        subjects: those that a clause tells of.
+        settled: those of whom the text says which way they go.
+        everywhere: those that come one from each of so many sides.
+    """
+
+    unlike: dict[int, list[NounPhrase]] = field(default_factory=lambda: defaultdict(list))
+    follows: dict[int, list[Event]] = field(default_factory=lambda: defaultdict(list))
+    passed: set[int] = field(default_factory=set)
+    subjects: set[int] = field(default_factory=set)
+    settled: set[int] = field(default_factory=set)
+    everywhere: dict[int, int] = field(default_factory=dict)
+
+
+def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bonds:
+    objects = {id(e.object) for e in events}
+    subjects = {
+        id(m)
+        for e in events
+        for m in e.subject
+        if not aside(e, events) and (e.finite or not (id(m) in objects or m.prep is not None))
+    }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
+    found = _Bonds(
+        subjects=(subjects | _said_to_be_there(chunks)) - _in_reasons(chunks, tokens),
+        settled=_settled(events),
+        everywhere=sides_of(events, chunks),
+    )
+    mentions = [c for c in chunks if isinstance(c, Mention)]
+    for event in events:
+        _done_to(event, mentions, found)
+    for mention in mentions:
+        for prep in mention.pps:
+            by = prep.target
+            if isinstance(by, Mention) and prep.word.cat == "locus":
+                found.unlike[id(by)].append(mention)  # "a bus behind it"
+            elif isinstance(by, Place) and by.owner is not None:
+                found.unlike[id(by.owner)].append(mention)  # "two vans on either side of it"
+    return found
+
+
+def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
+    """Who acts is none of those on whom it is done."""
+    known = event.object
+    if known is not None:
+        found.unlike[id(known)] += event.subject
+        found.passed |= {id(known)} if event.name == "bypass" else set()
+        if event.name in _FOLLOWING:
+            found.follows[id(known)].append(event)
+    for who in event.subject if isinstance(known, Mention) else []:
+        if who.pronoun and known is not None and known.i < who.i:
+            found.unlike[id(who)].append(known)  # "the van it is following": "it" is not the van
+    for prep in event.pps:
+        by = prep.target
+        if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):
+            found.follows[id(by)] += [event] if prep.on_mention is None else []
+        if not isinstance(by, Mention) or prep.on_mention not in (None, *event.subject):
+            continue
+        if _is_it(by) or _definite(by) or prep.value == "between":
+            for beside in (by, *(m for m in mentions if m.joined is by)):
+                found.unlike[id(beside)] += event.subject  # "between the ego and the van ahead"
 
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
@@ -32,55 +102,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     describe(chunks, events, discourse.tokens)
     mark_generic(chunks, events)
     rank(chunks, events, discourse.tokens)
-    objects = {id(e.object) for e in events}
-    subjects = {
-        id(m)
-        for e in events
-        for m in e.subject
-        if not aside(e, events) and (e.finite or not (id(m) in objects or m.prep is not None))
-    }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
-    subjects = (subjects | _said_to_be_there(chunks)) - _in_reasons(chunks, discourse.tokens)
-    acted_on = {id(e.object): e for e in events if e.object is not None}
-    everywhere = sides_of(events, chunks)
-    beside = _beside(chunks)
-    settled = _settled(events)
-    around = {
-        id(m): e
-        for e in events
-        for p in e.pps
-        if isinstance(p.target, Mention)
-        and (p.on_mention is None or p.on_mention in e.subject)
-        and (_is_it(p.target) or _definite(p.target) or p.value == "between")
-        for m in (p.target, *(c for c in chunks if isinstance(c, Mention) and c.joined is p.target))
-    }  # "drives between the ego and the van ahead": not the van itself
-    behind = {
-        id(p.target): e
-        for e in events
-        for p in e.pps
-        if (p.word.cat, p.value, p.outer) == ("locus", "behind", None) and p.on_mention is None
-    }
-    relative = {
-        id(m): e.object
-        for e in events
-        for m in e.subject
-        if m.pronoun and isinstance(e.object, Mention) and e.object.i < m.i
-    }  # "the van it is following": "it" is not the van
-    acted_on = {**around, **acted_on}
-    heads = {
-        id(p.target): c
-        for c in chunks
-        if isinstance(c, Mention)
-        for p in c.pps
-        if p.word.cat == "locus" and isinstance(p.target, Mention)
-    } | relative
-    heads |= {
-        id(p.target.owner): c
-        for c in chunks
-        if isinstance(c, Mention)
-        for p in c.pps
-        if isinstance(p.target, Place) and p.target.owner is not None
-    }  # "two vans on either side of it"
-    held = _held_by(chunks)
+    bonds = _bonds(chunks, events, discourse.tokens)
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
     stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
@@ -89,26 +111,22 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         _told_by_somebody(chunk, discourse)
         if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue
-        if id(chunk) in held:
-            continue
         if chunk.partitive and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
             continue
         if chunk.pronoun in _BACK and _named_later(chunk, chunks):
             early.append(chunk)
             continue
-        _resolve(chunk, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        _resolve(chunk, discourse, bonds)
         if id(chunk) in stand:
             _parked(chunk, stand[id(chunk)])
-        if early and id(chunk) in subjects:
+        if early and id(chunk) in bonds.subjects:
             waiting, early = [*waiting, *early], []
         for earlier in waiting:
-            _resolve(
-                earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind
-            )
+            _resolve(earlier, discourse, bonds)
         waiting = []
     for earlier in (*waiting, *early):
-        _resolve(earlier, discourse, subjects, acted_on, everywhere, beside, settled, heads, behind)
+        _resolve(earlier, discourse, bonds)
 
 
 def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
@@ -179,43 +197,25 @@ def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     return False
 
 
-def _resolve(
-    mention: Mention,
-    discourse: Discourse,
-    subjects: set[int],
-    acted_on: dict[int, Event],
-    everywhere: dict[int, int],
-    beside: dict[int, Mention],
-    settled: set[int],
-    heads: dict[int, Mention],
-    behind: dict[int, Event],
-) -> None:
-    event = acted_on.get(id(mention))
-    exclude = [e for m in event.subject for e in m.entities] if event else []
+def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
+    unlike = [m for m in bonds.unlike[id(mention)] if isinstance(m, Mention)]
     if mention.joined is not None and mention.pronoun is None:
-        exclude = [*exclude, *mention.joined.entities]  # "a van and the van behind": two
-    stands = [e for e in discourse.entities if e.parked]
-    if event is not None and event.name == "bypass" and mention.pronoun == "it" and stands:
+        unlike.append(mention.joined)  # "a van and the van behind": two
+    exclude = [e for m in unlike for e in m.entities]
+    stands = any(e.parked for e in discourse.entities)
+    if id(mention) in bonds.passed and mention.pronoun == "it" and stands:
         exclude += [e for e in discourse.entities if not e.parked]  # "drives around it"
-    described = heads.get(id(mention))
-    if described is not None:
-        exclude = [*exclude, *described.entities]  # "a bus behind it": "it" is not the bus
-    placed = beside.get(id(mention))
-    if placed is not None:
-        exclude = [*exclude, *placed.entities]
     discourse.resolve(
         mention,
-        subject=id(mention) in subjects,
+        subject=id(mention) in bonds.subjects,
         exclude=exclude,
-        sides=everywhere.get(id(mention)),
-        settled=id(mention) in settled,
+        sides=bonds.everywhere.get(id(mention)),
+        settled=id(mention) in bonds.settled,
     )
-    _seen_from_the_ego(mention, described)
-    if event is not None and event.name in _BEHIND | _CLOSING_IN and mention is event.object:
+    for placed in unlike:
+        _seen_from_the_ego(mention, placed)
+    for event in bonds.follows[id(mention)]:
         _in_front_of_the_ego(mention, event)
-    driving = behind.get(id(mention))
-    if driving is not None:
-        _in_front_of_the_ego(mention, driving)
 
 
 def _in_front_of_the_ego(mention: Mention, event: Event) -> None:
@@ -226,29 +226,15 @@ def _in_front_of_the_ego(mention: Mention, event: Event) -> None:
             entity.loci.add("ahead")
 
 
-def _seen_from_the_ego(mention: Mention, described: Mention | None) -> None:
+def _seen_from_the_ego(mention: Mention, described: Mention) -> None:
     """``I am behind a lorry``: the lorry is not "the car behind me"."""
-    if described is None or not any(e.ego for e in described.entities):
+    if not any(e.ego for e in described.entities):
         return
     for prep in described.pps:
         if prep.target is mention and prep.value in {"ahead", "behind"}:
             side = "behind" if prep.value == "ahead" else "ahead"
             for entity in mention.entities:
                 entity.loci.add(side)
-
-
-def _held_by(chunks: list[Chunk]) -> set[int]:
-    """``slips out of its mother's hand``: she only has the hand."""
-    return {
-        id(who)
-        for who, joint, part in zip(chunks, chunks[1:], chunks[2:], strict=False)
-        if isinstance(who, Mention)
-        and any(m.cat == "possessive" for m in who.mods)
-        and isinstance(joint, Word)
-        and joint.value == "genitive"
-        and (isinstance(part, Word | Thing) or getattr(part, "kind", "") == "leg")  # "arms"
-        and _on_no_road(who)
-    }
 
 
 def _on_no_road(owner: Mention) -> bool:
@@ -271,14 +257,3 @@ def _definite(mention: Mention) -> bool:
 
 def _is_it(target: object) -> bool:
     return isinstance(target, Mention) and target.pronoun in {"it", "him"}
-
-
-def _beside(chunks: list[Chunk]) -> dict[int, Mention]:
-    """Whom a noun in "the car behind it" places; it cannot mean the same."""
-    return {
-        id(prep.target): chunk
-        for chunk in chunks
-        if isinstance(chunk, Mention)
-        for prep in chunk.pps
-        if prep.word.cat == "locus" and isinstance(prep.target, Mention)
-    }

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from itertools import pairwise
 
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.calling import contradict
 from scegen.understanding.reference.groups import Group, in_list
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.words.ordinals import POSITIONS
@@ -17,8 +15,6 @@ from scegen.understanding.words.tokens import Token
 
 _MOTOR = frozenset(ParticipantKind) - ON_FOOT
 _RIDDEN = ParticipantKind.MOTORCYCLE
-_REST = 12
-"""Within so many words "the other" tells that somebody is one of two."""
 
 
 @dataclass(slots=True)
@@ -105,8 +101,6 @@ class Roster:
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
         for group in reversed(self.groups):
-            if group.vague and group.dirs - reading.dirs:
-                continue  # "across oncoming traffic": others than those with a name
             nameless = [
                 e
                 for e in group.free
@@ -145,56 +139,6 @@ class Roster:
         return reading.det in {"indef", "one", "bare"} and in_list(
             self.groups, self.tokens, mention
         )
-
-    def last_is_ego(self, mention: Mention) -> None:
-        """``three cars: the first …, the second …, and the ego``: the one that is left."""
-        if any(e.ego for e in self.draft.entities):
-            return
-        for group in reversed(self.groups):
-            counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
-            counted = counted or self._of_two(group, mention)
-            listed = (
-                group is self.groups[-1]
-                and bool(group.free)
-                and in_list(self.groups, self.tokens, mention)
-            )
-            last = group.free[0] if counted or listed else None
-            if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
-                last.ego = last.claimed = True
-                last.named_by.add("ego")
-
-    def ego_by_order(self, mention: Mention) -> None:
-        """``three cars in a row …, the ego is the last``: one of them."""
-        after = [t.low for t in self.tokens[mention.j : mention.j + 3]]
-        named = after[:2] == ["is", "the"] and bool(after[2:])
-        position = (
-            -1 if named and after[2] == "last" else POSITIONS.get(after[2]) if named else None
-        )
-        if position is None or any(e.ego for e in self.draft.entities) or not self.groups:
-            return
-        members = self.groups[-1].members
-        if not -len(members) <= position < len(members) or self.groups[-1].vague:
-            return
-        chosen = members[position]
-        if chosen.kind is ParticipantKind.CAR and not chosen.parked:
-            chosen.ego = chosen.claimed = True
-            chosen.named_by.add("ego")
-
-    def _of_two(self, group: Group, mention: Mention) -> bool:
-        """``two cars drive in one lane, the ego behind the other``: one of the two."""
-        pair = len(group.members) == 2 == len(group.free) and not group.vague
-        pair = pair and all(e.kind is ParticipantKind.CAR for e in group.members)
-        after = [t.low for t in self.tokens[mention.j : mention.j + _REST]]
-        return pair and any(a == "the" and b == "other" for a, b in pairwise(after))
-
-    def told_what(self, reading: Reading, basis: Basis) -> list[Entity]:
-        """``three of us …, the van on my right``: what one of the others drives."""
-        for group in self.groups:
-            if group.unnamed and group.free and not reading.ego:
-                entity = group.free[0]
-                entity.kind, entity.basis, entity.claimed = reading.kind, basis, True
-                return [entity]
-        return []
 
     def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
         """``the first car``, ``the second truck``: by the order in which they came up.
@@ -251,8 +195,6 @@ class Roster:
             kind = entity.kind is reading.kind or self._motorbike(entity, reading)
         if reading.labels and not reading.labels <= entity.labels:
             return False
-        if contradict(entity.named_by, reading.called):
-            return False
         if entity.ego and "target" in " ".join(reading.called):
             return False  # a target is never the vehicle under test
         return kind and (entity.parked or not reading.parked)
@@ -263,34 +205,20 @@ class Roster:
         kinds = {e.kind for e in self.draft.entities}
         return named and entity.kind is _RIDDEN and ParticipantKind.BICYCLE not in kinds
 
-    def cast(self, reading: Reading, *, narrowed: bool, loci: set[str]) -> list[Entity]:
-        """``a leading car … the adversarial leading car``: somebody known gets the role.
+    def cast(self, reading: Reading, loci: set[str]) -> list[Entity]:
+        """``a bus … the adversarial bus``: somebody known gets the role, if only one can.
 
         Args:
             reading: what the words say.
-            narrowed: further words say which one is meant.
-            loci: where these words put it, if they say no more than that.
+            loci: where these words put it, as the ego sees it.
         """
-        if reading.det != "def" or reading.plural or reading.labels != {"adversary"}:
+        named = any("adversary" in e.labels for e in self.draft.entities)
+        if named or reading.plural or reading.labels != {"adversary"}:
             return []
-        if any("adversary" in e.labels for e in self.draft.entities):
-            return []
-        others = [e for e in self.draft.entities if not e.ego]
-        lone = len(others) == 1 < len(self.draft.entities) and not narrowed
-        if lone and others[0].kind is reading.kind and not (others[0].parked or reading.dirs):
-            return others
-        alike = [
-            e
-            for e in others
-            if (e.kind is reading.kind or (reading.generic and e.is_vehicle))
-            and e.dirs == reading.dirs
-            and not e.parked
-        ]
-        unclear = narrowed or (reading.generic and not reading.dirs)
-        together = any(all(e in g.members for e in alike) for g in self.groups)
-        certain = len(alike) == 1 or (together and bool(alike))
-        agrees = len(alike) == 1 and bool(loci & alike[0].loci)
-        return alike[:1] if certain and (reading.dirs or agrees or not unclear) else []
+        others = [e for e in self.draft.entities if not (e.ego or e.parked)]
+        alike = [e for e in others if e.kind is reading.kind and e.dirs == reading.dirs]
+        one = len(alike) == 1 and reading.det == "def"
+        return alike if one and (not loci or loci & alike[0].loci) else []
 
     def enrich(self, known: list[Entity], reading: Reading) -> None:
         """What a further mention says of known participants."""

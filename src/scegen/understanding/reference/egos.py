@@ -1,0 +1,115 @@
+"""Which participant is the ego: the one called so, or one of those named together."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.reference.groups import Group, in_list
+from scegen.understanding.reference.mention_words import Reading
+from scegen.understanding.reference.roster import Roster
+from scegen.understanding.words.ordinals import POSITIONS
+
+_REST = 12
+"""Within so many words "the other" tells that somebody is one of two."""
+
+
+def _take(entity: Entity) -> Entity:
+    entity.ego = entity.claimed = True
+    entity.named_by.add("ego")
+    return entity
+
+
+def the_ego(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
+    """The ego, a new participant if nobody is it yet.
+
+    Args:
+        roster: who is known.
+        kind: what it drives, if it is new.
+        basis: the words for it.
+    """
+    known = next((e for e in roster.draft.entities if e.ego), None)
+    return known or _take(roster.new(kind, basis))
+
+
+def last_is_ego(roster: Roster, mention: Mention) -> None:
+    """``three cars: the first …, the second …, and the ego``: the one that is left."""
+    if any(e.ego for e in roster.draft.entities):
+        return
+    for group in reversed(roster.groups):
+        counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
+        counted = counted or _of_two(roster, group, mention)
+        listed = (
+            group is roster.groups[-1]
+            and bool(group.free)
+            and in_list(roster.groups, roster.tokens, mention)
+        )
+        last = group.free[0] if counted or listed else None
+        if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
+            _take(last)
+
+
+def ego_by_order(roster: Roster, mention: Mention) -> None:
+    """``three cars in a row …, the ego is the last``: one of them."""
+    after = [t.low for t in roster.tokens[mention.j : mention.j + 3]]
+    named = after[:2] == ["is", "the"] and bool(after[2:])
+    position = -1 if named and after[2] == "last" else POSITIONS.get(after[2]) if named else None
+    if position is None or any(e.ego for e in roster.draft.entities) or not roster.groups:
+        return
+    members = roster.groups[-1].members
+    if not -len(members) <= position < len(members) or roster.groups[-1].vague:
+        return
+    chosen = members[position]
+    if chosen.kind is ParticipantKind.CAR and not chosen.parked:
+        _take(chosen)
+
+
+def _of_two(roster: Roster, group: Group, mention: Mention) -> bool:
+    """``two cars drive in one lane, the ego behind the other``: one of the two."""
+    pair = len(group.members) == 2 == len(group.free) and not group.vague
+    pair = pair and all(e.kind is ParticipantKind.CAR for e in group.members)
+    after = [t.low for t in roster.tokens[mention.j : mention.j + _REST]]
+    return pair and any(a == "the" and b == "other" for a, b in pairwise(after))
+
+
+def of_both(
+    reading: Reading, loci: set[str], groups: list[Group], entities: list[Entity]
+) -> list[Entity]:
+    """``both vehicles go straight, the adversary from the left``: one of them, one the ego.
+
+    Args:
+        reading: what the words of a role ("the ego", "the adversary") say.
+        loci: where words after the noun put it.
+        groups: those named together so far.
+        entities: everybody so far.
+    """
+    ego = next((e for e in entities if e.ego), None)
+    places = reading.dirs | loci
+    placed = bool(places) and places <= {"ahead", "behind"} and reading.det == "def"
+    if reading.plural:
+        return []
+    if not (reading.ego or placed or "adversary" in reading.labels):
+        return []
+    for group in groups:
+        taken = [e for e in group.members if e.claimed and e is not ego]
+        left = [e for e in group.members if e not in taken]
+        if not group.both or (ego is not None and ego not in group.members):
+            continue
+        if len(taken) == 1 and ego is None and not any("adversary" in e.labels for e in taken):
+            left[0].ego, left[0].claimed = reading.ego, True
+            left[0].named_by |= {"ego"} if reading.ego else set()
+            return left  # "the follower hits the leader": of both, the one who is left
+        if taken:
+            continue
+        own = ego or group.members[0]
+        if placed and ego is None and not reading.ego:
+            group.members[-1].claimed = True  # "both cars are fast; the leader brakes"
+            return [group.members[-1]]
+        own.ego = True
+        own.named_by.add("ego")
+        chosen = own if reading.ego else next(e for e in group.members if e is not own)
+        chosen.claimed = True
+        return [chosen]
+    return []

@@ -1,0 +1,164 @@
+"""Which of those who are known a noun means: by name, number, order, place and kind."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Mention
+from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.reference.egos import the_ego
+from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading
+from scegen.understanding.reference.reference import elsewhere
+from scegen.understanding.reference.roster import Roster
+
+_A_PAIR = 2
+_ALONG = {"front": "ahead", "rear": "behind"}
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """Looks up whom a noun means.
+
+    Attributes:
+        roster: who is known, and who was spoken of last.
+    """
+
+    roster: Roster
+
+    def find(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """Whom a noun means of those who are known; empty if it is somebody new.
+
+        Args:
+            reading: what its words say.
+            mention: the noun.
+            exclude: participants that it cannot mean.
+        """
+        det = reading.det
+        names = {label for label in reading.labels if label.startswith("#")}
+        if names:
+            known = [e for e in self.roster.draft.entities if names & e.labels][:1]
+            return known or self.roster.named(reading, names, exclude)
+        counted = self.roster.by_order(reading, mention)
+        if counted is not None:
+            return counted
+        included = self.roster.included(reading, mention)
+        if included:
+            return included
+        if reading.plural and det == "other":
+            if mention.mod("num") is not None:
+                return self.roster.claim(reading.count, exclude, reading)
+            rest = [e for g in self.roster.groups[-1:] for e in g.members if e not in exclude]
+            if rest and all(self.roster.compatible(e, reading) for e in rest):
+                return rest  # "three other cars …; one of the other cars"
+        if reading.plural:
+            return self._several(reading, mention)
+        if det == "other":
+            if not self.roster.draft.entities:
+                the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+                return []  # "the other car": other than mine
+            return self.roster.claim(1, exclude, reading)
+        if det in {"another", "ordinal"}:
+            return self._another(reading, exclude)
+        if det in {"one", "indef"}:
+            return self._member(reading, mention, exclude)
+        return self._definite(reading, mention, exclude)
+
+    def _compatible(self, reading: Reading) -> list[Entity]:
+        return [e for e in self.roster.draft.entities if self.roster.compatible(e, reading)]
+
+    def _several(self, reading: Reading, mention: Mention) -> list[Entity]:
+        quantity = mention.mod("quant")
+        if quantity is not None and quantity.value == "all":
+            everybody = self._compatible(reading)
+            counted = mention.mod("num") is None or len(everybody) == reading.count
+            return everybody if len(everybody) > 1 and counted else []
+        if reading.det != "def" and reading.count != DEFAULT_COUNT:
+            return []
+        both = not reading.vague and reading.det in {"bare", "def"}
+        if reading.det != "def" and not (both and not reading.dirs):
+            return []
+        for group in reversed(self.roster.groups):
+            counted = reading.det == "bare" and not reading.vague
+            if counted and (group.settled or len(group.members) != reading.count):
+                continue
+            if all(self.roster.compatible(e, reading) for e in group.members):
+                return list(group.members)
+        fitting = self._compatible(reading)
+        pair = mention.mod("num") is None or reading.count == _A_PAIR
+        if reading.det == "def" and pair and len(fitting) == 1 and not fitting[0].ego:
+            moving = not (reading.dirs or reading.parked or fitting[0].parked)
+            if moving and not any(e.ego for e in self.roster.draft.entities):
+                return [
+                    *fitting,
+                    the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j)),
+                ]  # "between the vehicles"
+        if reading.det == "bare" and not reading.vague:
+            return []
+        return fitting if len(fitting) > 1 else []
+
+    def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
+        """A further one: of a group that is being picked apart, else somebody new."""
+        for group in reversed(self.roster.groups):
+            started = len(group.free) < len(group.members)
+            if (started or group.vague) and self.roster.agree(group, reading):
+                return self.roster.claim(1, exclude, reading)
+        return []
+
+    def _member(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """``including one vehicle``, and any single one where only "traffic" was named."""
+        within = mention.prep is not None and mention.prep.value == "with"
+        for group in reversed(self.roster.groups):
+            if not (within or group.vague or reading.det == "one"):
+                continue
+            if not self.roster.agree(group, reading) or (group.settled and not within):
+                continue
+            claimed = self.roster.claim(1, exclude, reading)
+            if claimed:
+                return claimed
+        return []
+
+    def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        alike = [e for e in reversed(self.roster.recent) if self.roster.compatible(e, reading)]
+        options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
+        which = [p for p in mention.pps if not p.predicate]
+        loci = loci_of(mention)
+        told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
+        if not (told or mention.narrowed or (which and not as_the_ego_sees(mention))):
+            options = options or self.roster.cast(reading, loci)
+        if reading.dirs:
+            options = [e for e in options if e.dirs == reading.dirs or _known_there(e, reading)]
+        options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+        elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
+        options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
+        options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
+        others = [e for e in options if not e.ego]
+        others = [e for e in others if e.named_by & reading.called] or others
+        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+        placed = which or mention.elsewhere or mention.narrowed or done
+        restricted = reading.dirs or reading.labels or placed
+        only = [e for e in self.roster.draft.entities if e.is_vehicle]
+        own = all(p.value == "to" for p in which) and not (mention.narrowed or loci)
+        own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
+        ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
+        car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
+        own = own and ego not in exclude and "target" not in " ".join(reading.called)
+        if own and car and len(only) == 1 and ego is not None and reading.det == "def":
+            return [ego]  # "the ego reverses; a child stands behind the car"
+        rest = [e for e in self.roster.draft.entities if not e.ego]
+        if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
+            return rest  # "a pedestrian target walks …; the target is hit"
+        seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver
+        if seen_by and reading.det == "def" and len(only) == 1 and not reading.labels:
+            return only  # "as seen by the driver facing forward"
+        if others or reading.det == "bare" or restricted:
+            return others[:1]
+        return options[:1]
+
+
+def _known_there(entity: Entity, reading: Reading) -> bool:
+    """``follows a car … the lead vehicle``: who is followed is the one ahead."""
+    dirs = {_ALONG.get(d, d) for d in reading.dirs}
+    along = dirs <= {"ahead", "behind"} and entity.dirs <= dirs
+    return along and dirs <= entity.loci | entity.dirs
