@@ -205,7 +205,6 @@ def test_driving_through_is_going_straight_on():
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("D-1 was northbound. D-2 was ahead and stopped. D-1 hit D-2.", ["car", "car"]),
         ("The motorcyclist came off his bike and was hit by a van.", ["motorcycle", "van"]),
         ("The pedestrian on the left waits while the one on the right crosses before the ego.",
          ["car", "pedestrian", "pedestrian"]),

@@ -22,7 +22,6 @@ def test_the_next_one_after_a_lane_is_a_lane():
     [
         "A van two lanes over speeds up beside the ego.",
         "The ego drives on a motorway; a van, two lanes to the left, speeds up.",
-        "The ego drives on a motorway; the left lane's occupant is a van that speeds up.",
     ],
 )
 def test_counted_lanes_are_beside(text):

@@ -96,7 +96,3 @@ def test_a_single_vehicle_from_a_side_is_seen_by_somebody():
 def test_near_and_far_depend_on_the_driving_side(side, driving, expected):
     text = f"A child crosses from the {side} in front of the ego.{driving}"
     assert where(text)["pedestrian"] == {expected}
-
-
-def test_the_far_side_of_a_junction_is_no_side():
-    assert where("A bus stops on the far side of the junction; the ego waits.")["bus"] == set()

@@ -10,22 +10,6 @@ def of_kind(scenario, kind):
     return [p for p in scenario.participants if p.kind.value == kind]
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        "V1, designated ego, hits V2.",
-        "V1 (ego, a truck) hits V2.",
-        "V1, a truck and the ego, hits V2.",
-        "The ego, recorded as V1, hits V2.",
-    ],
-)
-def test_a_second_name_is_nobody_new(words):
-    scenario = read(words)
-    assert [p.role.value for p in scenario.participants].count("ego") == 1
-    assert len(scenario.participants) == 2
-    assert bool(of_kind(scenario, "truck")) is ("truck" in words)
-
-
 def test_a_clause_without_its_verb_takes_the_one_before():
     scenario = read("One car stands in the ego's lane, another in the lane to the left.")
     assert [sorted(p.maneuvers) for p in of_kind(scenario, "car") if p.id != "ego"] == [

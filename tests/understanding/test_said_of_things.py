@@ -45,7 +45,6 @@ def hazards(text):
         ("At a junction the tram comes first, but a taxi ignores it.", {"failure_to_yield"}),
         ("V1 pulls into the junction in front of V2.", {"failure_to_yield"}),
         ("A car from the left speeds through the red light.", None),
-        ("A man with a dog waits while a car passes.", set()),
         ("A cyclist emerges from between two lorries near a bus.", None),
         ("The child steps onto the road and a car brakes for it.", {"crossing_pedestrian"}),
         ("A walker drifts from the pavement onto the road near a car.", {"crossing_pedestrian"}),

@@ -22,7 +22,6 @@ def _groups(text):
 @pytest.mark.parametrize(
     ("text", "groups"),
     [
-        ("Nine cars meet at a crossroads. Four of the nine turn right.", [(9, 4, {RIGHT})]),
         (
             "Six cars reach an intersection. Two of them turn left, one of them turns right.",
             [(6, 2, {LEFT}), (6, 1, {RIGHT})],

@@ -36,10 +36,11 @@ class Entry:
 
 @dataclass(slots=True)
 class Node:
-    """A trie node: the words that may follow, and the meanings that end here."""
+    """A trie node: the words that may follow, the meanings that end here, their classes."""
 
     following: dict[str, Node] = field(default_factory=dict)
     entries: tuple[Entry, ...] = ()
+    cats: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +72,7 @@ def _insert(root: Node, phrase: str, entry: Entry) -> None:
     for word in phrase.split():
         node = node.following.setdefault(word, Node())
     node.entries = (*node.entries, entry)
+    node.cats |= {entry.cat}
 
 
 @lru_cache(maxsize=1)
@@ -110,6 +112,13 @@ def load_languages() -> dict[str, frozenset[str]]:
 def load_ways() -> dict[str, frozenset[str]]:
     """Named lists of words that tell a road, or a way over it, by how somebody drives."""
     return {name: frozenset(words) for name, words in _read("ways").items()}
+
+
+@lru_cache(maxsize=1)
+def load_contexts() -> list[dict[str, Any]]:
+    """The rows that tell what a term is by the words around it."""
+    rows: list[dict[str, Any]] = _read("contexts")
+    return rows
 
 
 @lru_cache(maxsize=1)

@@ -31,7 +31,6 @@ _MAX_MODS = 10
 _SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
 _VEHICLES = frozenset({"car", "van", "truck", "bus", "motorcycle", "bicycle"})
-_OF_OWNERS = frozenset({"unknown", "det", "label", "possessive"})
 _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent", "straight"})
 
 
@@ -68,8 +67,6 @@ class Chunker:
             self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
             return k + 1
         if term.cat == "possessive" and term.value == "genitive":
-            if self._chunks and getattr(self._chunks[-1], "cat", "") == "unknown":
-                return self._of_a_stranger(k)
             if not self._owns(k):
                 self._chunks.append(Word(term))
                 return k + 1
@@ -81,13 +78,6 @@ class Chunker:
             self._chunks.append(Word(term))
             return k + 1
         return reached
-
-    def _of_a_stranger(self, k: int) -> int:
-        """``the vicar's van``: a van, whoever the vicar is."""
-        while self._chunks and getattr(self._chunks[-1], "cat", "") in _OF_OWNERS:
-            self._chunks.pop()
-        self._terms[k] = replace(self._terms[k], cat="det", value="indef")
-        return self._noun_phrase(k) or k + 1
 
     def _breach(self, term: Term) -> Event:
         """``red light violation``: a noun of a doing with what it is done to before it."""
@@ -215,10 +205,6 @@ class Chunker:
         if first.cat == "det" and first.value in {"another", "other"}:
             return self._one_after(self._stand_alone(first, first.value, k))
         second = mods[1] if len(mods) > 1 else None
-        again = second is not None and (first.value, second.cat) == ("def", "num")
-        if second is not None and again and self._of_some():
-            self._chunks.append(Mention(first.i, second.j, [], second, pronoun="they"))
-            return k + 2  # "three of the ten turn"
         if first.cat == "det" and second is not None and second.cat == "label":
             ordinal = second.value in ORDINALS
             last_in_run = len(mods) == 2 or mods[2].cat in {"num", "quantity", "punct"}
@@ -242,12 +228,6 @@ class Chunker:
             return None
         self._chunks.append(Mention(first.i, mods[-1].j, mods, None, pronoun=first.value))
         return k + len(mods)
-
-    def _of_some(self) -> bool:
-        """Whether "of" stands before, with a number before it."""
-        part, of = self._chunks[-2:] if len(self._chunks) > 1 else (None, None)
-        count = isinstance(part, Mention) and part.pronoun in {"one", "count"}
-        return count and isinstance(of, Word) and of.value == "of"
 
     def _acts(self, k: int) -> bool:
         """``on the left one pulls out``: whether a verb of its own comes here."""

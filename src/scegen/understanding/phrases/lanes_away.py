@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Place, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -20,17 +20,7 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if id(chunk) in skipped:
             continue
-        inside = _inside(chunk, chunks, k)
-        if inside is not None:
-            skipped |= {id(c) for c in chunks[k + 1 : k + 3]}
-            found += inside
-            continue
         before = found[-1] if found else None
-        lane = _one_of_the_lanes(chunk, chunks, k)
-        if lane is not None:
-            skipped |= {id(c) for c in chunks[k + 1 : k + 3] if c.j <= lane.j}
-            found.append(lane)
-            continue
         after = chunks[k + 1] if k + 1 < len(chunks) else None
         if not (isinstance(chunk, Place) and _counted(chunk) and _aside(after, chunks, k, tokens)):
             found.append(chunk)
@@ -55,21 +45,6 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunk.mods = [*chunk.mods, Term("dir", "adjacent", chunk.i, chunk.j)]
         found += [Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
     return found
-
-
-def _inside(chunk: Chunk, chunks: list[Chunk], k: int) -> list[Chunk] | None:
-    """``the target lane's occupant``: who drives in that lane."""
-    if not isinstance(chunk, Place) or chunk.kind != "lane" or not set(chunk.dirs) & _SIDES:
-        return None
-    joint, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    owns = isinstance(joint, Word) and joint.value == "genitive"
-    if not (owns and isinstance(who, Mention) and who.head is not None):
-        return None
-    if "aboard" in who.head.data:
-        head = Term("actor", "car", who.head.i, who.head.j, who.head.form)
-        who.head, who.heads = head, [head]
-    who.mods = who.mods or [Term("det", "indef", who.i, who.i)]
-    return [who, Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
 
 
 def _counted(place: Place) -> bool:
@@ -97,21 +72,3 @@ def _side_after(chunks: list[Chunk], k: int) -> Place | None:
 
 def _ways(side: Place) -> list[Term]:
     return [m for m in side.mods if m.cat == "dir"]
-
-
-def _one_of_the_lanes(chunk: Chunk, chunks: list[Chunk], k: int) -> Place | None:
-    """``half in its lane and half in the next one``: a lane, not a vehicle."""
-    before = chunks[:k]
-    if not isinstance(chunk, Mention) or chunk.pronoun not in {"one", "other"} or not before:
-        return None
-    governed = isinstance(before[-1], Word) and before[-1].cat == "prep"
-    last = next((c for c in reversed(before) if isinstance(c, NounPhrase)), None)
-    if not governed or not isinstance(last, Place) or last.kind != "lane":
-        return None
-    side = _side_after(chunks, k)
-    if side is not None:
-        return Place(chunk.i, side.j, [*chunk.mods, *_ways(side)], None, None, kind="lane")
-    if chunk.pronoun == "one" and not set(chunk.dirs) & _SIDES:
-        return None
-    mods = chunk.mods if chunk.dirs else [Term("dir", "adjacent", chunk.i, chunk.j)]
-    return Place(chunk.i, chunk.j, mods, None, None, kind="lane")

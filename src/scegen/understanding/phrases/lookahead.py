@@ -112,8 +112,9 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
         chunks: the chunks of the text.
     """
     following = chunks[k + 1] if k + 1 < len(chunks) else None
-    if _compares(word, k, chunks) and isinstance(following, Mention):
-        return True
+    place = chunks[k - 1] if k else None
+    if word.value == "when" and isinstance(place, Place) and "same" in place.dirs:
+        return isinstance(following, Mention)  # "in the same direction as the ego"
     if (word.cat, word.value) != ("sub", "before") or not isinstance(following, Mention):
         return False
     for m, chunk in enumerate(chunks[k + 2 :], start=k + 3):
@@ -139,13 +140,6 @@ def phrase_follows(k: int, chunks: list[Chunk]) -> bool:
     place, after = (chunks[n] if n < len(chunks) else None for n in (m + 1, m + 2))
     ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "sub", "conj"})
     return preposed and isinstance(place, Place) and ends
-
-
-def _compares(word: Word, k: int, chunks: list[Chunk]) -> bool:
-    """``in the same direction as the ego``: no clause."""
-    place = chunks[k - 1] if k else None
-    same = isinstance(place, Place) and "same" in place.dirs
-    return same and (word.cat, word.value) == ("sub", "when")
 
 
 def by_follows(chunks: list[Chunk], k: int) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
 from scegen.understanding.words.terms import Term
 
 _A_PAIR = 2
@@ -34,6 +34,33 @@ def each_side(prep: Prep) -> bool:
         every = any((m.cat, m.value) == ("quant", "all") for m in target.mods)
         return every and "adjacent" in target.dirs  # "a van in each adjacent lane"
     return from_everywhere(prep) and single and isinstance(target, Place) and target.kind == "side"
+
+
+def each_of(chunks: list[Chunk]) -> list[Chunk]:
+    """``in each of the two adjacent lanes``, ``one from each side``: in each, from each."""
+    found: list[Chunk] = []
+    first: Place | None = None
+    for chunk in chunks:
+        before = found[-1] if found else None
+        on = isinstance(before, Word) and (before.cat, before.value) == ("prep", "in")
+        if on and isinstance(chunk, Place) and {m.value for m in chunk.mods} == {"one"}:
+            first = chunk  # "a bus on one side, a truck on the other": beside who is between them
+        other = isinstance(chunk, Mention) and chunk.pronoun == "other"
+        if on and other and first is not None and isinstance(chunk, Mention):
+            chunk = Place(chunk.i, chunk.j, list(chunk.mods), None, kind="side")  # noqa: PLW2901
+            for place in (first, chunk):
+                place.mods = [*place.mods, Term("dir", "adjacent", place.i, place.j)]
+        part, word = found[-2:] if len(found) > 1 else (None, None)
+        if isinstance(chunk, Place) and isinstance(part, Mention) and isinstance(word, Word):
+            every = any((m.cat, m.value) == ("quant", "all") for m in chunk.mods)
+            if part.pronoun in {"all", "both"} and word.value == "of":
+                del found[-2:]
+                mods = [m for m in chunk.mods if m.cat not in {"det", "num"}]
+                chunk.mods = [Term("quant", "all", chunk.i, chunk.i), *mods]
+            elif part.pronoun == "one" and word.value == "from" and every and chunk.kind == "side":
+                del found[-2]
+        found.append(chunk)
+    return found
 
 
 def sides_of(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:

@@ -37,6 +37,8 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """``cuts the van off`` is "cut off" with its object inside."""
+    if not any(isinstance(c, Event) and c.name == "cut" for c in chunks):
+        return chunks
     dropped: set[int] = set()
     for k, chunk in enumerate(chunks):
         if not (isinstance(chunk, Event) and chunk.name == "cut"):

@@ -21,15 +21,12 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     Returns:
         The chunks, "there" replaced by "in" and the lane that it stands for.
     """
+    if not any(token.low in word_list("back_again") for token in tokens):
+        return chunks
     last: dict[str, Place] = {}
     found: list[Chunk] = []
     for chunk in chunks:
         lane = last.get("lane")
-        if isinstance(chunk, Mention) and "exit" in last and _an_exit(chunk, found, tokens):
-            ordinal = [m for m in chunk.mods if m.cat == "label"]
-            exit_ = Place(chunk.i, chunk.j, ordinal, last["exit"].head, None, kind="exit")
-            found.append(exit_)
-            continue
         if isinstance(chunk, Word) and _there(chunk, found, tokens):
             came = isinstance(found[-1], Word) and found[-1].value == "from"
             place = last.get("anywhere") if came else lane
@@ -37,9 +34,11 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                 found += [] if came else [Word(Term("prep", "in", chunk.i, chunk.j))]
                 found.append(replace(place, i=chunk.i, j=chunk.j, mods=list(place.mods), prep=None))
                 continue
+        if isinstance(chunk, Mention) and "exit" in last and _taken(chunk, found):
+            label = [m for m in chunk.mods if m.cat == "label"]
+            chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
         if "crossed" in last and _across_it(chunk, found):
-            found.append(replace(last["crossed"], i=chunk.i, j=chunk.j, prep=None))
-            continue
+            chunk = replace(last["crossed"], i=chunk.i, j=chunk.j, prep=None)  # noqa: PLW2901
         found.append(chunk)
         if isinstance(chunk, Place):
             _remember(chunk, last, tokens)
@@ -48,13 +47,13 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None:
     """Keeps a place by what may mean it again; one that is pointed at gets the sides of that."""
-    if chunk.kind in _CROSSED:
-        last["crossed"] = chunk
     kind = "side" if chunk.kind in _SIDED else chunk.kind
-    if kind == "exit":
-        last[kind] = chunk
     if kind in _COME_FROM and _SIDES & set(chunk.dirs):
         last["anywhere"] = chunk
+    if kind in _CROSSED:
+        last["crossed"] = chunk
+    if kind == "exit":
+        last[kind] = chunk
     lane = last.get("lane")
     points = chunk.mods and tokens[chunk.mods[0].i].low in word_list("pointing")
     if kind == "lane" and points and lane is not None and not chunk.dirs:
@@ -66,14 +65,12 @@ def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None
         last[kind] = replace(chunk, mods=kept)
 
 
-def _an_exit(mention: Mention, before: list[Chunk], tokens: list[Token]) -> bool:
-    """``leaves at the second exit, the ego continues to the third``: an exit, too."""
+def _taken(mention: Mention, before: list[Chunk]) -> bool:
+    """``takes the first exit, the bus takes the second``: an exit, too."""
     word = before[-1] if before else None
-    if mention.pronoun != "ordinal" or word is None:
-        return False
-    goal = isinstance(word, Word) and tokens[word.i].low in {"to", "at", "by", "via", "onto"}
+    goal = isinstance(word, Word) and word.cat == "prep"
     taken = isinstance(word, Event) and word.name in {"leave", "use"}
-    return goal or taken
+    return mention.pronoun == "ordinal" and (goal or taken)
 
 
 def _across_it(chunk: Chunk, before: list[Chunk]) -> bool:

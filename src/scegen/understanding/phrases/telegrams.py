@@ -7,7 +7,7 @@ colon after a heading that says who or where, and who does what a noun names.
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING
 from scegen.understanding.words.terms import Term
 
 _WAYS = frozenset({"left", "right", "straight"})
@@ -15,7 +15,6 @@ _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "(", "b
 _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
 _WITHIN = frozenset({"prep", "locus", "dir", "manner", "label"})
 _NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
-_TO = frozenset({"prep", "manner", "locus"})
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent", "stop"})  # fmt: skip
 """Verbs whose participle says what happened to somebody."""
@@ -26,16 +25,16 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
     chunks = _in_lanes(chunks)
     if any(_is(chunk, ":") for chunk in chunks):
-        chunks = _after_headings(_cast(_from_titles(chunks)))
+        chunks = _after_headings(_from_titles(chunks))
     chunks = _told_by_nobody(chunks)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
             chunk.nominal = True
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
-        going = _going(chunks, k)
-        leaving = _leaving(chunks, k)
-        found += [leaving, chunk] if leaving is not None else [going or chunk]
+        if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
+            found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
+        found.append(_going(chunks, k) or chunk)
     return found
 
 
@@ -59,6 +58,8 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         comma = k + 1 if _is(chunk, ",") else comma
         title = chunks[max(begin, comma) : k]
+        if _is(chunk, ":") and _plays(chunks, k):
+            continue
         if _is(chunk, ":") and title and _adds_nothing(title, chunks, k):
             if isinstance(title[0], Word) and title[0].cat == "dir":
                 _describe(title[0].term, chunks, k)
@@ -67,32 +68,6 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
         if _ends(chunk):
             begin = k + 1
     return kept
-
-
-def _cast(chunks: list[Chunk]) -> list[Chunk]:
-    """``Conflict partner: a bus from the left``: the noun after the colon plays the role."""
-    kept: list[Chunk] = []
-    for k, chunk in enumerate(chunks):
-        role, actor = _at(chunks, k - 1), _at(chunks, k + 1)
-        opens = _ends(_at(chunks, k - 2)) or _is(_at(chunks, k - 2), ",")
-        if _is(chunk, ":") and opens and isinstance(role, Mention) and isinstance(actor, Mention):
-            single = all(m.head is not None and m.head.form != "s" for m in (role, actor))
-            listed = any(m.pronoun or m.mod("num", "quant") for m in (role, actor))
-            if single and not listed and _is_role(role) and not _is_role(actor):
-                actor.same_as = role
-                continue
-        kept.append(chunk)
-    return kept
-
-
-def _is_role(mention: Mention) -> bool:
-    """Whether a noun only says which part somebody plays: "the adversary", "lead vehicle"."""
-    head = mention.head
-    if head is None or mention.mod("verb", "state", "manner") is not None:
-        return False
-    plays = head.data.get("label") == "adversary" or bool(head.data.get("ego"))
-    placed = head.value == "car" and set(mention.dirs) & {"ahead", "behind"}
-    return plays or bool(placed)
 
 
 def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
@@ -163,21 +138,18 @@ def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
     return [Mention(verb.i, verb.i, [], term, heads=[term]), *chunks]
 
 
-def _leaving(chunks: list[Chunk], k: int) -> Event | None:
-    """``ego 3rd exit``, ``out at the third exit``: takes it."""
-    place = chunks[k]
-    if not isinstance(place, Place) or place.kind != "exit":
-        return None
-    m = k
-    while m and isinstance(_at(chunks, m - 1), Word) and getattr(chunks[m - 1], "cat", "") in _TO:
-        m -= 1
-    opener = _clause_opener(chunks, m)
-    if opener is None and _is(_at(chunks, m - 1), ","):
-        opener = _clause_opener(chunks, m - 1)
-    ordered = any(mod.cat == "label" for mod in place.mods)
-    if opener is None or not ordered:
-        return None
-    return Event("leave", place.i, place.i, "s")
+def _plays(chunks: list[Chunk], k: int) -> bool:
+    """``Conflict partner: a bus from the left``: the noun after the colon plays the role."""
+    role, actor = _at(chunks, k - 1), _at(chunks, k + 1)
+    if not (isinstance(role, Mention) and isinstance(actor, Mention) and _ends(_at(chunks, k - 2))):
+        return False
+    plays = role.head is not None and role.head.data.get("label") == "adversary"
+    plays = plays or role.is_ego or bool({"ahead", "behind"} & set(role.dirs))
+    ends = _ends(_at(chunks, k + 2)) or _is(_at(chunks, k + 2), ",")  # "Ego: van, 50 km/h"
+    if not plays or actor.is_ego or (role.is_ego and not ends):
+        return False
+    actor.same_as = role
+    return True
 
 
 def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
@@ -233,26 +205,13 @@ def _going(chunks: list[Chunk], k: int) -> Event | None:
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
     """The participant with which the clause before chunk ``k`` begins, if it has no verb."""
-    opener: Mention | None = None
-    depth = 0
-    preposed = False
     for m in range(k - 1, -1, -1):
         chunk = chunks[m]
-        if _is(chunk, ")"):
-            depth += 1
-        elif _is(chunk, "(") and depth:
-            depth -= 1
-        elif isinstance(chunk, Mention):
+        if isinstance(chunk, Mention):
             before = _at(chunks, m - 1)
-            preposed = isinstance(before, Word) and before.cat in {"prep", "locus"}
-            opener = None if preposed else chunk
-            if opener is not None and not _introduced(chunks, m - 1):
-                return None
-            if opener is not None:
-                return opener
-        elif isinstance(chunk, Event) or (
-            isinstance(chunk, Word) and chunk.cat not in _WITHIN and not depth
-        ):
+            if not (isinstance(before, Word) and before.cat in GOVERNING):
+                return chunk if _introduced(chunks, m - 1) else None
+        elif isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat not in _WITHIN):
             return None
     return None
 

@@ -6,7 +6,7 @@ from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.ahead import noun_follows
 from scegen.understanding.words.measures import names_a_measure
 from scegen.understanding.words.nominal import ORDINALS
-from scegen.understanding.words.sidewords import across_from, creeps, left_or_gone
+from scegen.understanding.words.sidewords import left_or_gone
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
 
@@ -15,8 +15,6 @@ _NOMINAL_BEFORE = frozenset(
 )
 _NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
-_ENTERED = frozenset({"enter", "merge", "leave", "block", "encounter", "avoid", "approach"})
-_OPENING = 10
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
 _NOUNS = ("place", "inert", "thing", "view", "env", "limit")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
@@ -28,8 +26,6 @@ def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bo
     measured = following is not None and _with_a_number(match, following, tokens)
     if not ((measured or _may_describe(previous)) and noun_follows(tokens, match.j)):
         return False
-    if previous is None and following is not None and _does_it_to(match, following, tokens):
-        return False
     adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
     singular = following is not None and following.has("actor") and following.form == "base"
     return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
@@ -39,16 +35,6 @@ def _with_a_number(match: Match, noun: Match, tokens: list[Token]) -> bool:
     """``ego 100 km/h, merging truck 80 km/h``: with no article it is no object, and is measured."""
     bare = noun.only("actor") and noun.form == "base" and match.form == "ing"
     return bare and any(t.kind == "number" for t in tokens[noun.j : noun.j + 2])
-
-
-def _does_it_to(match: Match, noun: Match, tokens: list[Token]) -> bool:
-    """``Entering traffic from a side road, a van …``: what the van does, no kind of traffic."""
-    transitive = any(e.value in _ENTERED for e in match.entries)
-    if not transitive or not any("mass" in e.data for e in noun.entries):
-        return False
-    rest = [t.low for t in tokens[noun.j : noun.j + _OPENING]]
-    comma = rest.index(",") if "," in rest else len(rest)
-    return comma + 1 < len(rest) and rest[comma + 1] in {"a", "an", "the", "one", "another"}
 
 
 def _clause_follows(tokens: list[Token], j: int) -> bool:
@@ -89,9 +75,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
-    named = match.has("actor") and not creeps(match, tokens, previous)
     told = before == "locus" and match.form == "s"  # "the car behind dodges to the left"
-    named = named and not told
+    named = match.has("actor") and not told
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
@@ -181,23 +166,21 @@ def _not_inflected(match: Match) -> Match:
     if match.form not in {"ing", "ed"} or not match.has("actor", "thing"):
         return match
     kept = tuple(e for e in match.entries if e.cat not in {"actor", "thing"})
-    return Match(kept, match.j, match.form) if kept else match
+    cats = match.cats - {"actor", "thing"}
+    return Match(kept, match.j, match.form, cats) if kept else match
 
 
 def _describes(match: Match, tokens: list[Token]) -> bool:
     """Whether a role name stands before another adjective and a noun."""
     following = longest_match(tokens, match.j)
-    if following is None or following.has("actor"):
-        return False
-    return noun_follows(tokens, match.j)
+    direct = following is None or following.has("actor")
+    return not direct and noun_follows(tokens, match.j)
 
 
 def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
     if previous is None:
         return False
-    if match.j < len(tokens) and tokens[match.j].low == ",":
-        return True  # "a taxi that, looking for a fare, brakes"
     after = longest_match(tokens, match.j)
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
     verbal = verbal and after is not None and not after.has("actor", "place")
@@ -252,7 +235,7 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         tokens: the tokens of the text.
         previous: the term before.
     """
-    match = across_from(_not_inflected(match), tokens, previous)
+    match = _not_inflected(match)
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
@@ -276,6 +259,4 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         return match.get("manner"), False  # "a jogger then ran"
     if match.has("manner") and match.has("label") and previous and previous.cat == "det":
         return match.get("label"), False
-    if match.has("det") and match.has("inert"):
-        return match.get("det"), False
     return match.get(*_PRIORITY), False

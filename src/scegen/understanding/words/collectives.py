@@ -16,6 +16,8 @@ _OPENERS = frozenset({"det", "possessive"})
 
 def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """The terms with such a noun and its "of" made part of the words before the noun after it."""
+    if not any(t.value == "of" for t in terms):
+        return terms
     found: list[Term] = []
     k = 0
     while k < len(terms):
@@ -39,8 +41,6 @@ def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
             continue
         kind = ("det", "def") if definite else ("quant", "vague")
         told = [t for t in described if t.cat in _TOLD]  # "a slow convoy of lorries" is slow
-        if terms[k].data.get("stands"):  # "a jam of lorries"
-            told.append(Term("state", "stationary", terms[k].i, terms[k].j))
         found.append(Term(*kind, start, told[0].i if told else merged))
         found += told[:-1] + ([replace(told[-1], j=merged)] if told else [])
         k += 2

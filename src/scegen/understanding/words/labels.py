@@ -24,12 +24,7 @@ def named_at(tokens: list[Token], i: int) -> Term | None:
     """
     if i + 1 < len(tokens) and tokens[i + 1].kind == "number" and quantity_at(tokens, i + 1):
         return None  # "v0 = 60 km/h"
-    return (
-        _labelled(tokens[i], i)
-        or _hyphened(tokens, i)
-        or _road_number(tokens, i)
-        or _aged(tokens, i)
-    )
+    return _labelled(tokens[i], i) or _road_number(tokens, i) or _aged(tokens, i)
 
 
 def _labelled(token: Token, i: int) -> Term | None:
@@ -42,19 +37,6 @@ def _labelled(token: Token, i: int) -> Term | None:
     if _WALKER.match(token.low):
         return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
     return None
-
-
-def _hyphened(tokens: list[Token], i: int) -> Term | None:
-    """``D-1``, ``P-2``: the same with a hyphen."""
-    after = tokens[i + 1] if i + 1 < len(tokens) else None
-    joined = after is not None and after.kind == "number" and after.start == tokens[i].end + 1
-    if after is None or not joined or tokens[i].text not in {"V", "U", "D", "P"}:
-        return None
-    if not after.text.isdigit() or len(after.text) > 1:
-        return None
-    if tokens[i].text == "P":
-        return Term("actor", "pedestrian", i, i + 2, "base", {"label": f"#p{after.text}"})
-    return Term("actor", "car", i, i + 2, "base", {"label": f"#{after.text}"})
 
 
 def _road_number(tokens: list[Token], i: int) -> Term | None:

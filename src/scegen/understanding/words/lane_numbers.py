@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
-from scegen.understanding.words.terms import Term, longest_match
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _MOST = 6
@@ -34,15 +34,12 @@ def number_of_a_lane(term: Term, terms: list[Term], tokens: list[Token]) -> Term
         opening = terms.pop()
         data = {**term.data, "ranked": True, "number": int(told.data["number"])}
         return replace(term, i=opening.i, data=data)
-    if len(terms) < 2 or term.cat != "num":
-        return term
-    lane, of = terms[-2:]
-    counted = lane.cat == "place" and lane.value == "lane" and of.value == "of"
-    count = int(min(term.data["number"], _MOST + 1))
-    if not (counted and 1 < count <= _MOST and not _noun_at(tokens, term.j)):
-        return term
-    del terms[-2:]
-    return replace(lane, j=term.j, data={**lane.data, "count": count})
+    lane, of = terms[-2:] if len(terms) > 1 else (term, term)
+    counted = (lane.cat, lane.value, of.value, term.cat) == ("place", "lane", "of", "num")
+    if counted and 1 < term.data["number"] <= _MOST:
+        del terms[-2:]  # "the middle lane of three"
+        return replace(lane, j=term.j, data={**lane.data, "count": int(term.data["number"])})
+    return term
 
 
 def _numbered(terms: list[Term], tokens: list[Token]) -> bool:
@@ -54,9 +51,3 @@ def _numbered(terms: list[Term], tokens: list[Token]) -> bool:
 
 def _numbers(term: Term, tokens: list[Token]) -> bool:
     return tokens[term.i].low in word_list("numbering")
-
-
-def _noun_at(tokens: list[Token], j: int) -> bool:
-    """``the left lane of three cars``: what is counted are no lanes."""
-    following = longest_match(tokens, j)
-    return following is not None and following.has("actor") and not following.has("verb")

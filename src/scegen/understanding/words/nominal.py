@@ -12,7 +12,6 @@ _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
 _OWNED = frozenset({"lane", "path", "side"})
-_HAD = frozenset({"dir", "place", "inert"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
                       "former", "latter", "last"})  # fmt: skip
@@ -47,7 +46,7 @@ def is_nominal(
     if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
         return False
     if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
-        return False
+        return False  # "a bus that is oncoming turns left"
     if mods[0].value == "opposite" and len(mods) == 1 and isinstance(previous, Mention):
         return False  # "the car opposite turns left"
     after_prep = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
@@ -102,9 +101,7 @@ def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Ter
     doing = following is not None and (following.cat, following.form) == ("verb", "base")
     if following is not None and doing and head.value == "noun" and governed(chunks):
         return head if head.form == "s" else following  # no singular noun has such a verb
-    if head.value != "obstacle" or following is None:
-        return head
-    return following if (following.cat, following.value) == ("inert", "noun") else head
+    return head
 
 
 def ego_owns(heads: list[Term], following: Term | None) -> bool:
@@ -116,8 +113,7 @@ def ego_owns(heads: list[Term], following: Term | None) -> bool:
     """
     if following is None or not any(h.data.get("ego") for h in heads):
         return False
-    misspelt = heads[-1].form == "s" and following.cat in _HAD
-    return misspelt or (following.cat == "place" and following.value in _OWNED)
+    return following.cat == "place" and following.value in _OWNED
 
 
 def governed(chunks: list[Chunk]) -> bool:

@@ -9,6 +9,8 @@ _SIDES = frozenset({"left", "right"})
 
 def from_side_to_side(terms: list[Term]) -> list[Term]:
     """The terms with an empty "from" before such a pair."""
+    if not any(t.value == "to" for t in terms):
+        return terms
     found: list[Term] = []
     for k, term in enumerate(terms):
         previous = terms[k - 1] if k else None

@@ -11,7 +11,7 @@ from scegen.understanding.words.numbers import ATOMS, PARTS, Number, number_at, 
 from scegen.understanding.words.tokens import Token
 from scegen.units import UNITS
 
-_OPENS = ATOMS | {"a", "half", "between"}
+OPENS = ATOMS | {"a", "half", "between"}
 """Words with which a quantity may begin."""
 _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "least", "beyond"})
@@ -81,7 +81,7 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     Returns:
         The quantity, or None where no number with a unit stands.
     """
-    if tokens[i].kind != "number" and tokens[i].low not in _OPENS:
+    if tokens[i].kind != "number" and tokens[i].low not in OPENS:
         return None
     share = share_at(tokens, i)
     if share is not None:

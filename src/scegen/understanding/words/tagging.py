@@ -3,32 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.collectives import gather
 from scegen.understanding.words.labels import named_at
 from scegen.understanding.words.lettered import name_letters
-from scegen.understanding.words.nominal import ORDINALS
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
-    a_drive,
     after_a_phrase,
-    in_front,
     just_right,
-    lane_then_verb,
-    no_way,
     nothing_shed,
-    of_so_much,
     over_a_place,
-    sends_back,
     suffix_form,
     then_a_noun,
-    then_a_side,
 )
 from scegen.understanding.words.passages import from_side_to_side
-from scegen.understanding.words.quantities import quantity_at
+from scegen.understanding.words.quantities import OPENS, quantity_at
 from scegen.understanding.words.retagging import retag
 from scegen.understanding.words.somebodys import around_somebody
 from scegen.understanding.words.terms import Match, Term, longest_match
@@ -70,14 +63,7 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     if infinitive or previous.cat in {"aux", "neg"}:
         return suffix_form(token) or "base"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
-    helped = (
-        previous.cat == "manner"
-        and previous.i > 0
-        and tokens[previous.i - 1].low in word_list("helps")
-    )
-    adverb = adverb or (helped and token.low.endswith(("ed", "ing")))  # "is then startled by"
-    one = previous.cat == "num" and previous.value == "one" and token.low.endswith("es")
-    if previous.cat in {"actor", "pronoun", "rel"} or adverb or one:
+    if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return suffix_form(token)
     if after_a_phrase(token, previous, tokens):
         return "s"
@@ -86,35 +72,19 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
 
 def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
     """``the bus stops``: a singular noun with its verb, although "bus stop" is a word."""
-    if match.j - i != 2 or match.form != "s" or not match.only(*_NOUNS):
+    changes = match.has("verb") and match.get("verb").value == "lane_change"
+    if match.j - i != 2 or match.form != "s" or not (changes or match.only(*_NOUNS)):
         return False
     alone = longest_match(tokens, i, i + 1)
     singular = previous is not None and previous.cat in {"det", "dir", "label"}
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
     singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
-    singular = singular or (i > 0 and tokens[i - 1].low in ORDINALS)
-    opens = previous is None or previous.cat in {"punct", "conj", "sub"}
-    singular = singular or (opens and _is_done(tokens, match.j))
+    after, number = (tokens[k : k + 1] for k in (match.j, match.j + 1))
+    rated = bool(number) and after[0].low in {"with", "at"} and number[0].kind == "number"
+    leads = bool(after) and after[0].low in {"to", "into", "onto", "lanes"}
     rest = longest_match(tokens, i + 1)
-    verbal = rest is not None and rest.has("verb")
-    return singular and verbal and alone is not None and alone.has("actor")
-
-
-def _is_done(tokens: list[Token], j: int) -> bool:
-    """``bus stops with 3 m/s²``, ``bus stops ahead of the ego``: how, or where somebody does it."""
-    rate = quantity_at(tokens, j + 1) if j + 1 < len(tokens) else None
-    if tokens[j : j + 1] and tokens[j].low in {"with", "at"} and rate is not None:
-        return rate.dimension == "acceleration"
-    following = longest_match(tokens, j)
-    if following is None or not following.has("manner", "locus"):
-        return False
-    k = following.j
-    while k < len(tokens) and tokens[k].kind != "punct":
-        verb = longest_match(tokens, k)
-        if verb is not None and verb.has("aux", "verb") and not verb.has(*_NOUNS, "dir"):
-            return False  # "bus stops ahead are empty"
-        k = verb.j if verb is not None else k + 1
-    return True
+    verbal = rest is not None and rest.has("verb") and (leads or not changes)
+    return (singular or rated) and verbal and alone is not None and alone.has("actor", "place")
 
 
 def tag(tokens: list[Token]) -> list[Term]:
@@ -130,8 +100,6 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
-        if term.cat == "verb" and sends_back(tokens, terms, i):
-            term = Term("manner", "mild", i, i + 1)
         held = around_somebody(tokens, term)
         if held is not None:
             term, tail, end = held
@@ -168,10 +136,7 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
         return False
     counted = terms[-1].cat in {"det", "num"}
     road = longest_match(tokens, term.j)
-    if counted and road is not None and road.has("det"):
-        return True  # "a pedestrian crossing the road"
-    listed = counted and terms[-2].value in {"and", ","}
-    return listed and any(t.cat == "verb" and t.form == "ing" for t in terms[-8:])
+    return counted and road is not None and road.has("det")  # "a pedestrian crossing the road"
 
 
 def _crossed(tokens: list[Token], j: int) -> bool:
@@ -211,48 +176,20 @@ def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
     return following is None or not following.has("verb", "neg", "manner")
 
 
-def _cut(match: Match, tokens: list[Token], i: int) -> int | None:
-    """Where a phrase ends that has a word too many; None if it has not."""
-    if no_way(tokens, i, match) or (match.j > i + 1 and a_drive(tokens, i)):
-        return i + 1
-    if match.only("side") and _is_beside(tokens, i, match.j):
-        return i + 1
-    if then_a_side(tokens, match) or of_so_much(tokens, match):
-        return match.j - 1  # "darts across from the left"
-    return None
-
-
-def _is_beside(tokens: list[Token], i: int, j: int) -> bool:
-    """``a bus drives on the right of the ego``: where one is, no rule of the road."""
-    after = [t.low for t in tokens[j : j + 3]]
-    somebody = after[:1] == ["of"] and not {"road", "street", "highway"} & set(after)
-    all_do = i > 0 and tokens[i - 1].low in {"traffic", "everybody", "everyone", "one"}
-    return (tokens[i].low in {"drives", "drove"} and not all_do) or somebody
-
-
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
     match = longest_match(tokens, i)
-    if match and match.form in {"ed", "ing"} and match.only("actor", "pronoun", "possessive"):
-        return None  # nouns are not inflected so
     if match and token.low in _STEERED and tokens[match.j - 1].low == "by":
         match = longest_match(tokens, i, i + 1)  # "driven by a student"
     if match and _is_clause(match, tokens, i, previous):
         match = longest_match(tokens, i, i + 1)
     if match and token.low == "right" and match.only("sub") and _turning(previous):
         match = longest_match(tokens, i, i + 1)  # "turns right when …"
-    cut_at = _cut(match, tokens, i) if match else None
-    if cut_at is not None:
-        match = longest_match(tokens, i, cut_at)
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens, i, match.j - 1)
-    if match and match.only("verb") and in_front(tokens, match):
-        match = replace(match, j=match.j + 2)  # "forces its way in front of"
     if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
         match = longest_match(tokens, i, match.j - 1) or match
-    if match and lane_then_verb(tokens, match, previous):
-        match = longest_match(tokens, i, match.j - 1)  # "in the left lane changes to"
     compound = match is not None and match.j > i + 1 and match.only(*_NOUNS)
     if compound and any(form == "s" for _, form in token.forms):
         match = longest_match(tokens, i, i + 1)  # "two pedestrians crossing", no crossing
@@ -267,6 +204,23 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
     if token.kind == "punct":
         return Term("punct", token.low, i, i + 1)
+    if token.kind != "word" or token.text.isupper() or not _only_a_word(token.low):
+        told = _measured_or_named(tokens, i, previous)
+        if told is not None:
+            return told
+    return _by_lexicon(tokens, i, previous)
+
+
+@lru_cache(maxsize=8192)
+def _only_a_word(word: str) -> bool:
+    """Whether a word opens no number, amount, pace or name, and is no mere "right"."""
+    counts = word in OPENS or word in {"right", "at", "with"}
+    return not counts and not any(word in word_list(n) for n in ("ages", "sexes", "unit_words"))
+
+
+def _measured_or_named(tokens: list[Token], i: int, previous: Term | None) -> Term | None:
+    """What a number, or a word that may open one, says besides being in the lexicon."""
+    token = tokens[i]
     named = named_at(tokens, i)
     if named:
         return named
@@ -281,6 +235,11 @@ def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
     numbered = i + 1 < len(tokens) and tokens[i + 1].kind == "number"
     if token.low in word_list("unit_words") and numbered and quantity_at(tokens, i + 1) is None:
         return Term("actor", "car", i, i + 1)
+    return None
+
+
+def _by_lexicon(tokens: list[Token], i: int, previous: Term | None) -> Term:
+    token = tokens[i]
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(tokens, i) else None
     counted = number is not None and match is not None and match.has("shape", "label")

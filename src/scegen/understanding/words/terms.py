@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 from scegen.understanding.lexicon import Entry, load, word_list
 from scegen.understanding.lexicon.loader import Node
+from scegen.understanding.words.lemmas import lemmas
 from scegen.understanding.words.tokens import Token
 
 
@@ -40,10 +42,7 @@ class Match:
     entries: tuple[Entry, ...]
     j: int
     form: str
-    cats: frozenset[str] = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.cats = frozenset([entry.cat for entry in self.entries])
+    cats: frozenset[str]
 
     def has(self, *cats: str) -> bool:
         """Whether some meaning belongs to one of these classes."""
@@ -61,6 +60,13 @@ class Match:
         return self.entries[0]
 
 
+@lru_cache(maxsize=8192)
+def _begins_nothing(word: str) -> bool:
+    """Whether no phrase of the lexicon begins with a form of a word."""
+    following = load().root.following
+    return not any(base in following for base, _ in lemmas(word)) and "~" not in following
+
+
 def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match | None:
     """The longest phrase of the lexicon that begins at token ``i``, with all meanings.
 
@@ -74,11 +80,12 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
     Returns:
         The phrase, or None where none begins, as behind the last token.
     """
+    last = len(tokens) if end is None else end
+    if i >= last or _begins_nothing(tokens[i].low):
+        return None
     best: list[tuple[Node, str]] = []
     best_j = j = i
     states = [(load().root, "base")]
-    whose = word_list("whose")
-    last = len(tokens) if end is None else end
     while states and j < last:
         token = tokens[j]
         j += 1
@@ -88,7 +95,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
             for base, inflection in token.forms:
                 if base in following:
                     reached.append((following[base], inflection if form == "base" else form))
-            if "~" in following and token.low in whose:
+            if "~" in following and token.low in word_list("whose"):
                 reached.append((following["~"], form))
         states = reached
         ends = [state for state in reached if state[0].entries]
@@ -98,6 +105,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
         return None
     if len(best) == 1:
         node, form = best[0]
-        return Match(node.entries, best_j, form)
+        return Match(node.entries, best_j, form, node.cats)
     entries = tuple([entry for node, _ in best for entry in node.entries])
-    return Match(entries, best_j, next((form for _, form in best if form != "base"), "base"))
+    cats = frozenset[str]().union(*(node.cats for node, _ in best))
+    return Match(entries, best_j, next((form for _, form in best if form != "base"), "base"), cats)
