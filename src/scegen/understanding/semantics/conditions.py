@@ -46,6 +46,9 @@ FACTS: dict[str, Test] = {
     "subject": lambda clause, _: bool(clause.event.subject),
     "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
     "directed": lambda clause, _: bool(clause.event.dirs),
+    "at_a_speed": lambda clause, _: any(
+        (m.cat, m.value) == ("quantity", "speed") for m in clause.event.mods
+    ),
     "verbless": lambda clause, _: not clause.event.name,
     "crossing": lambda _, context: context.junction.crossing,
     "on_a_road": lambda _, context: context.junction.road is not None,

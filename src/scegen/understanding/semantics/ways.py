@@ -48,7 +48,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
             seen = prep.on_mention is not None and any(m.cat == "possessive" for m in target.mods)
-            if target.owner is not None or seen:
+            if target.owner is not None or seen or _our_side(target, event):
                 continue  # "to the right of the bus", "the lorry to its left": where it is
             for value in target.dirs:
                 if value in {"left", "right"}:
@@ -60,6 +60,12 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
             DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
         }
     return found
+
+
+def _our_side(side: Place, event: Event) -> bool:
+    """``a van comes down the ramp to our left``: where that is, for whoever tells it."""
+    ours = any(m.value == "first_person" for m in side.mods)
+    return ours and not any(e.ego for m in event.subject for e in m.entities)
 
 
 def beside_somebody(j: int, tokens: list[Token]) -> bool:
