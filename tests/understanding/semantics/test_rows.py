@@ -117,3 +117,7 @@ def test_what_numbers_say_is_a_condition_of_dangers():
     text = "A van follows the ego at 80 km/h with a headway of {} s."
     assert kinds(text.format(0.5)) == {HazardKind.TAILGATING}
     assert kinds(text.format(1.5)) == set()
+    text = "Ego at 130 km/h in the left lane; a van at 110 km/h changes over from the right lane"
+    text += " with {} m clearance."
+    assert kinds(text.format(20)) == {HazardKind.CUT_IN}
+    assert kinds(text.format(80)) == set()

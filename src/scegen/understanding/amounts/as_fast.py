@@ -89,14 +89,12 @@ def _in_one_lane(text: Sentences, context: Context) -> None:
     context.draft.place(other, None, {where}, basis)
 
 
-def kept_apart(found: Happenings, context: Context) -> None:
+def kept_apart(found: Happenings) -> None:
     """``3 s behind the lead at 120 km/h; the lead brakes``: until then one is as fast.
 
     Args:
         found: what the text tells of.
-        context: the scenario in the making.
     """
-    slow = [e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
     for apart in found.spacings:
         pair = [apart.entity, apart.reference]
         if apart.measure not in {Measure.GAP_M, Measure.HEADWAY_S} or not isinstance(
@@ -107,7 +105,7 @@ def kept_apart(found: Happenings, context: Context) -> None:
             continue
         known = [e for e in pair if isinstance(e, Entity) and e.speed is not None]
         other = next((e for e in pair if isinstance(e, Entity) and e.speed is None), None)
-        if len(known) != 1 or other is None or other.still or other in slow or not other.is_vehicle:
+        if len(known) != 1 or other is None or other.still:
             continue
         basis = known[0].speed_basis or apart.amount.basis
         other.speed = known[0].speed

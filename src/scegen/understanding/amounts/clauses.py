@@ -4,15 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
+from scegen.scenario.spacings import Measure
 from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Apart, Doing, Happenings
 from scegen.understanding.semantics.context import Clause
 
+_VERBS = {ActKind.CHANGE_LANE: "lane_change"}
+"""What rows call an act, where that is not its own name."""
+
 
 def clauses_of(found: Happenings) -> Iterator[Clause]:
     """Acts, what some do, however often, as one; then spacings, named after what is done then.
+
+    A gap at a lane change is a headway as well, by the speed of the one who keeps its lane.
 
     Args:
         found: acts and spacings of a text, with their numbers.
@@ -37,10 +44,21 @@ def _clause_of_acts(acts: list[Doing]) -> Clause:
 
 
 def _clause_of_spacing(apart: Apart) -> Clause:
-    at = apart.at.kind.value if isinstance(apart.at, Doing) else "follow"
+    doing = apart.at if isinstance(apart.at, Doing) else None
     pair = [[e] if isinstance(e, Entity) else [] for e in (apart.entity, apart.reference)]
     amounts: dict[str, list[Interval | None]] = {apart.measure.value: [apart.amount.value]}
-    return Clause(_event(at, apart.amount.basis), pair[0], pair[1], amounts)
+    mover = doing.entity if doing is not None and doing.kind is ActKind.CHANGE_LANE else None
+    others = [e.speed for e in (*pair[0], *pair[1]) if mover is not None and e is not mover]
+    if apart.measure is Measure.GAP_M and others and others[0] is not None:
+        amounts["headway_s"] = [_as_time(apart.amount.value, others[0])]
+    name = "follow" if doing is None else _VERBS.get(doing.kind, doing.kind.value)
+    return Clause(_event(name, apart.amount.basis), pair[0], pair[1], amounts)
+
+
+def _as_time(gap_m: Interval, speed_mps: Interval) -> Interval | None:
+    if speed_mps.low <= 0:
+        return None
+    return Interval(low=gap_m.low / speed_mps.high, high=gap_m.high / speed_mps.low)
 
 
 def _event(name: str, basis: Basis) -> Event:

@@ -88,8 +88,6 @@ class Filler(Teller):
             doing = self._further(doing) if name in doing.amounts else doing
             self._side(doing, number)
         for same in self._alike(doing):
-            if name in same.amounts and same.amounts[name].value != amount.value:
-                return False
             same.amounts.setdefault(name, amount)
         return True
 
@@ -182,8 +180,6 @@ class Filler(Teller):
             low = self._text.tokens[k].low
             if low in {"left", "right"}:
                 doing.side, doing.side_basis = Side(low), Basis(k, k + 1)
-                return
-            if self._text.tokens[k].kind in {"punct", "number"}:
                 return
 
     def _before_the_next(self, number: Measured) -> bool:

@@ -51,9 +51,7 @@ def number_them(found: list[Item]) -> None:
 
 
 def _lie_in_the_way(danger: Danger, text: Sentences, context: Context, found: list[Item]) -> None:
-    i = danger.basis.i or 0
-    near = [t for t in _things(text) if abs(t.i - i) <= _NEAR or t.kind == "object"]
-    named = [t for t in _things(text) if t in context.draft.lying] or near[:1]
+    named = [t for t in _things(text) if t in context.draft.lying]
     listed = [t for t in named if _stands_for_others(t, text)]
     if listed and any(e.still for e in context.draft.entities):
         context.draft.dangers = [d for d in context.draft.dangers if d is not danger]

@@ -107,10 +107,8 @@ def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
     if following is None or following.event.negated:
         return []
-    if following.event.name != "pass" and not (
-        following.event.perfect and following.event.name in _GOES
-    ):
-        return []  # "until it has crossed"
+    if following.event.name != "pass":
+        return []
     others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
     return [] if any(t in clause.actors for t in following.targets) else others
 

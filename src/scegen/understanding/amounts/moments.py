@@ -39,7 +39,6 @@ class Moments(Teller):
         start, end = self._text.bounds(number.i)
         acts = [a for a in self._happenings.acts if a.entity in (entity, reference)]
         if measure is Measure.LATERAL_GAP_M:
-            acts = [] if entity.parked or reference.parked else acts
             passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < end]
             return passing[-1] if passing else START
         if measure not in LENGTHWISE:

@@ -42,7 +42,7 @@ class Judge(Teller):
 
     def _of_verb(self, scene: Clause) -> Ending | None:
         event = scene.event
-        if event.premod_of is not None or self._bare(event) or not self._meets(scene):
+        if event.premod_of is not None or not self._meets(scene):
             return None
         start = max(self._text.bounds(event.i)[0], event.i - _BEFORE)
         nearly = self._text.find("nearly", start, event.i)
@@ -232,4 +232,4 @@ class Judge(Teller):
 
 def _in_vain(event: Event) -> bool:
     """``cannot avoid hitting him``: it happens all the same."""
-    return event.name in {"avoid", "prevent"} and (event.negated or event.unable)
+    return event.name in {"avoid", "prevent"} and event.negated

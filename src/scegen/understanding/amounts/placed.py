@@ -155,16 +155,10 @@ class Spacer(Teller):
         """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
         start, end = self._text.bounds(number.i)
         items = {x.basis.i: x for x in self._happenings.items if start <= (x.basis.i or 0) < end}
-        others = [
-            m.i
-            for m in self._text.mentions
-            if start <= m.i < number.i and any(not e.ego for e in m.entities)
-        ]
-        before = [i for i in items if i is not None and i < number.i]
-        nearest = max(before, default=None) if before else None
-        if nearest is None and not others:
-            nearest = min((i for i in items if i is not None), default=None)
-        if nearest is None or any(i > nearest for i in others):
+        said = [e for m in self._text.mentions if start <= m.i < number.i for e in m.entities]
+        others = [e for e in said if not e.ego]
+        nearest = min((i for i in items if i is not None), default=None)
+        if nearest is None or others:
             return False
         amount = self._with_place(amount_of(number), number)
         apart = Apart(Measure.GAP_M, items[nearest], ego_of(self._context), amount)

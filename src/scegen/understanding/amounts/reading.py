@@ -71,7 +71,7 @@ def read_amounts(
     Struck(text, context, found).settle()
     clock.order()
     found.acts = go_on(found.acts, text)
-    kept_apart(found, context)
+    kept_apart(found)
     found.acts = _kept(found)
     for clause in clauses_of(found):
         say("dangers.told", clause, context)

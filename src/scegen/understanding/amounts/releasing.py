@@ -170,13 +170,9 @@ class Releaser(Teller):
         Args:
             number: the way that somebody has gone.
         """
-        start, end = self._text.bounds(number.i)
-        clause, opened = self._text.scene_at(number.i, number.j), self._text.subordinate(number.i)
+        clause = self._text.scene_at(number.i, number.j)
         who = [e for e in (clause.actors if clause is not None else []) if e.is_vehicle]
-        doing = self._main(opened, number, start, end) if opened is not None else None
-        free = [a for a in self._happenings.acts if a.when is None and a.i > number.i]
-        own = [a for a in free if a.entity in who]
-        chosen = [doing] if doing is not None else [*[a for a in free if a.i < end], *own]
+        chosen = [a for a in self._happenings.acts if a.when is None and a.i > number.i]
         if not chosen:
             return False
         moved = who[0] if who and who[0] is not chosen[0].entity else None

@@ -246,8 +246,6 @@ class Sentences:
         k = next((k for k, c in enumerate(self.chunks) if c.i >= j), len(self.chunks))
         while k < len(self.chunks) and getattr(self.chunks[k], "value", "") in {"(", ")"}:
             k += 1  # "26.7 m (1.6 s) behind a car"
-            while k < len(self.chunks) and getattr(self.chunks[k], "cat", "") == "quantity":
-                k += 1
         k = self._shared(k)
         word = self.chunks[k] if k < len(self.chunks) else None
         if not isinstance(word, Word):

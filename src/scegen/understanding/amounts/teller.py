@@ -60,19 +60,9 @@ class Teller:
         """``the lane change takes 5 s``: of the act that a noun names.
 
         Args:
-            event: the noun, or a verb that depends on it.
+            event: a verb that depends on the noun.
             acts: those that it may be.
         """
-        noun = event if event.nominal else event.parent
+        noun = event.parent
         kind = frames().get(noun.name) if noun is not None and noun.nominal else None
         return [a for a in acts if a.kind is kind]
-
-    def noun_for(self, start: int, end: int) -> Event | None:
-        """The last words between two tokens that name what is done: "at the lane change".
-
-        Args:
-            start: index of the first token.
-            end: index after the last one.
-        """
-        told = [c.event for c in self._text.within(start, end) if c.event.name in frames()]
-        return next((e for e in reversed(told) if e.nominal), None)

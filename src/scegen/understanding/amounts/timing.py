@@ -124,10 +124,8 @@ class Clock(Teller):
     def _since(self, number: Measured) -> str:
         """The word after a time: "after" only where it opens a clause."""
         after = self._text.low(number.j, number.j + 4)
-        if after.startswith(" after ") and (
-            after.startswith(" after that ") or self._text.says("starts", number.j, number.j + 4)
-        ):
-            return "that" if after.startswith(" after that ") else "start"
+        if after.startswith(" after ") and self._text.says("starts", number.j, number.j + 4):
+            return "start"
         return after.split()[0] if after.split() else ""
 
     def _delayed(self, number: Measured) -> Doing | None:
