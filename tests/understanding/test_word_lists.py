@@ -14,8 +14,8 @@ from scegen.understanding.lexicon.loader import _lists
 PACKAGE = Path(scegen.understanding.__file__).parent
 FEWEST = 3
 """So many words make a list."""
-OF_OTHERS = {"agents", "report", "amounts", "frames"}
-"""Prompts, reports, and the numbers, whose words move to their own frames."""
+OF_OTHERS = {"agents", "report", "frames"}
+"""Prompts, reports, and what tells how rows of numbers are matched."""
 TABLES = {"words/numbers.py", "words/quantities.py", "words/paces.py", "semantics/patterns.py",
           "semantics/rows.py"}  # fmt: skip
 """Where words stand for numbers, or are the names of what rows may ask for."""

@@ -12,9 +12,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.tokens import Token
 
-_GOES = frozenset(
-    {"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge", "through"}
-)
+_GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _SOON, _ORDERS = 4, ("first", "before", "after")
 _HOLDING = frozenset({"wait", "stop"})
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})

@@ -13,8 +13,6 @@ from scegen.understanding.draft import Entity
 from scegen.understanding.frames import Measured, words
 from scegen.understanding.happenings import Doing
 
-_AT = (" at ", " at a ", " at a gap of ", " at a distance of ", " at a time gap of ",
-       " at a headway of ")  # fmt: skip
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 _MOVES_INTO = frozenset({ActKind.SWERVE, ActKind.CROSS, ActKind.OPEN_DOOR})
@@ -59,7 +57,7 @@ class Moments(Teller):
             a
             for a in here
             if told & {a.i, *a.told}
-            and (measure is Measure.TTC_S or number.around.before.endswith(_AT))
+            and (measure is Measure.TTC_S or number.around.closes("at_that"))
         ]  # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
         if laned:
             return laned[-1]

@@ -13,10 +13,6 @@ from scegen.understanding.frames import Measured
 from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
-_IN_A_ROW = (" between each ", " between them ", " apart ", " from each ", " from one ",
-             " between one ", " each at ", " to the vehicle in front ", " to the car in front ",
-             " to the one in front ", " behind the next ", " to the next ", " from the next ",
-             " clear of the next ", " behind each other ", " behind one another ")  # fmt: skip
 
 
 def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[Entity, Entity]]:
@@ -27,7 +23,7 @@ def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[En
         text: the text with its clauses.
         context: the scenario in the making.
     """
-    if not number.around.after.startswith(_IN_A_ROW):
+    if not number.around.opens("in_a_row"):
         return []
     start, _ = text.bounds(number.i)
     own = {id(c.owner) for c in text.chunks if isinstance(c, Place)}  # "in the ego's lane"
@@ -85,7 +81,7 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     if holder and len(holder[0].entities) == 1 and named:
         subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
     pairs = [m.entities for m in text.mentions if m.i < number.i and len(m.entities) == _PAIR]
-    if number.around.after.startswith((" between them ", " apart ")) and pairs:
+    if number.around.opens("between_two") and pairs:
         return pairs[-1][0], pairs[-1][1]
     bracketed = _bracketed(number, text)
     if bracketed is not None and subject and bracketed not in subject:

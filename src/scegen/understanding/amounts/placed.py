@@ -35,7 +35,6 @@ _TWO_LANES = 7
 _PLACES = frozenset({"crosswalk", "bus_stop", "parking", "exit", "ramp"})
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
-_SHORT_OF = (" before ", " short ", " in front ")
 
 
 class Spacer(Teller):
@@ -122,7 +121,7 @@ class Spacer(Teller):
         past = past and (one.parked or other.parked)
         passing = [a for a in self._happenings.acts if a.kind is ActKind.OVERTAKE]
         past = past or (near and any(a.entity in (one, other) for a in passing))
-        along = number.around.after.startswith((" ahead ", " in front ", " behind ", " before "))
+        along = number.around.opens("along")
         beside = self._beside(one, other) and number.quantity.exact.high <= _TWO_LANES
         lateral = not along and (past or beside)
         return Measure.LATERAL_GAP_M if measure is Measure.GAP_M and lateral else measure
@@ -196,8 +195,10 @@ class Spacer(Teller):
         stops = stops and bool(who) and not any(e.still for e in who)
         if scene is not None and (rests or scene.event.j == number.i):
             stops = stops and not number.around.after.startswith(" behind ,")
-            return stops and number.around.after.startswith((*_SHORT_OF, " behind "))
-        return stops and number.around.after.startswith(_SHORT_OF)
+            return stops and (
+                number.around.opens("short_of") or number.around.after.startswith(" behind ")
+            )
+        return stops and number.around.opens("short_of")
 
     def _beside(self, one: Entity, other: Entity) -> bool:
         """``drives alongside the ego, 1 m away``: from side to side."""

@@ -15,7 +15,6 @@ from scegen.understanding.happenings import Doing, Trigger, amount_of
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _LINES = JUNCTION | {"crosswalk"}
-_SHORT = frozenset({"before", "short", "from", "away", "off", "of", "in", "ahead", "prior"})
 _SOON = 14
 _ASIDE = frozenset({"side", "flank", "direction", "lane", "front"})
 
@@ -39,7 +38,7 @@ class Releaser(Teller):
         noun, word = self._what_follows(number)
         nears = clause is not None and clause[2] == "as" and self._nears(number)
         opened = opened or (nears and not isinstance(noun, Place))
-        short = word in _SHORT
+        short = word in words()["short"]
         line = self._line(noun, word)
         junction = line is not None and (line.kind in JUNCTION or self._context.junction.crossing)
         thing = self._thing(noun, number.i) if short and measure is Measure.GAP_M else None
@@ -96,7 +95,7 @@ class Releaser(Teller):
     def _line(self, noun: NounPhrase | None, word: str) -> Place | None:
         """The line across the road from which a distance counts: ``50 m before the junction``."""
         if isinstance(noun, Place):
-            return noun if noun.kind in _LINES and word in _SHORT | {"to"} else None
+            return noun if noun.kind in _LINES and word in {*words()["short"], "to"} else None
         return None
 
     def _on_it(self) -> list[Entity]:
@@ -122,7 +121,7 @@ class Releaser(Teller):
     def _nears(self, number: Measured) -> bool:
         """``as the ego comes within 30 m``: so near is a moment; "as it follows" lasts."""
         event = self._text.verb_at(number.i, number.j)
-        return event is not None and event.lemma in {"come", "get", "near", "approach", "reach"}
+        return event is not None and event.lemma in words()["nearing"]
 
     def _what_follows(self, number: Measured) -> tuple[NounPhrase | None, str]:
         """The noun of the phrase of place after a number, and the word that opens it."""

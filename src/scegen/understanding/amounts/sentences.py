@@ -12,7 +12,6 @@ from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.tokens import Token
 
 _PARENTHESIS = 2
-_JOINTS = frozenset({",", ":", "and", "while", "whereas", "but", "("})
 _ENDS = frozenset({".", ";", "!", "?", "\n"})
 
 
@@ -216,7 +215,7 @@ class Sentences:
         """
         start, _ = self.bounds(i)
         for k in range(i - 1, start - 1, -1):
-            if k > start and self.tokens[k - 1].low not in _JOINTS:
+            if k > start and self.tokens[k - 1].low not in words()["joints"]:
                 continue
             free = [m for m in self.mentions if k <= m.i < i and m.entities and m.prep is None]
             if free and not free[0].possessor:
@@ -231,7 +230,7 @@ class Sentences:
         """
         begin, who = self.part(i)
         start, end = self.bounds(i)
-        after = next((k for k in range(i, end) if self.tokens[k].low in _JOINTS), end)
+        after = next((k for k in range(i, end) if self.tokens[k].low in words()["joints"]), end)
         told = [c for c in self.within(start, begin) if c.actors]
         if not who or not told or self.within(begin, after):
             return None

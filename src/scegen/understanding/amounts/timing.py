@@ -15,7 +15,6 @@ _ANY = frozenset(ActKind)
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
 _GREEN_REACH = 9
 _REACTION_REACH = 4
-_LATER = frozenset({"later", "afterwards", "thereafter", "that"})
 
 
 class Clock(Teller):
@@ -180,7 +179,7 @@ class Clock(Teller):
             clause = [a for _, a in self._told_in(number.j, end) if a is not doing]
             if clause:
                 begins = self._text.low(number.j, clause[0].i)
-                begun = any(f" {w} " in begins for w in ("begins", "starts", "begun", "started"))
+                begun = any(f" {w} " in begins for w in words()["begun"])
                 begun = begun or self._endless(clause[0])
                 return clause[0], "begin" if begun else "end"
             other = self._of_the_other(number, doing)
@@ -199,7 +198,7 @@ class Clock(Teller):
         ends = own and bool(over)
         ends = ends or before[-1].kind not in {ActKind.BRAKE, ActKind.ACCELERATE}
         since = "end" if ends else "begin"  # of braking without an end, or that another answers
-        if own or nearby & _LATER:
+        if own or nearby & {*words()["later"]}:
             return before[-1], since
         return before[-1], "begin"  # "the ego reacts after 1 s"
 

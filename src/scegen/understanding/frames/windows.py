@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scegen.understanding.frames.loader import AmountFrame, amounts
+from scegen.understanding.frames.loader import AmountFrame, amounts, words
 from scegen.understanding.words.terms import longest_match
 from scegen.understanding.words.tokens import Token
 
@@ -80,6 +80,22 @@ class Window:
             return True
         return set(self.before[at + len(phrase) + 2 :].split()) <= _FILLERS
 
+    def opens(self, name: str) -> bool:
+        """Whether what follows begins with a phrase of a list.
+
+        Args:
+            name: of the list in ``words.yaml``.
+        """
+        return any(self.after.startswith(f" {p} ") for p in words()[name])
+
+    def closes(self, name: str) -> bool:
+        """Whether what stands before ends with a phrase of a list.
+
+        Args:
+            name: of the list in ``words.yaml``.
+        """
+        return any(self.before.endswith(f" {p} ") for p in words()[name])
+
 
 def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     """The words around the tokens ``i`` to ``j - 1``.
@@ -119,19 +135,19 @@ def _opens_aside(tokens: list[Token], i: int) -> bool:
 
 def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
     k = i - 1
-    words: list[str] = []
-    while k >= 0 and len(words) < _REACH:
+    found: list[str] = []
+    while k >= 0 and len(found) < _REACH:
         token = tokens[k]
         pair = _both_ends(tokens, k)
         if pair is not None:
-            words.insert(0, "between")
+            found.insert(0, "between")
             k = pair - 1
             continue
         opened = _bracketed(tokens, k)
         if opened is not None:  # "behind a van (70 km/h) at 1.8 s"
             k = opened - 1
             continue
-        if token.low in {"(", ":"} and _FILLERS.issuperset(words):
+        if token.low in {"(", ":"} and _FILLERS.issuperset(found):
             k -= 1
             continue
         measured = k > 0 and token.low == "when" and tokens[k - 1].low in _HEADS
@@ -139,9 +155,9 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
             break
         if token.low in _JOINTS and not measured:
             break
-        words.insert(0, token.low)
+        found.insert(0, token.low)
         k -= 1
-    return f" {' '.join(words)} "
+    return f" {' '.join(found)} "
 
 
 def _bracketed(tokens: list[Token], k: int) -> int | None:
@@ -170,14 +186,14 @@ def _after(tokens: list[Token], j: int) -> str:
             k += 1
     while k < len(tokens) and tokens[k].low == ")":
         k += 1
-    words: list[str] = []
-    while k < len(tokens) and len(words) < _REACH:
+    found: list[str] = []
+    while k < len(tokens) and len(found) < _REACH:
         token = tokens[k]
         if token.kind in {"punct", "number"} or token.low in _JOINTS | _FURTHER:
             break
-        words += [token.low] if token.kind != "clitic" or words else []  # "2 seconds' distance"
+        found += [token.low] if token.kind != "clitic" or found else []  # "2 seconds' distance"
         k += 1
-    return f" {' '.join(words)} "
+    return f" {' '.join(found)} "
 
 
 def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]) -> AmountFrame:
