@@ -194,10 +194,7 @@ class Spacer(Teller):
         stops = name == "stop" or bool(rests)
         stops = stops and bool(who) and not any(e.still for e in who)
         if scene is not None and (rests or scene.event.j == number.i):
-            stops = stops and not number.around.after.startswith(" behind ,")
-            return stops and (
-                number.around.opens("short_of") or number.around.after.startswith(" behind ")
-            )
+            return stops and number.around.opens("short_of_or_behind")
         return stops and number.around.opens("short_of")
 
     def _beside(self, one: Entity, other: Entity) -> bool:
