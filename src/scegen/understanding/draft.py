@@ -102,7 +102,6 @@ class Entity:
     by_heading: Basis | None = None
     counted: Basis | None = None
     moves: Basis | None = None
-    on_straight: bool = False
     through: Basis | None = None
     waits: Basis | None = None
     claimed: bool = False
@@ -189,6 +188,8 @@ class Draft:
     lanes_implied: Basis | None = None
     passing_implied: Basis | None = None
     access: Basis | None = None
+    used: dict[str, CrossedArm] = field(default_factory=dict)
+    """How who drives comes to a kind of road of the junction."""
     side_road: Basis | None = None
     """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
     lying: list[Any] = field(default_factory=list)
@@ -208,6 +209,11 @@ class Draft:
     def note(self, i: int, j: int, instead: str) -> None:
         """Reports words that no field holds."""
         self.notes.append(Note(i, j, instead))
+
+    def note_at(self, basis: Basis | None, instead: str) -> None:
+        """Reports the words that something rests on, if there are any."""
+        if basis is not None and basis.i is not None and basis.j is not None:
+            self.note(basis.i, basis.j, instead)
 
     def hazard(
         self, kind: HazardKind, basis: Basis, by: list[Entity], to: list[Entity] | None = None
@@ -255,8 +261,8 @@ class Draft:
         known = entity.maneuvers
         both_ways = known & _TURNS and values & _TURNS and not values & known
         either = alternative is not None and alternative == entity.turn_alternative
-        if both_ways and not either and later and basis.i is not None and basis.j is not None:
-            self.note(basis.i, basis.j, "one junction is built; this later turn is left out")
+        if both_ways and not either and later:
+            self.note_at(basis, "one junction is built; this later turn is left out")
             return
         if both_ways and not either:
             self._contradiction(entity, values, basis)
@@ -268,16 +274,12 @@ class Draft:
             known = set()  # "both turn: V1 goes left": now it is said which way
         if Maneuver.CROSS in values:
             walked = entity.maneuver_basis
-            if Maneuver.STRAIGHT in known and not entity.is_vehicle and walked is not None:
-                self._note_at(walked, _WAITS_TO_CROSS)
+            if Maneuver.STRAIGHT in known and not entity.is_vehicle:
+                self.note_at(walked, _WAITS_TO_CROSS)
             known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)
         entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
         entity.turn_alternative = alternative or entity.turn_alternative
-
-    def _note_at(self, basis: Basis, instead: str) -> None:
-        if basis.i is not None and basis.j is not None:
-            self.note(basis.i, basis.j, instead)
 
     def _contradiction(self, entity: Entity, values: set[Maneuver], basis: Basis) -> None:
         first = f"{min(entity.maneuvers & _TURNS)}{self._quoted(entity.maneuver_basis)}"
@@ -305,6 +307,4 @@ def _joined(old: Basis | None, new: Basis, keep: bool) -> Basis:
     """Words that together carry a set of alternatives, as one stretch of text."""
     if old is None or not keep or old.i is None or new.i is None:
         return new
-    if old.j is None or new.j is None:
-        return new
-    return Basis(min(old.i, new.i), max(old.j, new.j), new.reason)
+    return Basis(min(old.i, new.i), max(old.j or 0, new.j or 0), new.reason)

@@ -233,8 +233,7 @@ class Builder:
         stands = entity.parked or Maneuver.STAY in maneuvers
         if junction.control is Control.SIGNALS and shown and not stands:
             return light, basis
-        if basis.i is not None and basis.j is not None:
-            self._draft.note(basis.i, basis.j, _NO_LIGHT)
+        self._draft.note_at(basis, _NO_LIGHT)
         return None, None
 
     def _seen_at(self, entity: Entity) -> set[Approach]:

@@ -122,8 +122,8 @@ def settle_numbers(draft: Draft, ego: Entity, junction: Junction) -> None:
         _, basis = entity.start_lane or ("", entity.basis)
         entity.start_lane = None
         expressed = entity in beside or (entity is ego and beside)
-        if not expressed and basis.i is not None:
-            draft.note(basis.i, basis.j or basis.i, _UNSETTLED)
+        if not expressed:
+            draft.note_at(basis, _UNSETTLED)
 
 
 def circulates(entity: Entity, junction: Junction) -> bool:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from scegen.scenario.bends import Bend
-from scegen.scenario.functional import ARM_COUNTS, MAX_LANES, Junction
+from scegen.scenario.functional import ARM_COUNTS, Junction
 from scegen.scenario.roadway import (
     AuxiliaryLane,
     Carriageway,
@@ -18,6 +16,7 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
+from scegen.understanding.building.lanes import lanes_of_road
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.ramps import auxiliary_lane
 from scegen.understanding.building.strips import AT_JUNCTIONS, strips_beside
@@ -28,18 +27,12 @@ from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
-_MOST_LANES = 3
-_RING_LANES = 2
-_RING_OF_TWO = "a roundabout's ring has 2 lanes at most, and has 2 here"
-_FEWER_LANES = "at junctions at most 3 lanes a direction are built; as many as it takes"
 _NO_LIGHT_HERE = "lights stand at intersections only: this is read as one, with four ways"
 _DRIVEN_OVER = "no median is built where somebody meets the oncoming, or a direction has one lane"
 _NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
 _NO_LANE_SO_LONG = "no such lane is built here, so it has no length"
 _AT_ARMS_END = "at a junction, crosswalks lie at the ends of the arms that somebody crosses"
 _NOT_AT_RAMPS = "no crosswalk is built beside a ramp or a lane that ends"
-_FEWEST_TO_NAME = 2
-"""There is a left and a right lane only where there are two."""
 _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.MERGING_CONFLICT,
                           HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
 
@@ -82,7 +75,7 @@ class Layout:
         angles = self._reading.angles_deg if len(self._reading.angles_deg) == arms else ()
         if angles:
             self._proofs.add("junction.arm_angles_deg", self._reading.angles_basis)
-        lanes, ring, lanes_basis = self._lanes(kind, arms)
+        lanes, ring, lanes_basis = lanes_of_road(self._draft, self._around, self._along, kind, arms)
         self._proofs.add(
             "junction.lanes", lanes_basis, "one lane per direction unless more are said"
         )
@@ -129,7 +122,9 @@ class Layout:
         dark, basis = self._reading.dark, self._reading.control_basis
         flash = word_list("flashing") if control is Control.ALL_WAY_STOP else frozenset()
         if basis is not None and flash & {t.low for t in self._draft.tokens[basis.i : basis.j]}:
-            self._note(basis, "flashing red tells everybody to stop: stop signs stand for it")
+            self._draft.note_at(
+                basis, "flashing red tells everybody to stop: stop signs stand for it"
+            )
         if dark is None or dark.i is None:
             return
         draft, begins, ends = self._draft, dark.i, dark.j or dark.i
@@ -137,9 +132,11 @@ class Layout:
         draft.notes = [n for n in draft.notes if not begins <= n.i < n.j <= ends]
         words = {t.low for t in draft.tokens[dark.i : dark.j]}
         if control is not Control.SIGNALS_OFF:
-            self._note(dark, f"the rule of the junction is {control}; the lights are left out")
+            self._draft.note_at(
+                dark, f"the rule of the junction is {control}; the lights are left out"
+            )
         elif words & word_list("flashing"):
-            self._note(dark, "lights that do not regulate are shown dark, not flashing")
+            self._draft.note_at(dark, "lights that do not regulate are shown dark, not flashing")
 
     def _carriageway(self, kind: JunctionKind, lanes: tuple[int, ...]) -> Carriageway:
         """As the words have it; at junctions, and where the other lanes are used, undivided."""
@@ -148,20 +145,16 @@ class Layout:
             return Carriageway.UNDIVIDED
         if kind is not JunctionKind.STRAIGHT:
             if self._along.median or not self._along.presumed:
-                self._note(basis, AT_JUNCTIONS)
+                self._draft.note_at(basis, AT_JUNCTIONS)
             return Carriageway.UNDIVIDED
         narrow = lanes[:1] == (1,) or self._around.two_lane is not None
         if self._along.presumed and (narrow or self._meets_the_oncoming()):
             told = any(note.i == basis.i for note in self._draft.notes)
             if self._along.median and not told:
-                self._note(basis, _DRIVEN_OVER)
+                self._draft.note_at(basis, _DRIVEN_OVER)
             return Carriageway.UNDIVIDED
         self._proofs.add("junction.carriageway", basis)
         return said
-
-    def _note(self, basis: Basis, instead: str) -> None:
-        if basis.i is not None and basis.j is not None:
-            self._draft.note(basis.i, basis.j, instead)
 
     def _meets_the_oncoming(self) -> bool:
         """Whether somebody comes towards another, or turns back, so that no median can be there."""
@@ -177,7 +170,7 @@ class Layout:
         if found is None:
             return None
         if kind is not JunctionKind.STRAIGHT or self._along.bend is not None:
-            self._note(found[1], _NO_RAMP_HERE)
+            self._draft.note_at(found[1], _NO_RAMP_HERE)
             return None
         self._proofs.add("junction.auxiliary", found[1])
         return found[0]
@@ -188,7 +181,7 @@ class Layout:
             self._proofs.add("junction.auxiliary_length_m", basis)
             return length
         if basis is not None:
-            self._note(basis, _NO_LANE_SO_LONG)
+            self._draft.note_at(basis, _NO_LANE_SO_LONG)
         return None
 
     def _crosswalks(self, kind: JunctionKind, auxiliary: AuxiliaryLane | None) -> frozenset[int]:
@@ -198,10 +191,10 @@ class Layout:
             return frozenset()
         if kind is not JunctionKind.STRAIGHT:
             if self._draft.tokens[(basis.i or 0) - 1].low in word_list("mid_block"):
-                self._note(basis, _AT_ARMS_END)
+                self._draft.note_at(basis, _AT_ARMS_END)
             return frozenset()
         if auxiliary is not None:
-            self._note(basis, _NOT_AT_RAMPS)
+            self._draft.note_at(basis, _NOT_AT_RAMPS)
             return frozenset()
         self._proofs.add("junction.crosswalks", basis)
         return frozenset({0})
@@ -211,7 +204,7 @@ class Layout:
         if self._along.bend is None or basis is None:
             return None
         if kind is not JunctionKind.STRAIGHT or angles:
-            self._note(basis, AT_JUNCTIONS)
+            self._draft.note_at(basis, AT_JUNCTIONS)
             return None
         self._proofs.add("junction.bend", basis)
         return self._along.bend
@@ -241,7 +234,7 @@ class Layout:
         words = {t.low for t in self._draft.tokens}
         marked, light = self._along.crosswalk_basis, self._reading.control_basis
         if (marked is not None and marked == light) or words & word_list("mid_block"):
-            self._note(regulated, _NO_LIGHT_HERE)
+            self._draft.note_at(regulated, _NO_LIGHT_HERE)
 
     def _lateral(self) -> Basis | None:
         lateral = {Approach.LEFT, Approach.RIGHT}
@@ -278,63 +271,3 @@ class Layout:
         if basis is not None and basis.reason is None:
             return arms, Basis(basis.i, basis.j)
         return arms, Basis(reason=f"follows from the shape {kind.value}")
-
-    def _lanes(
-        self, kind: JunctionKind, arms: int
-    ) -> tuple[tuple[int, ...], int | None, Basis | None]:
-        around = self._around
-        ring, plain = kind is JunctionKind.ROUNDABOUT, kind is JunctionKind.STRAIGHT
-        implied = self._draft.lanes_implied
-        adjacent = next(
-            (e for e in self._draft.entities if Approach.ADJACENT in e.approaches), None
-        )
-        if implied is None and adjacent is not None:
-            basis = adjacent.approach_basis or adjacent.basis
-            implied = Basis(basis.i, basis.j, "vehicles side by side need a second lane")
-        if around.lanes == 1 and around.lanes_in_all is not None and implied is not None:
-            count = around.lanes_in_all  # "on a two-lane road, a car in the next lane cuts in"
-            reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
-            counted = around.lanes_basis or implied
-            return (count,) * arms, None, Basis(counted.i, counted.j, reason)
-        most = MAX_LANES if plain else _MOST_LANES
-        if around.lanes_basis is not None and (around.lanes or 0) > (_RING_LANES if ring else most):
-            self._note(around.lanes_basis, _RING_OF_TWO if ring else _FEWER_LANES)
-        if around.lanes is not None and around.lanes <= most:
-            doubled = _RING_LANES if ring and around.lanes > 1 else None
-            return (around.lanes,) * arms, doubled, around.lanes_basis
-        if ring and around.two_lane is not None:
-            return (2,) * arms, 2, around.two_lane
-        passing = self._draft.passing_implied
-        if implied is None and passing is not None:
-            if not ring and not self._parted() and self._against_oncoming():
-                reason = "who overtakes uses the oncoming lane"
-                return (1,) * arms, None, Basis(passing.i, passing.j, reason)
-            implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
-        if implied is None and plain and around.two_lane is not None and not self._parted():
-            counted = around.two_lane
-            return (1,) * arms, None, Basis(counted.i, counted.j, "two lanes, one each way")
-        if implied is None and around.highway is not None:
-            reason = "highways have two lanes per direction unless said otherwise"
-            implied = Basis(around.highway.i, around.highway.j, reason)
-        lanes = [e.start_lane for e in self._draft.entities if e.start_lane is not None]
-        named = [name for name, _ in lanes]
-        if implied is None or not (ring or named or around.highway is not None):
-            return (), None, None  # as many as it takes
-        count = _MOST_LANES if "middle" in named or self._middle_lane() else _FEWEST_TO_NAME
-        count = max(count, *(int(name.split()[0]) for name in named if name[0].isdigit()), 0)
-        return (count,) * arms, (2 if ring else None), implied
-
-    def _middle_lane(self) -> bool:
-        """``changes from the left to the middle lane``."""
-        words = [token.low for token in self._draft.tokens]
-        pairs = pairwise(words)
-        return any(one in word_list("middle") and other == "lane" for one, other in pairs)
-
-    def _parted(self) -> bool:
-        """Whether the words part the directions for sure."""
-        return self._along.carriageway is not None and not self._along.presumed
-
-    def _against_oncoming(self) -> bool:
-        """Whether somebody overtakes on a road where others come towards them."""
-        facing = any(Approach.OPPOSITE in e.approaches for e in self._draft.entities)
-        return facing or (self._around.two_lane is not None and self._around.highway is None)

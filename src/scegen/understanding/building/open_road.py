@@ -59,8 +59,8 @@ def abreast(draft: Draft, ego: Entity) -> None:
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
         if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
             continue
-        if entity.by_heading is not None or entity.pulls_out:
-            continue  # headings across each other: the roads meet somewhere
+        if entity.pulls_out:
+            continue
         basis = entity.approach_basis or entity.basis
         rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
         words = {t.low for t in draft.tokens[basis.i or 0 : basis.j]}
@@ -76,12 +76,11 @@ def abreast(draft: Draft, ego: Entity) -> None:
 
 
 def both_change_lanes(draft: Draft, ego: Entity) -> None:
-    """Who changes lanes as the ego does, or along the same road, comes from another lane."""
+    """Who changes lanes as the ego does comes from another lane."""
     placed = {p.entity.index for p in draft.placements}
     both = Maneuver.LANE_CHANGE in ego.maneuvers
     for entity in draft.entities:
-        along = entity.heading is not None and entity.heading == ego.heading
-        if entity is ego or entity.approaches or entity.index in placed or not (both or along):
+        if entity is ego or entity.approaches or entity.index in placed or not both:
             continue
         if Maneuver.LANE_CHANGE in entity.maneuvers:
             entity.approaches = {Approach.ADJACENT}

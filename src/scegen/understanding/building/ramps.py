@@ -42,8 +42,7 @@ def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_e
     for entity in draft.entities:
         basis = entity.exits if leaves else entity.by_ramp
         left_out = None if leaves else entity.exits
-        if left_out is not None and left_out.i is not None:
-            draft.note(left_out.i, left_out.j or left_out.i + 1, ONE_RAMP)
+        draft.note_at(left_out, ONE_RAMP)
         if basis is None or not entity.moving_vehicle:
             continue
         entity.maneuvers = {Maneuver.EXIT if leaves else Maneuver.MERGE}
@@ -61,5 +60,5 @@ def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_e
         beside = entity.beside is not None and entity.beside[0] == kerb.value
         # "In front of a truck" is where it gets to: until then the truck drives beside the ramp.
         beside = beside or entity.approaches in ({Approach.AHEAD}, {Approach.BEHIND})
-        if entity.by_ramp is None and (beside or entity.approaches == {Approach.ADJACENT, kerb}):
+        if entity.by_ramp is None and beside:
             entity.approaches, entity.beside = {Approach.ADJACENT, centre}, None

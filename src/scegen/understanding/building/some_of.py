@@ -27,8 +27,6 @@ def some_of(
         told = [e for e in members if e.maneuvers]
         if len(members) < 2 or not told or not all(e.some for e in told):
             continue
-        if any(e.turn_alternative is not None for e in told):
-            continue  # "left or right"
         ways = Counter(frozenset(e.maneuvers) for e in told)
         words = {frozenset(e.maneuvers): e.maneuver_basis or e.basis for e in told}
         for entity in members:

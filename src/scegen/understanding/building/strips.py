@@ -12,7 +12,7 @@ from scegen.scenario.roadway import (
 )
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.building.proving import Proofs
-from scegen.understanding.draft import Basis, Draft
+from scegen.understanding.draft import Draft
 from scegen.understanding.road.lengthwise import Lengthwise
 
 AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
@@ -46,12 +46,12 @@ def strips_beside(
         if strip in along.without:
             proofs.add("junction.strips", along.without[strip])
         elif kind is not JunctionKind.STRAIGHT:
-            _note(draft, None if of_road else basis, AT_JUNCTIONS)
+            draft.note_at(None if of_road else basis, AT_JUNCTIONS)
         elif auxiliary is not None and strip not in BESIDE_AN_AUXILIARY_LANE:
-            _note(draft, None if of_road else basis, _BESIDE_A_RAMP)
+            draft.note_at(None if of_road else basis, _BESIDE_A_RAMP)
         elif not of_road or carriageway is Carriageway.DIVIDED:
             if strip is Strip.HARD_SHOULDER and not of_road and not _anybody_on_it(draft):
-                _note(draft, basis, _NOBODY_DRIVES)
+                draft.note_at(basis, _NOBODY_DRIVES)
             proofs.add("junction.strips", basis)
             found.add(strip)
     if auxiliary is None:
@@ -87,23 +87,18 @@ def _where_somebody_is(
         built = plain or (entity.parked and strip not in PLAIN_ROAD_STRIPS)
         beside = Strip.HARD_SHOULDER in found and strip in NOT_BESIDE_A_SHOULDER
         if strip is Strip.HARD_SHOULDER and entity.approaches & sides == sides - {kerb}:
-            _note(draft, basis, _INNER_SHOULDER)
+            draft.note_at(basis, _INNER_SHOULDER)
             entity.approaches = {kerb}
         if ramp and strip not in BESIDE_AN_AUXILIARY_LANE:
             entity.strip = None
-            _note(draft, basis, _BESIDE_A_RAMP)
+            draft.note_at(basis, _BESIDE_A_RAMP)
         elif built and not beside:
             proofs.add("junction.strips", basis)
             found.add(strip)
         elif strip not in found:
             entity.strip = None
-            _note(draft, basis, _BESIDE_A_SHOULDER if beside else AT_JUNCTIONS)
+            draft.note_at(basis, _BESIDE_A_SHOULDER if beside else AT_JUNCTIONS)
 
 
 def _anybody_on_it(draft: Draft) -> bool:
     return any(e.parked or e.was_parked is not None or e.strip is not None for e in draft.entities)
-
-
-def _note(draft: Draft, basis: Basis | None, instead: str) -> None:
-    if basis is not None and basis.i is not None and basis.j is not None:
-        draft.note(basis.i, basis.j, instead)

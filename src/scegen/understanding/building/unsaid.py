@@ -66,7 +66,7 @@ def _followed(
     if entity.kind in ON_FOOT:
         reason = "nothing else is said: somebody on foot crosses"
         return Maneuver.CROSS, entity.basis, reason
-    if junction.kind is JunctionKind.STRAIGHT or (entity.on_straight and entity.moves):
+    if junction.kind is JunctionKind.STRAIGHT:
         reason = "on a straight road, or one without a junction, one drives straight on"
         return Maneuver.STRAIGHT, entity.moves or Basis(), reason
     if junction.kind is JunctionKind.ROUNDABOUT:

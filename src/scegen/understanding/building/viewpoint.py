@@ -5,9 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.meaning.approaches import INVERSE
-from scegen.understanding.meaning.mutual import allow, face_each_other, in_file
-from scegen.understanding.semantics import numbered_lanes
+from scegen.understanding.meaning.mutual import allow, face_each_other
+from scegen.understanding.semantics.approaches import INVERSE
 
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
@@ -28,8 +27,7 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     named = next((e for e in draft.entities if e.ego), None)
     if named is not None:
         stood = named.was_parked or (named.parked_basis if named.parked else None)
-        if stood is not None and stood.i is not None and stood.j is not None:
-            draft.note(stood.i, stood.j, _DRIVES)
+        draft.note_at(stood, _DRIVES)
         named.parked = False
         words = named.basis.i is not None
         return named, Basis(named.basis.i, named.basis.j) if words else named.basis
@@ -59,13 +57,11 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
     walkers = any(not e.is_vehicle for e in draft.entities)
     alone = len(candidates) == 1 == len(movers) and not walkers
-    led = any(_placed(draft, e, Approach.AHEAD) for e in candidates)
-    still = {e.index for d in draft.dangers if d.kind is HazardKind.STOPPING for e in d.by}
     sides = _SIDEWAYS if alone else _ALONG
     exposed = walkers or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
     sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
-    if all(_seen(draft, e, sides) or (led and e.index in still) for e in candidates):
+    if all(_seen(draft, e, sides) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
     chosen, reason = _designate(draft, candidates)
@@ -181,8 +177,7 @@ def settle_positions(
             continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
-    in_file(relations)
-    face_each_other(draft, ego, relations)
+    face_each_other(draft, ego)
     _against_the_ego(draft, ego)
     if ego.heading is not None:
         for entity in draft.entities:
@@ -195,7 +190,7 @@ def settle_positions(
             seen = ego.heading_basis or Basis()
             entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
     _beside(draft, ego)
-    numbered_lanes.beside(draft, ego)
+    _in_the_next_number(draft, ego)
     _in_file(relations)
     ego.approaches = set()
     return relations
@@ -242,6 +237,14 @@ def _beside(draft: Draft, ego: Entity) -> None:
                 entity.approaches = {Approach.ADJACENT}
                 reason = "who cuts in comes from the next lane"
                 entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+
+
+def _in_the_next_number(draft: Draft, ego: Entity) -> None:
+    """Who drives in lane 1 is beside who drives in lane 2."""
+    for entity in [e for e in draft.entities if e.lane is not None and e is not ego]:
+        away = abs((entity.lane or 0) - ego.lane) if ego.lane is not None else None
+        if not entity.approaches and away == 1:
+            entity.approaches, entity.approach_basis = {Approach.ADJACENT}, entity.lane_basis
 
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:

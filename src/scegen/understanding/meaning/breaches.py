@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, DrivingSide, HazardKind
-from scegen.understanding.draft import Danger, Draft
+from scegen.understanding.draft import Draft
 
 _FROM_THE_SIDE = frozenset({Approach.LEFT, Approach.RIGHT})
 
@@ -22,9 +22,3 @@ def onto_the_road(draft: Draft, side: DrivingSide) -> None:
         aside = all(e.approaches and e.approaches <= _FROM_THE_SIDE for e in danger.by)
         if across and danger.by and aside:
             danger.kind = HazardKind.FAILURE_TO_YIELD
-    kept: list[Danger] = []
-    for danger in draft.dangers:
-        same = next((d for d in kept if d.kind is danger.kind and d.by == danger.by), None)
-        if same is None or danger.kind is not HazardKind.FAILURE_TO_YIELD:
-            kept.append(danger)
-    draft.dangers[:] = kept

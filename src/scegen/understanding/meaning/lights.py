@@ -89,7 +89,7 @@ def _changes(clause: Clause) -> bool:
     """``the light turns red``, ``as soon as it gets green``."""
     event = clause.event
     told = event.lemma in word_list("light_changes") and not event.nominal and not event.negated
-    return told and (not clause.actors or event.name == "inert" or event.lemma == "get")
+    return told and (not clause.actors or event.name == "inert")
 
 
 def _owner(place: Place) -> list[Entity]:
@@ -185,9 +185,7 @@ def _answer(light: _Light, change: Clause, clauses: list[Clause], context: Conte
 def _link(clause: Clause, change: Clause, context: Context) -> str | None:
     """The conjunction by which a change hangs on what is told right before it."""
     between = [t.low for t in context.tokens[clause.event.j : change.event.i]]
-    links = [k for k, word in enumerate(between) if word in word_list("at_a_change")]
-    apart = links and {"and", "but", ",", ";"} & set(between[: links[-1]])
-    return between[links[-1]] if links and not apart else None
+    return next((word for word in between[::-1] if word in word_list("at_a_change")), None)
 
 
 def _meets(colour: AtLight, clause: Clause, link: str | None) -> AtLight | None:

@@ -27,39 +27,13 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
         entity.approach_basis = basis
 
 
-def in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
-    """``a motorcycle behind an oncoming van``: it comes from where the van comes from.
-
-    Args:
-        relations: positions of two, neither of them the ego.
-    """
-    across = {Approach.OPPOSITE, Approach.LEFT, Approach.RIGHT}
-    for entity, reference, approaches, basis in relations:
-        along = approaches <= {Approach.AHEAD, Approach.BEHIND}
-        both = entity.moving_vehicle and reference.moving_vehicle
-        if along and both and not entity.approaches and reference.approaches <= across:
-            reason = "one drives behind the other"
-            allow(entity, set(reference.approaches), Basis(basis.i, basis.j, reason))
-
-
-def face_each_other(
-    draft: Draft, ego: Entity, relations: list[tuple[Entity, Entity, set[Approach], Basis]]
-) -> None:
-    """``from opposite directions``: each comes towards the others.
+def face_each_other(draft: Draft, ego: Entity) -> None:
+    """``from opposite directions``: each comes towards the others, the ego among them.
 
     Args:
         draft: the scenario in the making.
         ego: its ego.
-        relations: positions of two others; some are added.
     """
     for entity in draft.entities:
-        if entity is ego or not entity.opposed:
-            continue
-        basis = entity.approach_basis or entity.basis
-        if ego.index in entity.opposed:
-            allow(entity, {Approach.OPPOSITE}, basis)
-            continue
-        first = min(entity.opposed)
-        if first < entity.index:
-            reference = draft.entities[first]
-            relations.append((entity, reference, {Approach.OPPOSITE}, basis))
+        if entity is not ego and ego.index in entity.opposed:
+            allow(entity, {Approach.OPPOSITE}, entity.approach_basis or entity.basis)

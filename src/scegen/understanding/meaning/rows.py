@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
@@ -25,22 +25,15 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
             members = [e for m in chain(chunk) for e in m.entities]
             _behind_each_other(chunk.mods, members, draft)
     for event in events:
-        if not any(map(_from_a_side, event.subject)):  # they arrive so, on roads of their own
-            _behind_each_other(event.mods, [e for m in event.subject for e in m.entities], draft)
+        _behind_each_other(event.mods, [e for m in event.subject for e in m.entities], draft)
     _queue_of_the_numbered(chunks, events, draft)
-
-
-def _from_a_side(mention: Mention) -> bool:
-    """``a van from the left``, ``cars from different directions``."""
-    whence = (p.target for p in mention.pps if p.value == "from")
-    return any(isinstance(w, Place) and w.kind in {"side", "direction"} for w in whence)
 
 
 def _queue_of_the_numbered(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
     """``first van brakes, second stops, third (the ego) is late``: one behind the other."""
     numbered = {id(c): c for c in chunks if isinstance(c, Mention) and _ordinal(c) is not None}
     braking = [m for e in events if e.name in _BRAKING for m in e.subject if id(m) in numbered]
-    if not braking or any(isinstance(c, Place) and c.kind == "junction" for c in chunks):
+    if not braking:
         return
     by_number: dict[int, Entity] = {}
     for mention in numbered.values():
@@ -49,18 +42,8 @@ def _queue_of_the_numbered(chunks: list[Chunk], events: list[Event], draft: Draf
     order = [by_number[n] for n in sorted(by_number)]
     apart = len(set(map(id, order))) == len(order) and all(e.moving_vehicle for e in order)
     basis = Basis(braking[0].i, braking[0].j, "they brake one after the other")
-    order += [
-        e for e in draft.entities if e.ego and e not in order and not _placed(e, order, draft)
-    ]
     for leader, follower in combinations(order, 2) if apart else []:
         draft.place(leader, follower, {Approach.AHEAD}, basis)
-
-
-def _placed(ego: Entity, others: list[Entity], draft: Draft) -> bool:
-    """Whether it is said how the ego and the others stand to each other."""
-    return any(
-        p.entity in others and (p.reference is None or p.reference is ego) for p in draft.placements
-    )
 
 
 def _ordinal(mention: Mention) -> int | None:

@@ -32,9 +32,7 @@ def note_braking(events: list[Event], context: Context) -> None:
     for event in events:
         told = event.finite and not (event.perfect or event.negated or event.modal)
         slows = event.name in _SLOWING and not _stands(event, context)
-        if not (told and slows) or event.premod_of is not None:
-            continue
-        for entity in clause_of(event).drivers:
+        for entity in clause_of(event).drivers if told and slows else []:
             entity.brakes_from = event.i if entity.brakes_from is None else entity.brakes_from
 
 
@@ -123,19 +121,15 @@ def _first_goes(clause: Clause, context: Context) -> bool:
     event = clause.event
     words = " ".join(t.forms[-1][0] for t in context.tokens[event.i : event.j])
     away = event.object is not None or event.pps or event.dirs or context.junction.crossing
-    if away or words not in word_list("setting_off") or event.premod_of is not None:
+    if away or words not in word_list("setting_off"):
         return False
-    return not any(
-        entity.parked or entity.pulls_out or entity.moves or entity.speed
-        for entity in clause.actors
-    )
+    return not any(entity.pulls_out or entity.speed for entity in clause.actors)
 
 
 def _waits_there(event: Event, context: Context) -> bool:
     """``waits at a red light``: it stands there when it begins; who stops there comes there."""
     stopped = event.name == "stop" and _over(event, context)
-    stands = event.name == "wait" or event.lemma in word_list("standing")
-    return stopped or (stands and event.link is None)
+    return stopped or (event.name == "wait" and event.link is None)
 
 
 def _stand_in_the_lane(entities: list[Entity], clause: Clause) -> None:
@@ -171,7 +165,7 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
             kind = HazardKind.OBSTACLE if term.data.get("broken") else HazardKind.STOPPING
             context.draft.hazard(kind, basis, drivers)
         for entity in others:
-            entity.stands = entity.stands or (None if entity.parked else basis)
+            entity.stands = entity.stands or basis
         for ego in [e for e in entities if e.ego and e.speed is None]:
             ego.speed, ego.speed_basis = Interval(low=0.0, high=0.0), basis
     elif term.value == "parked":
@@ -194,7 +188,7 @@ def _until(event: Event, context: Context) -> bool:
 
 def _over(event: Event, context: Context) -> bool:
     """``has stopped``, ``is stopped``: before it begins."""
-    if event.perfect or event.passive:
+    if event.perfect:
         return event.form == "ed"
     before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
     now = not context.told_in_the_past and not event.mods

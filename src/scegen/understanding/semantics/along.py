@@ -12,14 +12,6 @@ from scegen.understanding.semantics.context import Clause, Context
 
 _LEAVING = frozenset({"off", "from"})
 _REACH = 24
-_TOWARDS = ("towards", "toward", "opposite direction", "against", "facing", "oncoming",
-            "other direction")  # fmt: skip
-_WITH = (
-    "same direction", "direction of traffic", "direction of travel", "away from", "with traffic",
-    "'s direction", "direction of the ego", "same way", "ahead", "in front", "with the traffic",
-    "direction as", "our direction", "my direction", "with its back", "with his back",
-    "with her back",
-)  # fmt: skip
 _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", "middle",
                    "bike_lane"})  # fmt: skip
 
@@ -54,12 +46,12 @@ def _after(clause: Clause, context: Context) -> str:
 
 def _heads_towards(clause: Clause, context: Context) -> bool:
     words = _after(clause, context)
-    return any(f" {w} " in words for w in _TOWARDS)
+    return any(f" {w} " in words for w in word_list("facing"))
 
 
 def _heads_with(clause: Clause, context: Context) -> bool:
     words = _after(clause, context)
-    return any(f" {w} " in words for w in _WITH)
+    return any(f" {w} " in words for w in word_list("with_the_traffic"))
 
 
 def _from_or_to_a_vehicle(prep: Prep, context: Context) -> bool:

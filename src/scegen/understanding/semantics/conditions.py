@@ -1,7 +1,7 @@
 """Conditions of rows: what must hold of a clause, in a few words each.
 
-* ``path PATTERN``: a phrase of the verb; ``at PATTERN``: a place named with it; ``noun``: the one
-  that stands without a verb, or who acts; ``object``,
+* ``path PATTERN``: a phrase of the verb, ``path ^PATTERN`` of who acts; ``at PATTERN``: a place
+  named with it; ``noun``: the one that stands without a verb, or who acts; ``object``,
   ``goal`` (the lane it ends in) and ``over PATTERN`` (what is crossed);
 * ``some|no|one WHO``: there is somebody; ``any|all|no WHO is WORD``: of whom something holds;
 * ``own WORD…``: a word of the verb itself; ``before``, ``next``, ``soon``: around it; ``via``: of
@@ -21,10 +21,9 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics import along, doing, met, owed, patterns, ways
+from scegen.understanding.semantics import along, doing, lanes, met, owed, patterns, seen, ways
 from scegen.understanding.semantics.contact import goal_of_contact
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.numbered_lanes import leaves_it
 from scegen.understanding.semantics.rewriting import passes_round
 from scegen.understanding.semantics.values import alike
 from scegen.understanding.semantics.who import entity, who
@@ -71,20 +70,21 @@ FACTS: dict[str, Test] = {
         h.value == "pedestrian" for m in clause.event.subject for h in m.heads
     ),
     "as_others_do": lambda clause, c: bool(alike(clause, c)),
+    **lanes.FACTS,
     **ways.FACTS,
     **along.FACTS,
     **owed.FACTS,
     **met.FACTS,
     **doing.FACTS,
+    **seen.FACTS,
     "passes_round": passes_round,
     "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
-    "leaves_its_number": lambda clause, c: leaves_it(clause.event, clause.drivers, c.tokens),
 }
 
 
 def _path(rest: str) -> Test:
-    test = patterns.prep(rest.split())
-    return lambda clause, c: any(test(p, c) for p in clause.event.pps)
+    find = patterns.phrases(rest)
+    return lambda clause, c: bool(find(clause, c))
 
 
 def _at(rest: str) -> Test:
@@ -104,7 +104,7 @@ def _object(rest: str) -> Test:
 
 def _goal(rest: str) -> Test:
     test = patterns.noun(rest.split())
-    return lambda clause, c: test(ways.into_lane(clause.event), c)
+    return lambda clause, c: test(lanes.into_lane(clause.event), c)
 
 
 def _words(rest: str) -> frozenset[str]:
@@ -178,8 +178,13 @@ def _lemma(rest: str) -> Test:
     return lambda clause, _: clause.event.lemma in words
 
 
+def events(rest: str) -> frozenset[str]:
+    """Events by name, and those of a list of the lexicon ("@steady")."""
+    return frozenset().union(*map(_words, rest.split()))
+
+
 def _event(rest: str) -> Test:
-    names = frozenset(rest.split())
+    names = events(rest)
     return lambda clause, _: clause.event.name in names
 
 

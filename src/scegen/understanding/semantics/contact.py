@@ -38,17 +38,13 @@ def _touched(goal: NounPhrase, clause: Clause) -> bool:
         road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
         free = not (mass or road or goal.possessor)
         nobody = goal.negated or goal.pronoun in _NOBODY
-        return free and (nobody or (bool(goal.entities) and not _own(goal, clause)))
+        return free and (nobody or bool(goal.entities))
     if not isinstance(goal, Place) or goal.kind not in _BODY:
         return False
     end = bool({"front", "rear"} & set(goal.dirs))
     owned = goal.owner is not None or any(m.cat == "possessive" for m in goal.mods)
     named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
     return end or (owned and named)
-
-
-def _own(goal: Mention, clause: Clause) -> bool:
-    return any(e in clause.actors for e in goal.entities)
 
 
 def touched(goal: NounPhrase | None) -> list[Entity]:

@@ -43,6 +43,18 @@ def _by_ramp(entity: Entity, basis: Basis) -> None:
     entity.by_ramp = entity.by_ramp or basis
 
 
+def _along(entity: Entity, basis: Basis) -> None:
+    entity.course = entity.course or (True, basis)
+
+
+def _against(entity: Entity, basis: Basis) -> None:
+    entity.course = entity.course or (False, basis)
+
+
+def _roadside(entity: Entity, basis: Basis) -> None:
+    entity.roadside = entity.roadside or basis
+
+
 def _walks_up(entity: Entity, _: Basis) -> None:
     entity.walks_up = True
 
@@ -80,10 +92,6 @@ def _forgets(entity: Entity, _: Basis) -> None:
     entity.maneuvers = set()
 
 
-def _on_straight(entity: Entity, _: Basis) -> None:
-    entity.on_straight = True
-
-
 def _through(entity: Entity, basis: Basis) -> None:
     entity.through = entity.through or basis
 
@@ -107,10 +115,12 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "stands": _stands,
     "waits": _waits,
     "gives_way": _gives_way,
-    "on_straight": _on_straight,
     "through": _through,
     "by_ramp": _by_ramp,
     "exits": _exits,
+    "along": _along,
+    "against": _against,
+    "roadside": _roadside,
     "walks_up": _walks_up,
     "circulates": _circulates,
     "on_minor": _on_minor,

@@ -39,7 +39,7 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
     for prep in event.pps:
         head = prep.target.head if isinstance(prep.target, Mention) else None
         queue = head is not None and "mass" in head.data  # "the tail of a queue"
-        towards = prep.value in _TOWARDS or context.tokens[prep.word.i].low == "on"
+        towards = prep.value in _TOWARDS
         if isinstance(prep.target, Mention) and (
             towards or (prep.value == "of" and (queue or rear))
         ):
@@ -86,7 +86,23 @@ def may_get_past(_: Clause, context: Context) -> bool:
 _SETTLED = frozenset({Maneuver.OVERTAKE, Maneuver.LANE_CHANGE, Maneuver.LEFT, Maneuver.RIGHT,
                       Maneuver.U_TURN})  # fmt: skip
 _IN_THE_WAY = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
+
+
+def _stand_to_each_other(clause: Clause, context: Context) -> bool:
+    """Whether it is said how one who acts stands to those on whom it is done."""
+    egos = any(e.ego for e in clause.targets)
+    return any(
+        p.entity in clause.actors
+        and (
+            p.reference in clause.targets
+            or (p.reference is None and (egos or p.approaches != {Approach.ADJACENT}))
+        )
+        for p in context.draft.placements
+    )
+
+
 FACTS = {
+    "stand_to_each_other": _stand_to_each_other,
     "rear_ends": rear_ends,
     "may_get_past": may_get_past,
 }

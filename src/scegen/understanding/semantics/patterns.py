@@ -2,11 +2,11 @@
 
 A phrase is one or more prepositions by their value, with ``=`` by the word itself (``=@NAME``: a
 list of the lexicon), with ``!`` by any other value and ``~`` any other word, after ``<`` the one
-inside ("from behind"); then a noun. A noun is a kind of place, ``who`` (participants), ``who.it``
-(that pronoun), ``thing`` or ``thing.view``, ``event``, ``place`` (any), ``none``, ``named`` (any
-but none); ``any`` is whatever stands there. ``+x`` and ``-x`` ask for, and rule out, a direction,
-one of `_FILTERS`, a word of a list (``@NAME``), one before its preposition (``led@NAME``), or what
-the lexicon says of its head (``does.overtaking``).
+inside ("from behind"), after ``&`` right after somebody; then a noun. A noun is a kind of place,
+``who`` (participants), ``who.it`` (that pronoun), ``thing`` or ``thing.view``, ``event``, ``place``
+(any), ``none``, ``named`` (any but none); ``any`` is whatever stands there. ``+x`` and ``-x`` ask
+for, and rule out, a direction, one of `_FILTERS`, a word of a list (``@NAME``), one before its
+preposition (``led@NAME``), or what the lexicon says of its head (``does.overtaking``).
 """
 
 from __future__ import annotations
@@ -14,10 +14,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
+from scegen.scenario.roadway import BAYS
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.numbered_lanes import lane_number
 
 NounTest: TypeAlias = Callable[[Any, Context], bool]
 PrepTest: TypeAlias = Callable[[Prep, Context], bool]
@@ -52,6 +54,13 @@ def _other_half(n: Place, _: Context) -> bool:
     return n.kind == "centerline" or lane or theirs or other
 
 
+def _of_road(n: NounPhrase, context: Context) -> bool:
+    """``the edge of the road``."""
+    of, *after = [t.low for t in context.tokens[n.j : n.j + _OF_REACH]] or [""]
+    return of == "of" and not word_list("roads").isdisjoint(after)
+
+
+_OF_REACH = 4
 _OPAQUE = frozenset({"bus_stop", "feature", "parking"})
 _FILTERS: dict[str, NounTest] = {
     "opaque": _opaque,
@@ -62,6 +71,18 @@ _FILTERS: dict[str, NounTest] = {
     "its": lambda n, _: any(m.cat == "possessive" for m in n.mods),
     "egos": lambda n, _: n.owner is not None and any(e.ego for e in n.owner.entities),
     "other": lambda n, _: any(m.value == "other" for m in n.mods),
+    "strip": lambda n, _: n.head is not None and "stands_on" in n.head.data,
+    "bay": lambda n, _: n.head is not None and n.head.data.get("stands_on") in BAYS,
+    "numbered": lambda n, c: lane_number(n, c.tokens) is not None,
+    "armed": lambda n, _: n.arm is not None,
+    "of_road": _of_road,
+    "brink": lambda n, c: c.tokens[n.j - 1].low == "edge",
+    "kerb": lambda n, c: c.draft.kerb in n.dirs,
+    "both": lambda n, c: any(m.cat == "quant" for m in n.mods) or c.tokens[n.i - 1].low == "either",
+    "compass": lambda n, _: n.mod("compass") is not None,
+    "bound": lambda n, _: any(m.cat == "compass" and "bound" in m.data for m in n.mods),
+    "different": lambda n, _: any(m.value in {"different", "another"} for m in n.mods),
+    "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
     "unprotected": lambda n, _: any(m.value == "unprotected" for m in n.mods),
     "ranked": lambda n, _: n.head is not None and "ranked" in n.head.data,
     "compound": lambda n, _: n.head is not None and n.head.j - n.head.i > 1,
@@ -167,7 +188,8 @@ def prep(words: list[str]) -> PrepTest:
     other: set[str] = set()
     apart: set[str] = set()
     outer: set[tuple[str, str]] = set()
-    for word in words[0].split("|"):
+    named_after = words[0].startswith("&")
+    for word in words[0].removeprefix("&").split("|"):
         before, inside, value = word.rpartition("<")
         if inside:
             outer.add((before, value))
@@ -188,14 +210,16 @@ def prep(words: list[str]) -> PrepTest:
         for o, v in outer if not named else ():
             named = named or (p.outer == o and v in {ANY, value}) or (word == o and value == v)
         named = named or (FRONT in values and _in_front(p, context))
-        return named and target(p.target, context)
+        return named and target(p.target, context) and (p.on_mention is not None or not named_after)
 
     return fits
 
 
 def phrases(pattern: str) -> Callable[[Clause, Context], list[Prep]]:
-    """What finds the phrases of a clause that fit a pattern."""
-    test = prep(pattern.split())
+    """What finds the phrases of a clause that fit a pattern, after ``^`` those of who acts."""
+    test = prep(pattern.removeprefix("^").split())
+    if pattern.startswith("^"):
+        return lambda clause, c: [p for m in clause.event.subject for p in m.pps if test(p, c)]
     return lambda clause, context: [p for p in clause.event.pps if test(p, context)]
 
 

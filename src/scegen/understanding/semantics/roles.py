@@ -49,6 +49,7 @@ def clause_of_noun(noun: Mention) -> Clause:
         noun: the noun, resolved.
     """
     event = Event("", noun.i, noun.j, "", mods=noun.mods, subject=[noun], pps=noun.pps)
+    event.negated = noun.negated
     return Clause(event, list(noun.entities), [])
 
 

@@ -7,6 +7,8 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``hazard`` of ``by`` (those who act; ``maybe WHO``: it may be nobody) and ``to``;
 * ``maneuver``, ``light`` (how it meets that) of ``of``; ``place``: where ``of`` comes from, seen
   by ``from`` (the ego), with ``unsaid`` only where nothing is said of the two;
+* ``puts`` (of `PUTS`) those of ``of`` where each phrase of ``where``, its ``object`` or its
+  ``subject`` says;
 * ``lanes``, ``crossing``: why the road has lanes, a junction; ``implies``: what else is there;
 * ``act`` of ``of``: what they do; ``always``: also where nothing sets it off;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
@@ -17,38 +19,27 @@ follows. With ``also`` the next rows are asked as well. The keys:
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.resources import files
-from typing import Any, TypeAlias
+from typing import Any
 
-from scegen.scenario.acts import ActKind
 from scegen.scenario.parsing import parse
-from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, JunctionKind, Maneuver
-from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.conditions import Test, condition
-from scegen.understanding.semantics.context import Clause, Context, span
-from scegen.understanding.semantics.marks import MARKS
-from scegen.understanding.semantics.met import apart
-from scegen.understanding.semantics.patterns import end, noun, people, phrases
-from scegen.understanding.semantics.rewriting import REWRITES
-from scegen.understanding.semantics.values import VALUES, WORDS
-from scegen.understanding.semantics.who import who
+from scegen.understanding.semantics.conditions import events as events_named
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.effects import Effect, effects_of
 
-Effect: TypeAlias = Callable[[Clause, Context], None]
-Words: TypeAlias = Callable[[Clause, Context], Basis]
 _FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
-                   "also",
+                   "also", "puts", "where",
                    "as", "targets", "actors", "rewrite", "rules_out", "implies",
                    "unsaid", "act", "always"})  # fmt: skip
 
 _PLAIN = ("negated", "passive", "nominal", "phrases")
 """What a row may ask of an event that is known before any other condition is tried."""
-_PATH = re.compile("path ")
+_PATH = re.compile(r"path (?!\^)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,259 +56,11 @@ class Row:
     also: bool
 
 
-def _words(expression: str, reason: str | None) -> Words:
-    """What a row rests on.
-
-    Args:
-        expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``phrase
-            PATTERN`` or ``at PATTERN``, a phrase or place; ``to PATTERN`` and ``upto PATTERN``,
-            from the verb to the end of one; ``danger KIND``, those of a danger; ``way WHO``, those
-            of what they do; one of `VALUES` or `WORDS`.
-        reason: why, where the words do not say it themselves.
-    """
-    name, _, rest = expression.partition(" ")
-    find = phrases(rest) if name in {"to", "phrase"} else lambda _clause, _context: []
-    named = noun(rest.split())
-    movers = who(rest) if name == "way" else lambda _clause, _context: []
-
-    def basis(clause: Clause, context: Context) -> Basis:
-        found: Basis | None = None
-        if name == "sudden":
-            found = clause.sudden
-        elif name == "how":
-            found = clause.how(*rest.split())
-        elif name in {"to", "phrase"}:
-            for phrase in find(clause, context)[:1]:
-                found = Basis(clause.event.i if name == "to" else phrase.word.i, end(phrase))
-        elif name == "danger":
-            found = next((d.basis for d in context.draft.dangers if d.kind == rest), None)
-        elif name == "way":
-            found = next((e.maneuver_basis for e in movers(clause, context)), None)
-        elif name in {"upto", "at"}:
-            for place in [p for p in clause.places() if named(p, context)][:1]:
-                begins = clause.words.i if name == "upto" else place.i
-                found = Basis(begins, max(clause.event.j if name == "upto" else 0, place.j))
-        elif name in WORDS:
-            found = WORDS[name](clause, context)
-        elif name in VALUES:
-            found = next(iter(VALUES[name](clause, context).values()), None)
-        found = found or clause.words
-        return Basis(found.i, found.j, reason) if reason is not None else found
-
-    return basis
-
-
-def _hazard(kind: HazardKind, by: str, to: str, words: Words) -> Effect:
-    culprits, victims = who(by), who(to)
-
-    def effect(clause: Clause, context: Context) -> None:
-        basis, suffer = words(clause, context), victims(clause, context)
-        met = [p for p in clause.event.pps if p.word.cat == "locus" and suffer]
-        for phrase in met:  # "pulls out in front of a bus": in whose way
-            if any(e in suffer for e in people([phrase])):
-                basis = span(clause.event, phrase.word.i, end(phrase))
-        context.draft.hazard(kind, basis, culprits(clause, context), suffer)
-
-    return effect
-
-
-def _maneuver(said: str, of: str, words: Words) -> Effect:
-    whom, find = who(of), VALUES.get(said)
-    named = {Maneuver(value) for value in said.split()} if find is None else set()
-
-    def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        values = named if find is None else set(find(clause, context))
-        for entity in list(whom(clause, context)) if values else []:
-            later = context.in_order(entity.maneuver_basis, clause.event)
-            context.draft.maneuver(entity, values, basis, clause.alternative, later=later)
-
-    return effect
-
-
-def _light(said: str, of: str, words: Words) -> Effect:
-    whom, light = who(of), AtLight(said)
-
-    def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        for entity in list(whom(clause, context)):
-            entity.light = entity.light or (light, basis)
-
-    return effect
-
-
-def _place(
-    approaches: set[Approach], of: str, seen_from: str | None, words: Words, *, unsaid: bool
-) -> Effect:
-    whom, reference = who(of), who(seen_from) if seen_from is not None else None
-
-    def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        observer = next(iter(reference(clause, context)), None) if reference is not None else None
-        seen = reference is None or observer is not None
-        for entity in list(whom(clause, context)) if seen else []:
-            if not unsaid or observer is None or apart(entity, observer, context):
-                context.draft.place(entity, observer, set(approaches), basis)
-
-    return effect
-
-
-def _drop(kind: HazardKind, of: str) -> Effect:
-    whom, kinds = who(of), {kind}
-    if kind is HazardKind.CROSSING_PEDESTRIAN:
-        kinds.add(HazardKind.CROSSING_ANIMAL)  # as the draft has it of animals
-
-    def effect(clause: Clause, context: Context) -> None:
-        found = whom(clause, context)
-        context.draft.dangers[:] = [
-            d for d in context.draft.dangers if d.kind not in kinds or not _all_in(d.by, found)
-        ]
-
-    return effect
-
-
-def _all_in(some: list[Entity], found: list[Entity]) -> bool:
-    return bool(some) and all(e in found for e in some)
-
-
-def _unplace(approach: Approach, of: str) -> Effect:
-    whom = who(of)
-
-    def effect(clause: Clause, context: Context) -> None:
-        found = whom(clause, context)
-        placed = context.draft.placements
-        placed[:] = [p for p in placed if p.entity not in found or p.approaches != {approach}]
-
-    return effect
-
-
-def _mark(name: str, of: str, words: Words) -> Effect:
-    whom, mark = who(of), MARKS[name]
-
-    def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        for entity in list(whom(clause, context)):
-            mark(entity, basis)
-
-    return effect
-
-
-def _act(row: dict[str, Any], of: str, words: Words) -> Effect:
-    whom, kind, always = who(of), ActKind(row["act"]), bool(row.get("always"))
-
-    def effect(clause: Clause, context: Context) -> None:
-        event, basis = clause.event, words(clause, context)
-        context.acts += [
-            Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
-            for entity in whom(clause, context)
-        ]
-
-    return effect
-
-
-def _recast(name: str) -> Effect:
-    def effect(clause: Clause, _: Context) -> None:
-        clause.event.name = name
-
-    return effect
-
-
-def _parts(row: dict[str, Any]) -> Effect:
-    targets, actors = who(row.get("targets", "targets")), who(row.get("actors", "actors"))
-
-    def effect(clause: Clause, context: Context) -> None:
-        clause.targets, clause.actors = targets(clause, context), actors(clause, context)
-
-    return effect
-
-
-def _rule_out(said: str) -> Effect:
-    find = VALUES.get(said)
-    named = {Maneuver(value) for value in said.split()} if find is None else set()
-
-    def effect(clause: Clause, context: Context) -> None:
-        for entity in clause.drivers:
-            entity.excluded |= named if find is None else set(find(clause, context))
-            entity.excluded_basis = clause.words
-
-    return effect
-
-
-def _imply(name: str, words: Words) -> Effect:
-    def effect(clause: Clause, context: Context) -> None:
-        if name == JunctionKind.ROUNDABOUT:
-            junction = context.junction
-            junction.kind, junction.kind_basis = JunctionKind(name), words(clause, context)
-            return
-        known = getattr(context.draft, name)
-        setattr(context.draft, name, known or (name == "from_kerb") or words(clause, context))
-
-    return effect
-
-
-def _note(instead: str, words: Words) -> Effect:
-    def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        context.draft.note(basis.i or 0, basis.j or 0, instead)
-
-    return effect
-
-
 def _then(family: str) -> Effect:
     def effect(clause: Clause, context: Context) -> None:
         say(family, clause, context)
 
     return effect
-
-
-def _changes(row: dict[str, Any]) -> Iterable[Effect]:
-    """What a row does to the clause itself."""
-    if "targets" in row or "actors" in row:
-        yield _parts(row)
-    if "rewrite" in row:
-        yield REWRITES[row["rewrite"]]
-    if "as" in row:
-        yield _recast(row["as"])
-
-
-def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable[Effect]:
-    """What a row says of participants."""
-    if "rules_out" in row:
-        yield _rule_out(row["rules_out"])
-    if "drop" in row:
-        yield _drop(HazardKind(row["drop"]), of)
-    if "unplace" in row:
-        yield _unplace(Approach(row["unplace"]), of)
-    for name in row.get("marks", ()):
-        yield _mark(name, of, words)
-    if "maneuver" in row:
-        yield _maneuver(row["maneuver"], of, words)
-    if "light" in row:
-        yield _light(row["light"], of, words)
-    if "hazard" in row:
-        yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
-    if "act" in row:
-        yield _act(row, of, words)
-    if "place" in row:
-        approaches = set(map(Approach, row["place"].split()))
-        unsaid = bool(row.get("unsaid"))
-        yield _place(approaches, of, row.get("from"), words, unsaid=unsaid)
-
-
-def _effects(row: dict[str, Any]) -> Iterable[Effect]:
-    words = _words(row.get("words", "event"), row.get("reason"))
-    by = row.get("by", "drivers").removeprefix("maybe ")
-    yield from _changes(row)
-    if "lanes" in row:
-        yield lambda clause, c: c.lanes_implied(words(clause, c), row["lanes"])
-    if "crossing" in row:
-        yield lambda clause, c: c.crossing_implied(words(clause, c), row["crossing"])
-    yield from _statements(row, by, row.get("of", by), words)
-    if "implies" in row:
-        yield _imply(row["implies"], words)
-    if "note" in row:
-        yield _note(row["note"], words)
-    yield from map(_then, row.get("then", ()))
 
 
 def _row(row: dict[str, Any], where: str) -> Row:
@@ -327,7 +70,7 @@ def _row(row: dict[str, Any], where: str) -> Row:
     try:
         said = list(row.get("if", ()))
         first = said[0].partition(" ") if said and " or " not in said[0] else ("", "", "")
-        events = frozenset(first[2].split()) if first[0] == "event" else None
+        events = events_named(first[2]) if first[0] == "event" else None
         said = said[1:] if events else said
         plain = {
             t.removeprefix("not "): t in _PLAIN for t in said if t.removeprefix("not ") in _PLAIN
@@ -338,7 +81,8 @@ def _row(row: dict[str, Any], where: str) -> Row:
         by = row.get("by", "drivers")
         if "hazard" in row and not by.startswith("maybe "):
             tests.append(condition(f"some {by}"))
-        return Row(events, plain, tuple(tests), tuple(_effects(row)), bool(row.get("also")))
+        effects = (*effects_of(row), *map(_then, row.get("then", ())))
+        return Row(events, plain, tuple(tests), effects, bool(row.get("also")))
     except KeyError as error:
         raise KeyError(f"{where}: {error} in {row}") from error
 

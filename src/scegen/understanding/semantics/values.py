@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.draft import Basis
-from scegen.understanding.semantics import ways
+from scegen.understanding.semantics import lanes, ways
 from scegen.understanding.semantics.context import Clause, Context
 
 Named: TypeAlias = Callable[[Clause, Context], dict[Maneuver, Basis]]
@@ -60,7 +60,7 @@ VALUES: dict[str, Named] = {
 
 
 def _goal(clause: Clause, _: Context) -> Basis | None:
-    lane = ways.into_lane(clause.event)
+    lane = lanes.into_lane(clause.event)
     event = clause.event
     return Basis(event.i, max(event.j, lane.j)) if lane is not None else None
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place, Thing
+from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
@@ -17,8 +17,6 @@ DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
-BESIDE = frozenset({"adjacent", "left", "right"})
-"""Which lane it is, seen from the one that somebody drives in."""
 _GOALS = frozenset({"side", "leg", "access"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
@@ -82,48 +80,6 @@ def _came_from(event: Event) -> set[str]:
     """``from left to right``: right across, no turn."""
     sides = [p.target for p in event.pps if p.value == "from" and isinstance(p.target, Place)]
     return {d for side in sides for d in side.dirs}
-
-
-def into_lane(event: Event) -> Place | None:
-    """The lane or path that a movement ends in ("into the ego's path")."""
-    for prep in event.pps:
-        target = prep.target
-        goal = prep.value in {"into", "to", "for"} and isinstance(target, Place)
-        if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
-            return target
-    direct = event.object
-    return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
-
-
-def next_lane(event: Event, context: Context) -> bool:
-    """``swings into the right lane``: on a road without a junction, a change of lane.
-
-    Args:
-        event: a movement.
-        context: the scenario in the making.
-    """
-    lane = into_lane(event)
-    ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
-    beside = ranked or (lane is not None and lane.kind == "lane" and bool(BESIDE & set(lane.dirs)))
-    beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
-    keeps = event.lemma in word_list("keeping")
-    return beside and not keeps and not context.junction.crossing
-
-
-def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
-    """``the van next to it drifts into the same lane``: from beside, whatever lane it is."""
-    who = [e for m in event.subject for e in m.entities]
-    entered = any(p.target is lane and p.value == "into" for p in event.pps)
-    entered = entered or (event.name == "enter" and event.object is lane)
-    named = lane is not None and lane.kind == "lane" and "opposite" not in lane.dirs
-    return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
-
-
-def _into_a_gap(event: Event) -> bool:
-    """``steers into the same gap``: between the vehicles of another lane."""
-    goals = [p.target for p in event.pps if p.value == "into"]
-    goals += [event.object] if event.name == "enter" else []
-    return any(isinstance(g, Thing) and g.head is not None and "gap" in g.head.data for g in goals)
 
 
 def through(event: Event, context: Context) -> Basis | None:
@@ -225,89 +181,7 @@ def across_the_road(event: Event, context: Context) -> bool:
         onto = word == "across" or (prep.value == "into" and place is not None)
         if onto and isinstance(place, Place) and place.kind in _WAY:
             return place.kind == "path" or word == "across"
-        if prep.word.cat == "locus" and prep.value == "ahead" and place is not None:
-            return True
     return not any(d.value in DIRECTIONS for d in event.dirs)
-
-
-def against(entity: Entity, place: Place) -> bool:
-    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
-
-    Args:
-        entity: who drives into it.
-        place: the lane.
-    """
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and opposed.get(heading, "") in ways
-
-
-def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]:
-    """Whose lane it is; "its lane" is the ego's for everybody who moves into it."""
-    if lane is None:
-        return []
-    if lane.owner is not None:
-        return list(lane.owner.entities)
-    possessed = any(m.cat == "possessive" for m in lane.mods)
-    kept = any(m.value == "same" for m in lane.mods)
-    others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.actors]
-    named = [d for d in lane.dirs if d in _OTHER]
-    there = [e for e in others if e.ego and e.start_lane and e.start_lane[0] in named]
-    if there and lane.kind == "lane":
-        return there  # "the ego in the right lane …, a car changes to the right lane"
-    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
-    return its if possessed and not kept else []
-
-
-def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
-    """``an oncoming van drifts into the ego's lane``: it has no business there.
-
-    Args:
-        clause: what happens.
-        place: where it ends.
-        context: the scenario in the making.
-    """
-    if place is None or not owners(place, clause, context):
-        return False
-    words = context.tokens
-    if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(p.target is place and words[p.word.i].low == "onto" for p in clause.event.pps)
-    kept = clause.event.lemma in word_list("keeping")  # "keeps its lane"
-    entered = (place is clause.event.object and not kept) or any(
-        p.target is place and p.value == "into" for p in clause.event.pps
-    )
-    if place.kind != "lane" or not (entered or place.owner is not None):
-        return False  # "stays in its lane"
-    egos = place.owner is not None and any(e.ego for e in place.owner.entities)
-    sideways = any(t.value in _OTHER for t in clause.event.dirs) and not egos
-    return not sideways and any(context.oncoming(e) and not e.ego for e in clause.drivers)
-
-
-def head_on_somewhere(clause: Clause, context: Context) -> bool:
-    """Whether any place of a clause leads the other way, or is another's, but the one it leaves."""
-    left = {id(p.target) for p in clause.event.pps if p.value in {"from", "against"}}
-    return any(
-        head_on(clause, place, context) or any(against(e, place) for e in clause.drivers)
-        for place in clause.places()
-        if id(place) not in left
-    )
-
-
-def stays_there(clause: Clause, context: Context) -> bool:
-    """``a van on the minor road stops, then pulls out``: it stops before it gets in the way.
-
-    Args:
-        clause: somebody stops.
-        context: the scenario in the making.
-    """
-    told = bool(clause.event.pps) or clause.event.object is not None
-    named = [p.target for m in clause.event.subject for p in m.pps if p.value in {"in", "from"}]
-    aside = any(isinstance(p, Place) and p.kind == "access" for p in named)
-    across = context.draft.access is not None and all(
-        context.comes_across(e) for e in clause.actors
-    )
-    return not told and (aside or across)
 
 
 def onto_the_road(event: Event) -> bool:
@@ -332,11 +206,6 @@ def set_across(clause: Clause, context: Context) -> bool:
     return not clause.event.dirs and known & _SIDEWAYS == {Maneuver(context.across)}
 
 
-def _against_lane(clause: Clause, _: Context) -> bool:
-    lane = into_lane(clause.event)
-    return lane is not None and any(against(e, lane) for e in clause.drivers)
-
-
 def _a_little_aside(clause: Clause, context: Context) -> bool:
     """``moves 0.8 m to his left``: less than to another lane, whatever the verb."""
     event, tokens = clause.event, context.tokens
@@ -355,17 +224,12 @@ def _a_little_aside(clause: Clause, context: Context) -> bool:
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "a_little_aside": _a_little_aside,
-    "next_lane": lambda clause, c: next_lane(clause.event, c),
     "overtaking": overtaking,
     "across_the_road": lambda clause, c: across_the_road(clause.event, c),
     "past_the_roadside": past_the_roadside,
     "no_arrow": lambda _, c: without_arrow(c),
     "turns_across": turns_across,
     "set_across": set_across,
-    "against_lane": _against_lane,
-    "head_on_somewhere": head_on_somewhere,
-    "head_on": lambda clause, c: head_on(clause, into_lane(clause.event), c),
-    "stays_there": stays_there,
     "onto_the_road": lambda clause, _: onto_the_road(clause.event),
     "only_signalled": lambda clause, c: only_signalled(clause.event, c),
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Entity
-from scegen.understanding.semantics import doing, met, owed, ways
+from scegen.understanding.semantics import doing, lanes, met, owed
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
 
@@ -95,6 +95,7 @@ ENTITY: dict[str, EntityTest] = {
     "wrong_side": met.on_the_wrong_side,
     "slow": _slow,
     "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
+    "numbered": lambda e, _: e.lane is not None,
     "circulates": lambda e, _: e.circulates is not None,
     "kept_by_sign": lambda e, _: bool(e.on_minor and e.on_minor[0]) and e.stands is None,
 }
@@ -120,7 +121,7 @@ def entity(word: str) -> EntityTest:
 
 
 def _owners(clause: Clause, context: Context) -> list[Entity]:
-    return ways.owners(ways.into_lane(clause.event), clause, context)
+    return lanes.owners(lanes.into_lane(clause.event), clause, context)
 
 
 def _owners_of(kind: str) -> Who:
@@ -142,19 +143,9 @@ def _in_phrases(pattern: str) -> Who:
     return lambda clause, context: people(find(clause, context))
 
 
-def _unsighted(clause: Clause) -> bool:
-    return any(p.word.cat == "locus" and p.outer == "from" for p in clause.event.pps)
-
-
-def _pullers(clause: Clause, context: Context) -> list[Entity]:
+def _pullers(clause: Clause, _: Context) -> list[Entity]:
     """Who may come out of a side road: who overtakes comes out of its lane."""
-    hidden = _unsighted(clause)
-    found = [e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers]
-    return [e for e in found if not (hidden and context.is_cyclist(e))]
-
-
-def _met(clause: Clause, context: Context) -> list[Entity]:
-    return [] if _unsighted(clause) else NAMED["named"](clause, context)
+    return [e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers]
 
 
 def _hiders(clause: Clause, context: Context) -> list[Entity]:
@@ -189,7 +180,6 @@ NAMED: dict[str, Who] = {
     "lane_owners": _owners_of("lane"),
     "hit": _hit,
     "pullers": _pullers,
-    "met": _met,
     "hiders": _hiders,
     "screens": _screens,
     "driven_up_to": met.driven_up_to,

@@ -60,12 +60,11 @@ def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
         if "opposite" in dirs:
             return BY_DIR["opposite"]
         if "lateral" in dirs:
-            return frozenset(sides) or BY_DIR["lateral"]
+            return BY_DIR["lateral"]
         beside = sides or "adjacent" in dirs
         return BY_DIR["adjacent"] if beside and prep in {"in", "from"} else frozenset()
     if sides:
-        rear = {Approach.BEHIND} if "rear" in dirs else set()
-        return frozenset(sides | rear)
+        return frozenset(sides)
     if "front" in dirs:
         return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
     if place.kind == "side" and not dirs and prep == "from" and place.head is not None:

@@ -1,0 +1,198 @@
+"""Where a phrase of place puts those of whom it is said: seen from the ego, in a lane, headed."""
+
+from __future__ import annotations
+
+from scegen.scenario.vocabulary import Approach, ParticipantKind
+from scegen.understanding.chunks import Event, Place
+from scegen.understanding.clauses.bearing import from_the_wrong_lane
+from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.approaches import BY_DIR, SIDES, place_approaches
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.site import Put, Site
+from scegen.understanding.words.quantities import ends_a_quantity
+
+_FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
+_ACROSS = {"left": Approach.RIGHT, "right": Approach.LEFT}
+_SIDE_REACH = 3
+
+
+def seen(entity: Entity, site: Site) -> None:
+    """``from the right``, ``in the next lane``, ``on the pavement``."""
+    place, draft = site.place, site.context.draft
+    approaches = place_approaches(
+        place, site.word if site.word in word_list("past") else site.value
+    )
+    if not approaches:
+        _in_the_egos_lane(entity, site)
+        return
+    plural = any(
+        t.form == "s" for t in (place.head, *place.mods) if t and t.cat in {"place", "dir"}
+    )
+    together = [e for e in site.clause.actors if e is not entity]
+    if approaches == BY_DIR["opposite"] and plural and together:  # "from opposite directions"
+        entity.opposed |= {e.index for e in together}
+        entity.approach_basis = site.basis
+        return
+    whose = place.beside or place.owner
+    reference = whose.entities[0] if whose and whose.entities else None
+    named = lane_of(place) or _side_after(place, draft)
+    if named in SIDES and approaches == BY_DIR["adjacent"] and (not reference or reference.ego):
+        entity.beside = entity.beside or (named, site.basis)
+    kerb = place.kind in {"sidewalk", "shoulder"} and site.value == "from"
+    entity.pulls_out = entity.pulls_out or kerb
+    draft.place(entity, reference, set(approaches), _to_the_other_side(site))
+
+
+def _to_the_other_side(site: Site) -> Basis:
+    """``from left to right``."""
+    j, basis = site.place.j, site.basis
+    over = [t.low for t in site.context.tokens[j : j + 2]]
+    across = site.value == "from" and over[:1] == ["to"] and over[-1] in SIDES
+    return Basis(basis.i, j + 2) if across else basis
+
+
+def _in_the_egos_lane(entity: Entity, site: Site) -> None:
+    """``a truck drives in the ego's lane``: one of those before or behind it."""
+    lane = site.place
+    owner = lane.owner.entities if lane.owner is not None else []
+    ours = any(m.value == "first_person" for m in lane.mods) or any(e.ego for e in owner)
+    if ours and lane.kind == "lane" and site.word in {"in", "on", "of"}:
+        entity.in_egos_lane = entity.in_egos_lane or site.basis
+
+
+def lane_of(place: Place) -> str | None:
+    """Which lane of several a phrase names: ``left``, ``middle``, ``fast``, ``2`` from inside.
+
+    Args:
+        place: the lane.
+    """
+    if place.kind != "lane" or place.owner is not None:
+        return None
+    data = place.head.data if place.head is not None else {}
+    if "number" in data:
+        return str(data["number"])
+    return data.get("rank") or next((d for d in place.dirs if d in SIDES), None)
+
+
+def _side_after(lane: Place, draft: Draft) -> str | None:
+    """``in the next lane to the left``."""
+    after = [t.low for t in draft.tokens[lane.j : lane.j + _SIDE_REACH]]
+    opened = len(after) == _SIDE_REACH and after[0] in {"to", "on"}
+    return after[2] if opened and "adjacent" in lane.dirs and after[2] in SIDES else None
+
+
+def _start_lane(entity: Entity, site: Site) -> None:
+    """``drives in the middle lane``, ``cuts in from the left lane``: where it is at first."""
+    place = site.place
+    # "in the lane to its right": which one that is, depends on whose it is
+    after = place.head is not None and any(m.i > place.head.i for m in place.mods)
+    named = lane_of(place) if "adjacent" not in place.dirs and not after else None
+    if named is None:
+        return
+    site.context.lanes_implied(site.basis, "one of several lanes is named")
+    if entity.start_lane is None and not entity.parked:
+        entity.start_lane = named, site.basis
+
+
+def _by_a_ramp(entity: Entity, site: Site) -> None:
+    """``merges from the on-ramp``: from a lane on the side of the kerb."""
+    draft = site.context.draft
+    entity.by_ramp = entity.by_ramp or site.basis
+    entity.beside = entity.beside or (draft.kerb, site.basis)
+    draft.place(entity, None, {Approach.ADJACENT}, site.basis)
+
+
+def _headed(entity: Entity, site: Site) -> None:
+    """``on westbound Elm Street``, ``from the north``."""
+    term = site.place.mod("compass")
+    if term is None or entity.heading is not None:
+        return
+    back = site.value == "from" and "bound" not in term.data
+    entity.heading = _FROM[term.value] if back else term.value
+    entity.heading_basis = site.basis
+
+
+def _crossing_to(entity: Entity, site: Site) -> None:
+    """``crosses to the left``: from the right."""
+    whence = {_ACROSS[d] for d in site.place.dirs if d in _ACROSS}
+    if len(whence) == 1:
+        site.context.draft.place(entity, None, whence, site.basis)
+
+
+def _abreast(entity: Entity, site: Site) -> None:
+    """``drives to the right of the bus``: beside it; people stand on that side."""
+    owner = site.place.owner.entities[0] if site.place.owner and site.place.owner.entities else None
+    sides = {SIDES[d] for d in site.place.dirs if d in SIDES}
+    abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
+    where = {Approach.ADJACENT} if abreast else sides
+    site.context.draft.place(entity, owner, where, site.basis)
+    if abreast and len(sides) == 1 and (owner is None or owner.ego):
+        entity.beside = entity.beside or (next(iter(sides)).value, site.basis)
+
+
+def _either_side(entity: Entity, site: Site) -> None:
+    """``two vans on either side of the bus``: abreast of it, one on each."""
+    owner = site.place.owner.entities[0] if site.place.owner and site.place.owner.entities else None
+    site.context.draft.place(entity, owner, {Approach.ADJACENT}, site.basis)
+    pair = [e for e in site.clause.drivers if not e.ego]
+    if len(pair) == len(SIDES) and (owner is None or owner.ego):
+        side = list(SIDES)[pair.index(entity)]
+        entity.beside = entity.beside or (side, site.basis)
+
+
+def _apart(entity: Entity, site: Site) -> None:
+    """``from different arms``: no two come from the same one."""
+    elsewhere = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+    for other in site.clause.actors[: site.clause.actors.index(entity)]:
+        site.context.draft.place(entity, other, elsewhere, site.basis)
+
+
+SEEN: dict[str, Put] = {
+    "seen": seen,
+    "start_lane": _start_lane,
+    "ramp": _by_a_ramp,
+    "headed": _headed,
+    "crossing_to": _crossing_to,
+    "abreast": _abreast,
+    "either_side": _either_side,
+    "apart": _apart,
+    "egos_lane": _in_the_egos_lane,
+}
+"""Name -> what a phrase of place says of where somebody is seen, or headed."""
+
+
+def _within_the_lane(clause: Clause, context: Context) -> bool:
+    """``offset 0.5 m to the left``, ``the lane change of the lead to the left``: no place."""
+    return any(_is_offset(p.word.i, p.value, p.target, clause, context) for p in clause.event.pps)
+
+
+def _is_offset(i: int, value: str, place: object, clause: Clause, context: Context) -> bool:
+    tokens = context.tokens
+    if value == "to" and any(e.dirs & {"ahead", "behind"} for e in clause.actors):
+        return True
+    number = ends_a_quantity(tokens, i)
+    share = number is not None and number.dimension == "percentage"  # "hit at 25 % from the left"
+    length = number is not None and number.dimension == "length"
+    before = tokens[i - 1].low if i else ""
+    edge = isinstance(place, Place) and tokens[place.j - 1].low in word_list("edges")
+    if value == "from":
+        return share or (number is not None and edge)  # "0.5 m from the right edge"
+    return value in {"to", "in"} and (length or share or before in word_list("within_lane"))
+
+
+def _wrong_lane(clause: Clause, _: Context) -> bool:
+    return any(from_the_wrong_lane(p, clause.event) for p in clause.event.pps)
+
+
+def _headings(event: Event) -> bool:
+    return any(m.cat == "compass" for m in event.mods)
+
+
+FACTS = {
+    "within_the_lane": _within_the_lane,
+    "wrong_lane": _wrong_lane,
+    "own_heading": lambda clause, _: _headings(clause.event),
+    "several": lambda clause, _: len(clause.actors) > 1,
+}
+"""Words of conditions that ask what a phrase of place is."""

@@ -1,0 +1,150 @@
+"""What a noun of place puts those at it on, or beside: a strip, a lane, a side."""
+
+from __future__ import annotations
+
+from scegen.scenario.roadway import BAYS, Strip
+from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver
+from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.draft import Basis, Danger, Entity
+from scegen.understanding.semantics.approaches import SIDES
+from scegen.understanding.semantics.context import Context
+from scegen.understanding.semantics.numbered_lanes import (
+    EITHER,
+    FROM_SIDE,
+    counted_from,
+    lane_number,
+)
+from scegen.understanding.semantics.seen import SEEN
+from scegen.understanding.semantics.site import Put, Site
+
+_OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
+
+
+def _on_strip(entity: Entity, site: Site) -> None:
+    """One who stands beside the lanes stands in nobody's way, and nobody overtakes it."""
+    if entity.ego or entity.strip is not None or site.noun.head is None:
+        return
+    strip = Strip(site.noun.head.data["stands_on"])
+    entity.strip = strip, site.basis
+    if not entity.is_vehicle:
+        return
+    if entity.pulls_out or (strip in BAYS and entity.sets_off >= 0):
+        entity.was_parked = entity.was_parked or site.basis
+    elif entity.still or strip in BAYS:
+        entity.parked, entity.parked_basis = (
+            True,
+            entity.parked_basis or entity.stands or site.basis,
+        )
+        entity.stands = None
+        site.context.draft.dangers[:] = [
+            d for d in site.context.draft.dangers if not _none_of(d, entity)
+        ]
+
+
+def _none_of(danger: Danger, entity: Entity) -> bool:
+    stops = danger.kind is HazardKind.STOPPING and danger.by == [entity]
+    return stops or (danger.kind is HazardKind.OVERTAKING and danger.to == [entity])
+
+
+def _in_numbered(entity: Entity, site: Site) -> None:
+    """The lane in which it drives at first, as far as none is known of it yet."""
+    number = lane_number(site.noun, site.context.tokens)
+    if number is None or entity.lane is not None or entity.parked or site.noun.head is None:
+        return
+    side = counted_from(site.noun.j, site.context.tokens)
+    basis = Basis(site.basis.i, site.noun.j + (0 if side == EITHER else FROM_SIDE))
+    entity.lane, entity.lane_basis = number, basis
+    name = f"{number}" if "number" in site.noun.head.data else f"{number} from {side}"
+    entity.start_lane = entity.start_lane or (name, basis)
+    site.context.lanes_implied(basis, "one of several lanes is named")
+
+
+def _leads_to(_: Entity, site: Site) -> None:
+    """``turns into a side road``: for who comes by "the side road" later on."""
+    site.context.draft.used.setdefault(getattr(site.noun, "kind", ""), CrossedArm.EXIT)
+
+
+def _comes_by(_: Entity, site: Site) -> None:
+    site.context.draft.used.setdefault(getattr(site.noun, "kind", ""), CrossedArm.ENTRY)
+
+
+def _crosses(entity: Entity, site: Site) -> None:
+    """Which road of a junction it goes over, by where another comes from or goes to."""
+    if not isinstance(site.noun, Place):
+        return
+    arm = site.noun.arm or site.context.draft.used.get(site.noun.kind)
+    arm = CrossedArm.EXIT if arm is None and site.noun.kind == "exit" else arm
+    if arm is None:
+        return
+    entity.crosses = entity.crosses or (arm, site.basis)
+    _meets(entity, site.noun, site.context)
+    if site.context.is_cyclist(entity):
+        site.context.draft.maneuver(entity, {Maneuver.CROSS}, site.basis)
+
+
+def _meets(entity: Entity, road: Place, context: Context) -> None:
+    """``the road that the truck turns into``: who crosses it meets the truck."""
+    if road.user is None or road.user.is_ego:
+        return
+    kinds = [h.value for h in road.user.heads]
+    users = [e for e in context.draft.entities if e.kind.value in kinds and e.moving_vehicle]
+    for danger in context.draft.dangers if len(users) == 1 else []:
+        if danger.kind in _OVER_THE_ROAD and danger.by == [entity] and not danger.to:
+            danger.to = users
+
+
+def _on_its_side(entity: Entity, site: Site) -> None:
+    """Who is hidden by something, or comes out from behind it, is on its side of the road."""
+    sides, end = {SIDES[d] for d in site.noun.dirs if d in SIDES}, site.noun.j
+    if isinstance(site.noun, Mention):
+        found = {a for e in site.noun.entities for a in _standing(e, site.context)}
+        if found == {Approach.OPPOSITE} and not site.context.junction.crossing:
+            found = {Approach(site.context.across)}
+        found &= set(SIDES.values())
+        sides = found if len(found) == 1 else set()
+    elif sides:
+        end = max([end, *(m.j for m in site.noun.mods)])
+    on_foot = not entity.is_vehicle or (site.context.is_cyclist(entity) and not entity.ego)
+    if on_foot and not _standing(entity, site.context) & set(SIDES.values()):
+        site.context.draft.place(entity, None, sides, Basis(site.basis.i, end))
+
+
+def _standing(entity: Entity, context: Context) -> set[Approach]:
+    """Where one is seen, as far as said."""
+    seen = [p for p in context.draft.placements if p.entity is entity and p.reference is None]
+    return {a for p in seen for a in p.approaches}
+
+
+def _at_sides(entity: Entity, site: Site) -> None:
+    sides = {Approach(d) for d in site.noun.dirs if d in {"left", "right"}}
+    site.context.draft.place(entity, None, sides, site.basis)
+
+
+def _with_them(entity: Entity, site: Site) -> None:
+    """``a van is parked on the cycle lane; a cyclist swerves around it``: there, too."""
+    lanes = [e.strip for e in getattr(site.noun, "entities", ()) if e.strip is not None]
+    if entity.strip is None and not entity.ego and (Strip.CYCLE_LANE in [s for s, _ in lanes]):
+        entity.strip = (
+            Strip.CYCLE_LANE,
+            Basis(site.basis.i, site.basis.j, "it gets past who is there"),
+        )
+
+
+def _at_kerb(entity: Entity, site: Site) -> None:
+    if not site.noun.dirs:
+        site.context.draft.place(entity, None, {Approach(site.context.draft.kerb)}, site.basis)
+
+
+PUTS: dict[str, Put] = {
+    **SEEN,
+    "strip": _on_strip,
+    "sides": _at_sides,
+    "kerb": _at_kerb,
+    "with_them": _with_them,
+    "lane": _in_numbered,
+    "leads_to": _leads_to,
+    "comes_by": _comes_by,
+    "crosses": _crosses,
+    "its_side": _on_its_side,
+}
+"""Name -> what it notes of somebody who is there."""
