@@ -57,14 +57,11 @@ class Entity:
     strip: tuple[Strip, Basis] | None = None
     """The strip beside the lanes on which it is at first."""
     roadside: Basis | None = None
-    """Words that put it at the edge of the road."""
     crosses: tuple[CrossedArm, Basis] | None = None
     course: tuple[bool, Basis] | None = None
     """Whether it walks as the ego drove before it turned (else against that)."""
     light: tuple[AtLight, Basis] | None = None
-    """How it meets its light."""
     green_delay: Any = None
-    """How long after green it sets off, as an amount."""
     start_lane: tuple[str, Basis] | None = None
     """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
     held: Basis | None = None
@@ -110,9 +107,7 @@ class Entity:
     by_ramp: Basis | None = None
     """Words that say that it comes by a ramp, or in a lane that ends."""
     in_egos_lane: Basis | None = None
-    """Words that put it in the ego's lane."""
     exits: Basis | None = None
-    """Words that say that it leaves the road by a ramp."""
     pulls_out: bool = False
     gives_way: bool = False
     walks_up: bool = False
@@ -147,7 +142,6 @@ class Danger:
     by: list[Entity]
     to: list[Entity]
     items: list[Any] = field(default_factory=list)
-    """Things that cause it."""
 
 
 @dataclass(slots=True)
@@ -227,7 +221,8 @@ class Draft:
             kind = HazardKind.CROSSING_ANIMAL
         for danger in self.dangers:
             like = any(e.ego for e in danger.by) == any(e.ego for e in by)
-            same = not danger.to or not to or set_of(danger.to) == set_of(to)
+            alike = {e.index for e in danger.to} == {e.index for e in to}
+            same = not danger.to or not to or alike
             if danger.kind is kind and like and same:
                 danger.by += [e for e in by if e not in danger.by]
                 danger.to += [e for e in to if e not in danger.to]
@@ -261,11 +256,11 @@ class Draft:
         known = entity.maneuvers
         both_ways = known & _TURNS and values & _TURNS and not values & known
         either = alternative is not None and alternative == entity.turn_alternative
-        if both_ways and not either and later:
+        if both_ways and not either:
+            if not later:
+                self._contradiction(entity, values, basis)
             self.note_at(basis, "one junction is built; this later turn is left out")
             return
-        if both_ways and not either:
-            self._contradiction(entity, values, basis)
         if alternative is None and values & _TURNS:
             known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
         if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
@@ -273,9 +268,8 @@ class Draft:
         if alternative is None and entity.turn_alternative is None and values < known <= _TURNS:
             known = set()  # "both turn: V1 goes left": now it is said which way
         if Maneuver.CROSS in values:
-            walked = entity.maneuver_basis
             if Maneuver.STRAIGHT in known and not entity.is_vehicle:
-                self.note_at(walked, _WAITS_TO_CROSS)
+                self.note_at(entity.maneuver_basis, _WAITS_TO_CROSS)
             known = known - {Maneuver.STAY, Maneuver.STRAIGHT}
         entity.maneuvers = set(known | values)
         entity.maneuver_basis = _joined(entity.maneuver_basis, basis, bool(known))
@@ -284,7 +278,7 @@ class Draft:
     def _contradiction(self, entity: Entity, values: set[Maneuver], basis: Basis) -> None:
         first = f"{min(entity.maneuvers & _TURNS)}{self._quoted(entity.maneuver_basis)}"
         second = f"{min(values & _TURNS)}{self._quoted(basis)}"
-        who = entity.name or ("the ego" if entity.ego else f"one {entity.kind}")
+        who = "the ego" if entity.ego else f"one {entity.kind}"
         msg = f"contradictory maneuvers: {who} is said to turn {first} and to turn {second}"
         raise InfeasibleError(
             msg,
@@ -293,14 +287,9 @@ class Draft:
         )
 
     def _quoted(self, basis: Basis | None) -> str:
-        if basis is None or basis.i is None or basis.j is None or not self.tokens:
+        if basis is None or basis.i is None or basis.j is None:
             return ""
         return f" ('{self.text[self.tokens[basis.i].start : self.tokens[basis.j - 1].end]}')"
-
-
-def set_of(entities: list[Entity]) -> set[int]:
-    """The indices of some participants."""
-    return {e.index for e in entities}
 
 
 def _joined(old: Basis | None, new: Basis, keep: bool) -> Basis:
