@@ -159,6 +159,9 @@ def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
         return doing.kind is not ActKind.GIVE_WAY or before.into is doing.into
     before.told.append(doing.i)
     ordered = text.says("then", before.basis.j or before.i, doing.i)
+    named = before.nominal and not doing.nominal and before.side in {None, doing.side}
+    if named and " : " in text.low(before.i, doing.i):
+        ordered = None  # "Cut-in followed by braking: the van cuts in …": what the heading names
     if ordered is not None:
         before.told.pop()
         return False
