@@ -26,6 +26,7 @@ from scegen.understanding.words.retagging import retag
 from scegen.understanding.words.somebodys import around_somebody
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.unknown_drivers import who_drive
 from scegen.understanding.words.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
@@ -108,7 +109,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         terms.append(term)
         i = terms[-1].j
     crossed = _crossings(gather(from_side_to_side(terms), tokens), tokens)
-    return with_articles(name_letters(crossed, tokens), tokens)
+    return who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens)
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
