@@ -113,3 +113,6 @@ def test_what_numbers_say_is_a_condition_of_dangers():
     text += " with {} m clearance."
     assert kinds(text.format(20)) == {HazardKind.CUT_IN}
     assert kinds(text.format(80)) == set()
+    text = "The ego follows a car at 50 km/h, 20 m behind it. It accelerates at {} m/s² to 80 km/h."
+    assert kinds(text.format(4)) == {HazardKind.SUDDEN_ACCELERATION}
+    assert kinds(text.format(1)) == set()
