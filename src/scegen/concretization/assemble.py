@@ -9,14 +9,18 @@ import numpy as np
 from scegen.concretization.boxes import overlap
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
+from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.triggers import as_they_come
+from scegen.concretization.walkers import leaves_s, partner_of
 from scegen.concretization.written import written, written_phase, written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path, Trace
 from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
+from scegen.scenario.acts import AfterStart
 from scegen.scenario.concrete import (
     ArrivalBelow,
     ConcreteParticipant,
@@ -67,7 +71,7 @@ def _participant(scene: Setup, name: str) -> ConcreteParticipant:
         draft = scene.drives[name]
         course, start_s = draft.course, draft.start_s
         program = tuple(
-            written_phase(scene, change, _trigger(draft, change))
+            written_phase(scene, change, _trigger(scene, draft, change))
             for change in course.from_then(start_s)
         )
         motion = draft.motion(draft.laid.station_m(draft.start_m))
@@ -76,14 +80,40 @@ def _participant(scene: Setup, name: str) -> ConcreteParticipant:
     if name in scene.stands:
         return written(scene, name, scene.stands[name].motion, parked=True)
     if name in scene.walks:
-        return written(scene, name, scene.walks[name].motion, program=scene.walks[name].program)
+        return _walker(scene, scene.walks[name])
     raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
 
 
-def _trigger(draft: DriveDraft, phase: SpeedChange) -> Trigger:
-    """What sets a change of speed off: what is known, else how long it has stood, or its place."""
+def _walker(scene: Setup, walk: WalkDraft) -> ConcreteParticipant:
+    """One who steps off when the driver has come so far that both arrive together."""
+    found, sets_off_s = partner_of(scene, walk), leaves_s(scene, walk.id)
+    met = () if found is None else found[:1]
+    for draft in met:
+        scene.note(f"{walk.id}.sets_off_s", sets_off_s, f"arrives when {draft.id} does")
+    program = walk.program_by(met, sets_off_s, walk.path.length_m)
+    return written(scene, walk.id, walk.motion_at(walk.from_junction_m), program=program)
+
+
+def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
+    """What sets a change of speed off: what is known, whose coming, how long it stood, its place.
+
+    Who stands from the start sets off as another comes, who waits when one has passed or it is
+    green.
+    """
     if phase.trigger is not None:
         return phase.trigger
+    moment_s = draft.offset_s + phase.begins_s
+    if draft.waits_s is not None and phase is draft.course.going_on:
+        passing = [scene.drives[draft.lets_by]] if draft.lets_by is not None else []
+        why = (
+            f"{passing[0].id} has passed, who has right of way" if passing else "its light is green"
+        )
+        scene.note(f"{draft.id}.goes_s", moment_s, why)
+        return as_they_come(passing, moment_s)
+    if scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id:
+        timed = isinstance(scene.act(phase.act).when, AfterStart)
+        others = [each for each in scene.concerned(draft.id) if each is not draft]
+        return as_they_come(others[: not timed], moment_s)
     if phase.then_s is not None:
         return StoodStill(participant=draft.id, duration_s=phase.then_s)
     place = phase.s_m - draft.start_m

@@ -139,10 +139,10 @@ def _latest_s(
             yield offsets[name] + max(0.0, lead_in)
 
 
-def shortfall(scene: Setup, offsets_s: Mapping[str, float]) -> tuple[float, str]:
+def shortfall(scene: Setup) -> tuple[float, str]:
     """By how much the arms are too short (m), and for whom."""
     short_m = {
-        name: draft.body.rear_m + _ARM_MARGIN_M - draft.course.s_at(-offsets_s[name])
+        name: draft.body.rear_m + _ARM_MARGIN_M - draft.course.s_at(-draft.offset_s)
         for name, draft in scene.drives.items()
         if not draft.backs_out
     }

@@ -12,14 +12,12 @@ from scegen.concretization.along.doors import opens
 from scegen.concretization.answering import answer, note_answers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
-from scegen.concretization.deeds import do_acts, lead_in_missing_s, set_triggers, stand_in_line
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.aside import (
     brake_out_of_control,
     come_in,
-    start_inside,
     swerve,
     turn_the_wheel,
 )
@@ -33,15 +31,19 @@ from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
-from scegen.concretization.moments import Moments
+from scegen.concretization.moments import traffic_of
 from scegen.concretization.occluders import hide
-from scegen.concretization.priorities import set_gaps
 from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import go_round_stationary, place_obstacles, place_stationary
+from scegen.concretization.steps import do_acts, lead_in_missing_s, stand_in_line
 from scegen.concretization.tale import as_meant, pace_of
-from scegen.concretization.walkers import place_walkers, program_walkers, stop_in_the_way
+from scegen.concretization.walkers import (
+    leaves_s,
+    place_walkers,
+    stop_in_the_way,
+)
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
@@ -133,8 +135,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     for hazard in scene.of_kind(HazardKind.REVERSING):
         prepare_to_reverse(scene, hazard)
     choose_junction_lanes(scene)
-    for hazard in scene.of_kind(HazardKind.CUT_IN):
-        start_inside(scene, hazard)
     prepare_maneuvers(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
@@ -152,10 +152,9 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     meetings += pull_out(scene)
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, meetings)
-    moments = _start(scene, meetings)
+    _start(scene, meetings)
     for hazard in scene.of_kind(HazardKind.REVERSING):
         go_back_as_they_come(scene, hazard)
-    program_walkers(scene, moments.leaves_s)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 
@@ -209,39 +208,34 @@ def _cruise_speed_mps(scene: Setup, participant: Participant, arm: int) -> float
     return speed
 
 
-def _start(scene: Setup, meetings: list[Meeting]) -> Moments:
-    offsets = schedule(scene, meetings)
-    offsets = do_acts(scene, offsets)
-    moments = _with_lead_in(scene, offsets)
-    short, who = shortfall(scene, moments.offsets_s)
+def _start(scene: Setup, meetings: list[Meeting]) -> None:
+    for name, late_s in schedule(scene, meetings).items():
+        scene.drives[name].offset_s = late_s
+    do_acts(scene)
+    _with_lead_in(scene)
+    short, who = shortfall(scene)
     if short > 0:
         raise NeedsLongerArms(short, who)
-    for name, draft in scene.drives.items():
-        draft.offset_s = moments.offsets_s[name]
-    answer(moments.traffic())
+    answer(traffic_of(scene))
     note_answers(scene, scene.drives)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}
     for name, draft in scene.drives.items():
         draft.start_m = 0.0 if draft.backs_out else draft.course.s_at(-draft.offset_s)
         station = draft.laid.station_m(draft.start_m)
-        reason = reasons.get(name, "in line on its arm")
-        scene.note(f"{name}.start_m", station, reason)
-    set_triggers(scene, moments)
-    set_lights(scene, moments.leaves_s)
-    set_gaps(scene)
-    return moments
+        scene.note(f"{name}.start_m", station, reasons.get(name, "in line on its arm"))
+    set_lights(scene)
 
 
-def _with_lead_in(scene: Setup, offsets_s: dict[str, float]) -> Moments:
+def _with_lead_in(scene: Setup) -> None:
     """Starts and acts as is said, everybody undisturbed for a moment before the first act."""
+    early = 0.0
     for _ in range(_AGAIN):
-        moments = Moments(scene, dict(offsets_s))
-        moments.sets_off_s = {
-            name: moments.leaves_s(name) for name in scene.walks if conditioned(scene, name)
-        }
-        fit(scene, moments)
-        early = lead_in_missing_s(scene, moments)
+        for draft in scene.drives.values():
+            draft.offset_s += early
+        for name, walk in scene.walks.items():
+            walk.sets_off_s = None
+            walk.sets_off_s = leaves_s(scene, name) if conditioned(scene, name) else None
+        fit(scene)
+        early = lead_in_missing_s(scene)
         if early <= 0.0:
             break
-        offsets_s = {name: offset + early for name, offset in offsets_s.items()}
-    return moments

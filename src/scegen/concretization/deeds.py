@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import takewhile
 
@@ -10,12 +10,11 @@ from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
-from scegen.concretization.moments import Moments
+from scegen.concretization.moments import begins_s
 from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
-from scegen.measures.grounds import grounds
+from scegen.concretization.walkers import leaves_s
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
-from scegen.scenario.concrete import AtTime, Travelled, Trigger
 from scegen.scenario.vocabulary import AtLight, HazardKind
 
 STOOD_S = 200.0
@@ -25,22 +24,19 @@ _HOLDS_S = 1.5
 """Between two acts of one driver, where no time is said: long enough to see the speed held."""
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
-_MOVES_MPS = 0.1
 _AFTER_WALKER_S = 0.5
 _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
 
 
-def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
+def do_acts(scene: Setup) -> None:
     """Give everybody who drives the marks of its acts; places that are open are usual ones.
 
-    Returns how late everybody is, with those who stand at first setting off when they would have
-    come by.
+    Those who stand at first set off when they would have come by.
     """
-    late = dict(offsets_s)
     for draft in scene.drives.values():
         if draft.stands:
-            late[draft.id] = -STOOD_S
+            draft.offset_s = -STOOD_S
             continue
         if draft.parked_s_m is not None:
             continue
@@ -52,13 +48,12 @@ def do_acts(scene: Setup, offsets_s: Mapping[str, float]) -> dict[str, float]:
             draft.stops_at_line = False  # it stands there
         if any(a.kind in GAINING and a.target_speed_mps for a in scene.speed_acts(draft.id)):
             draft.lateral_mps2 = max(draft.lateral_mps2, FAST_LATERAL_MPS2)
-        draft.deeds = marks
+        draft.steps = marks
         if scene.sets_off(draft.id):
             phase = draft.course.phase_of(marks[1].act or "")
-            late[draft.id] += came_s - (phase.begins_s if phase is not None else came_s)
+            draft.offset_s += came_s - (phase.begins_s if phase is not None else came_s)
         else:
             _place(scene, draft)
-    return late
 
 
 def stand_in_line(scene: Setup) -> None:
@@ -73,22 +68,22 @@ def stand_in_line(scene: Setup) -> None:
                 behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
                 place = float(other.course.s_m[-1]) - behind
         begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
-        draft.deeds = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
+        draft.steps = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
 
 
-def lead_in_missing_s(scene: Setup, moments: Moments) -> float:
+def lead_in_missing_s(scene: Setup) -> float:
     """How much too early the first act comes, where the text does not say when.
 
     Who goes across stands for a moment before.
     """
     begins = [
-        moments.begins_s(act)
+        begins_s(scene, act)
         for draft in scene.drives.values()
-        for act in (scene.act(mark.act) for mark in draft.deeds if mark.act is not None)
+        for act in (scene.act(mark.act) for mark in draft.steps if mark.act is not None)
         if not isinstance(act.when, AfterStart)
     ]
     timed = {act.participant for act in scene.acts if isinstance(act.when, AfterStart)}
-    leaves = [moments.leaves_s(name) for name in scene.walks if name not in timed]
+    leaves = [leaves_s(scene, name) for name in scene.walks if name not in timed]
     return max(
         0.0,
         LEAD_IN_S - min(begins, default=LEAD_IN_S),
@@ -171,18 +166,19 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     Of who waits for somebody, where it stands.
     """
     free = {act.id for act in scene.acts if goes_on_when_free(act.when)}
-    until = takewhile(lambda mark: mark.act not in free, draft.deeds)
+    until = takewhile(lambda mark: mark.act not in free, draft.steps)
     way = _way_m(draft.cruise_mps, until)
-    first = draft.deeds[0]
+    first = draft.steps[0]
     place = first.s_m
-    lets_by = _before_walker_m(scene, draft, first) if first.act else None
+    into = scene.act(first.act).into if first.act else None
+    lets_by = stops_for_walkers(scene, draft, into) if into else None
     at_line = lets_by is None and _waits_at_line(scene, first)
     is_free = first.act is None or is_open(scene, first)
     if at_line or (is_free and _stops_at_light(scene, draft)):
         line = draft.stop_line_s_m - draft.body.front_m - _BEFORE_LINE_M
         place = line - _way_m(draft.cruise_mps, [first])
     elif lets_by is not None:
-        place = lets_by - _way_m(draft.cruise_mps, [first])
+        place = lets_by[0] - _way_m(draft.cruise_mps, [first])
     elif is_open(scene, first):
         kind = first.hazard or HazardKind.HARD_BRAKING
         act = scene.act(first.act or "").kind
@@ -191,19 +187,9 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
     require_room(draft.id, place, least, 5.0)
     later = [
-        replace(mark, s_m=place + way) if is_open(scene, mark) else mark for mark in draft.deeds[1:]
+        replace(mark, s_m=place + way) if is_open(scene, mark) else mark for mark in draft.steps[1:]
     ]
-    draft.deeds = [replace(first, s_m=place), *later]
-
-
-def _before_walker_m(scene: Setup, draft: DriveDraft, mark: SpeedChange) -> float | None:
-    """Where it stands that waits for somebody who crosses: just before that one's way."""
-    act = scene.act(mark.act or "")
-    walk = scene.walks.get(act.into or "")
-    if walk is None:
-        return None
-    shared = grounds(draft.laid.path, draft.body, walk.path, walk.body)
-    return shared[0].enter_m - _BEFORE_LINE_M if shared else None
+    draft.steps = [replace(first, s_m=place), *later]
 
 
 def _way_m(speed_mps: float, marks: Iterable[SpeedChange]) -> float:
@@ -214,19 +200,3 @@ def _way_m(speed_mps: float, marks: Iterable[SpeedChange]) -> float:
         profile.change(begins, mark.target_mps, mark.rate_mps2)
         ready = profile.settles_s(begins)
     return profile.way_m(ready)
-
-
-def set_triggers(scene: Setup, moments: Moments) -> None:
-    """Who stands until it sets off does so as another comes, or at its time."""
-    for draft in scene.drives.values():
-        for mark in draft.deeds[1:2] if scene.sets_off(draft.id) else ():
-            act = scene.act(mark.act or "")
-            time_s = moments.begins_s(act)
-            trigger: Trigger = AtTime(time_s=round(max(time_s, 0.0), 3))
-            other = next((each for each in scene.concerned(draft.id) if each is not draft), None)
-            if other is not None and not isinstance(act.when, AfterStart):
-                own_s = time_s - other.offset_s
-                place = other.course.s_at(own_s) - other.start_m
-                if place > 0.0 and other.course.speed_then(own_s) > _MOVES_MPS:
-                    trigger = Travelled(participant=other.id, distance_m=round(place, 3))
-            draft.deeds[1] = replace(mark, trigger=trigger)

@@ -14,20 +14,21 @@ from scegen.concretization.limits import (
     STOPS_FOR_S,
 )
 from scegen.concretization.profile import Sort, SpeedChange
-from scegen.concretization.turning import Stop, turning_changes
+from scegen.concretization.turning import turning_changes
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import lay_towards
 from scegen.motion.polyline import LaidDrive
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import AtTime, DriveMotion, LaneChange, Travelled
+from scegen.scenario.concrete import DriveMotion, LaneChange
 from scegen.scenario.logical import Drive
 from scegen.scenario.reversing import BacksOut, Reversal
 from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
+_ENDS_M = 1.0
 
 
 @dataclass
@@ -35,7 +36,7 @@ class DriveDraft:
     """A vehicle's drive in the making.
 
     ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
-    ``deeds`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
+    ``steps`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
     the outer end of the entry arm; ``start_m`` where on that path it starts at time 0.
     ``grip_mps2`` is what the tyres hold on this road, ``halts_s_m`` where a thing in its way ends
     it, ``parked_s_m`` where it stood beside the road at first.
@@ -43,8 +44,7 @@ class DriveDraft:
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
     the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits_s`` is how
     long it stands at its line, at red or until ``lets_by`` has passed (below 0: it goes on before
-    it has come to rest), and ``goes_at`` what it goes on by. ``offset_s`` is how late it is against
-    its course.
+    it has come to rest). ``offset_s`` is how late it is against its course.
     """
 
     id: str
@@ -59,7 +59,7 @@ class DriveDraft:
     stops_at_line: bool = False
     lane_changes: list[LaneChange] = field(default_factory=list)
     marks: list[SpeedChange] = field(default_factory=list)
-    deeds: list[SpeedChange] = field(default_factory=list)
+    steps: list[SpeedChange] = field(default_factory=list)
     start_m: float = 0.0
     offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
@@ -73,7 +73,6 @@ class DriveDraft:
     laid_: LaidDrive | None = None
     line_back_m: float = 0.0
     waits_s: float | None = None
-    goes_at: AtTime | Travelled | None = None
     lets_by: str | None = None
     _told: tuple[LaidDrive, tuple[object, ...], Course] | None = field(
         default=None, init=False, repr=False, compare=False
@@ -91,15 +90,6 @@ class DriveDraft:
     def speed_mps(self) -> float:
         """Its speed before all that it does."""
         return self.cruise_mps
-
-    @property
-    def steps(self) -> list[SpeedChange]:
-        """How it changes its speed of its own accord."""
-        return self.deeds
-
-    @steps.setter
-    def steps(self, steps: list[SpeedChange]) -> None:
-        self.deeds = steps
 
     def timing(self) -> Callable[[SpeedChange, float], SpeedChange]:
         """What puts a step where it is at a moment, as it drives now."""
@@ -125,7 +115,7 @@ class DriveDraft:
         """When it is where if it starts at the outer end of its entry arm."""
         told = (
             self.cruise_mps, self.lateral_mps2, self.alone_s_m, self.stops_at_line, self.waits_s,
-            self.goes_at, tuple(self.marks), tuple(self.deeds),
+            tuple(self.marks), tuple(self.steps),
         )  # fmt: skip
         known = self._told
         if known is None or known[0] is not self.laid_ or known[1] != told:
@@ -179,6 +169,15 @@ class DriveDraft:
             reversal=self.reversal,
         )
 
+    def gone_m(self, time_s: float) -> float:
+        """How far it has come at a time of the scenario."""
+        return self.course.s_at(time_s - self.offset_s) - self.start_m
+
+    def speed_at_mps(self, time_s: float) -> float:
+        """Its speed at a time of the scenario; 0 at the end of its way."""
+        left_m = self.laid.path.length_m - self.start_m - self.gone_m(time_s)
+        return self.course.speed_then(time_s - self.offset_s) if left_m > _ENDS_M else 0.0
+
     @property
     def stands(self) -> bool:
         """Whether it is said to stand all the time."""
@@ -228,7 +227,7 @@ class DriveDraft:
         stop = None
         if self.stops_at_line or self.waits_s is not None:
             stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
-            stop = Stop(self.stop_line_s_m - self.body.front_m, stands_s, self.goes_at)
+            stop = self.stop_line_s_m - self.body.front_m, stands_s
         return turning_changes(
             self.laid,
             self.cruise_mps,
@@ -242,4 +241,4 @@ class DriveDraft:
         """All marks in the order of the path."""
         low, high = self.alone_s_m or (1.0, 0.0)
         ordinary = [mark for mark in self.road_changes() if not low <= mark.s_m <= high]
-        return sorted([*ordinary, *self.marks, *self.deeds], key=lambda mark: mark.s_m)
+        return sorted([*ordinary, *self.marks, *self.steps], key=lambda mark: mark.s_m)

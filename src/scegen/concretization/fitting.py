@@ -12,9 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from scegen.concretization.deeds import is_open
-from scegen.concretization.moments import Moments
+from scegen.concretization.moments import begins_s, ends_s, too_long_m
 from scegen.concretization.setup import Setup
+from scegen.concretization.steps import is_open
 from scegen.motion.model import Array
 from scegen.scenario.acts import (
     Act,
@@ -36,20 +36,20 @@ _THEN_S = 0.3
 """Who answers another at once does so after this."""
 
 
-def fit(scene: Setup, moments: Moments) -> None:
-    """Change what is open in ``moments`` until what is said holds, as little as that needs."""
-    said = len(list(_missed(scene, moments)))
+def fit(scene: Setup) -> None:
+    """Change what is open until what is said holds, as little as that needs."""
+    said = len(list(_missed(scene)))
     if not said:
         return
-    unknowns = list(_unknowns(scene, moments))
-    first = np.array([_read(scene, moments, *unknown) for unknown in unknowns])
+    unknowns = list(_unknowns(scene))
+    first = np.array([_read(scene, *unknown) for unknown in unknowns])
     steps = np.array([_STEP_S if place is None else _STEP_M for _, place in unknowns])
 
     def missed(x: Array) -> Array:
         for unknown, value in zip(unknowns, x, strict=True):
-            _give(scene, moments, *unknown, float(value))
+            _give(scene, *unknown, float(value))
         kept = _AS_IT_WAS * _STEP_S / steps * (x - first)
-        return np.concatenate([list(_missed(scene, moments)), kept])
+        return np.concatenate([list(_missed(scene)), kept])
 
     x, now = first, missed(first)
     for _ in range(_ROUNDS):
@@ -69,74 +69,80 @@ def fit(scene: Setup, moments: Moments) -> None:
     missed(x)
 
 
-def _unknowns(scene: Setup, moments: Moments) -> Iterator[tuple[str, int | None]]:
+def _unknowns(scene: Setup) -> Iterator[tuple[str, int | None]]:
     """Whose lateness (or setting off) is to be found; with a number, where that act of it is."""
     for name, draft in scene.drives.items():
         yield name, None
-        for n, mark in enumerate(draft.deeds):
+        for n, mark in enumerate(draft.steps):
             stood = n == 0 and mark.act is None and draft.parked_s_m is None
             if is_open(scene, mark) or stood:
                 yield name, n
-    yield from ((name, None) for name in moments.sets_off_s)
+    timed = (name for name, walk in scene.walks.items() if walk.sets_off_s is not None)
+    yield from ((name, None) for name in timed)
 
 
-def _read(scene: Setup, moments: Moments, name: str, place: int | None) -> float:
+def _read(scene: Setup, name: str, place: int | None) -> float:
     if place is not None:
-        return scene.drives[name].deeds[place].s_m
-    return (moments.offsets_s if name in scene.drives else moments.sets_off_s)[name]
+        return scene.drives[name].steps[place].s_m
+    if name in scene.drives:
+        return scene.drives[name].offset_s
+    return scene.walks[name].sets_off_s or 0.0
 
 
-def _give(scene: Setup, moments: Moments, name: str, place: int | None, value: float) -> None:
+def _give(scene: Setup, name: str, place: int | None, value: float) -> None:
+    if name in scene.walks:
+        scene.walks[name].sets_off_s = value
+    elif place is None:
+        scene.drives[name].offset_s = value
     if place is None:
-        (moments.offsets_s if name in scene.drives else moments.sets_off_s)[name] = value
         return
-    deeds = scene.drives[name].deeds
-    if deeds[place].s_m != value:
-        deeds[place] = replace(deeds[place], s_m=value)
+    steps = scene.drives[name].steps
+    if steps[place].s_m != value:
+        steps[place] = replace(steps[place], s_m=value)
 
 
-def _missed(scene: Setup, moments: Moments) -> Iterator[float]:
+def _missed(scene: Setup) -> Iterator[float]:
     """By how much distances and moments are not as the text says."""
     known = {*scene.drives, *scene.walks, *scene.stands}
     for spacing in scene.functional.spacings:
         pair = {spacing.participant, spacing.reference}
         if spacing.measure in LENGTHWISE and spacing.at != CONTACT and known >= pair:
             at = None if spacing.at == START else scene.act(spacing.at)
-            moment = moments.ends_s if spacing.since == "end" else moments.begins_s
+            moment = ends_s if spacing.since == "end" else begins_s
             if at is None or at.participant in known:
-                yield _PER_M * moments.missing_m(spacing, 0.0 if at is None else moment(at))
+                yield _PER_M * too_long_m(scene, spacing, 0.0 if at is None else moment(scene, at))
     for act in scene.acts:
         if act.when is not None and act.participant in known:
-            yield from _mistimed(scene, moments, act, known)
+            yield from _mistimed(scene, act, known)
 
 
-def _mistimed(scene: Setup, moments: Moments, act: Act, known: set[str]) -> Iterator[float]:
-    when, begins_s = act.when, moments.begins_s(act)
+def _mistimed(scene: Setup, act: Act, known: set[str]) -> Iterator[float]:
+    when, own_s = act.when, begins_s(scene, act)
     if isinstance(when, WhenMeasure) and when.measure in LENGTHWISE:
         if known >= {when.participant, when.reference}:
-            yield _PER_M * moments.missing_m(when, begins_s)
+            yield _PER_M * too_long_m(scene, when, own_s)
     elif isinstance(when, AfterStart):
-        yield begins_s - when.delay_s.middle
+        yield own_s - when.delay_s.middle
     elif isinstance(when, AfterDistance | BeforeJunction):
         # How far one has come, or has still to go to the junction; one's own place is fixed.
         name, way_m = when.participant or act.participant, when.distance_m.middle
         draft = scene.drives.get(name)
         if draft is None:
             return
-        course, late = draft.course, moments.offsets_s[name]
+        course, late = draft.course, draft.offset_s
         if isinstance(when, AfterDistance):
-            yield _PER_M * (course.s_at(begins_s - late) - course.s_at(-late) - way_m)
+            yield _PER_M * (course.s_at(own_s - late) - course.s_at(-late) - way_m)
         elif when.participant is not None:
             place = draft.junction_s_m - draft.body.front_m - way_m
-            yield begins_s - (late + course.time_at(place))
+            yield own_s - (late + course.time_at(place))
     elif isinstance(when, AfterAct):
         other = scene.act(when.act)
         own = scene.drives.get(act.participant)
-        marks = own.deeds if own is not None else ()
+        marks = own.steps if own is not None else ()
         chained = any(mark.act == act.id and mark.then_s is not None for mark in marks)
         if other.participant in known and not chained:
-            since = moments.ends_s(other) if when.since == "end" else moments.begins_s(other)
-            yield begins_s - since - (when.delay_s.middle or _THEN_S)
+            since = (ends_s if when.since == "end" else begins_s)(scene, other)
+            yield own_s - since - (when.delay_s.middle or _THEN_S)
 
 
 def conditioned(scene: Setup, name: str) -> bool:

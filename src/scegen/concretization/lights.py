@@ -7,7 +7,7 @@ somebody meets a light, it is laid once more around everybody, when all times ar
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from typing import NamedTuple
@@ -16,6 +16,7 @@ import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.setup import Setup
+from scegen.concretization.walkers import leaves_s
 from scegen.motion.rules.intergreen import (
     LEAST_GREEN_AFOOT_S,
     LEAST_GREEN_S,
@@ -24,7 +25,6 @@ from scegen.motion.rules.intergreen import (
     walked_s,
 )
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
-from scegen.scenario.concrete import AtTime
 from scegen.scenario.control import LIGHTS, oncoming_arms
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.signals import SignalGroup, SignalPlan
@@ -157,13 +157,13 @@ def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
             yield _Shown(draft.drive.entry, False, time_s, wanted, after_s, name)
 
 
-def _walked(scene: Setup, leaves_s: Callable[[str], float]) -> Iterator[_Shown]:
+def _walked(scene: Setup) -> Iterator[_Shown]:
     """Of those who cross an arm, as is said: as their front comes over the kerb."""
     for walk in scene.walks.values():
         wanted = scene.functional.participant(walk.id).light
         if wanted is not None:
-            way_m = walk.motion.setback_m - walk.body.front_m
-            time_s = leaves_s(walk.id) + walk.runs_s(max(way_m, 0.0))
+            way_m = walk.setback_m - walk.body.front_m
+            time_s = leaves_s(scene, walk.id) + walk.runs_s(max(way_m, 0.0))
             yield _Shown(walk.crossing.arm, afoot=True, time_s=time_s, wanted=wanted)
 
 
@@ -278,24 +278,13 @@ def _worth(plan: SignalPlan, shown: _Shown) -> float:
     return -missed
 
 
-def set_lights(scene: Setup, leaves_s: Callable[[str], float]) -> None:
-    """The plan on the scenario's clock; who waits goes on by it.
-
-    ``leaves_s`` tells when those who cross set off.
-    """
+def set_lights(scene: Setup) -> None:
+    """The plan on the scenario's clock."""
     if scene.signals is None:
         return
     scene.signals = shifted(scene.signals, scene.ego.offset_s)
     if any(p.light is not None for p in scene.functional.participants):
         late = {name: draft.offset_s for name, draft in scene.drives.items()}
-        shown = [*_driven(scene, late), *_walked(scene, leaves_s)]
+        shown = [*_driven(scene, late), *_walked(scene)]
         scene.signals = _suiting(scene.signals, shown)
         _wait_as_long(scene, [each for each in shown if each.after_s is not None])
-    for draft in scene.drives.values():
-        if draft.waits_s is None or draft.lets_by is not None:
-            continue
-        again = draft.course.going_on
-        if again is None:
-            continue  # it stays
-        draft.goes_at = AtTime(time_s=round(max(draft.offset_s + again.begins_s, 0.0), 3))
-        scene.note(f"{draft.id}.goes_at_s", draft.goes_at.time_s, "its light is green")

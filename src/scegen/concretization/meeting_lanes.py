@@ -12,8 +12,9 @@ from functools import cache, partial
 from itertools import combinations
 
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.hazards.aside import goes_outwards
 from scegen.concretization.hazards.parties import pairs, same_arm
-from scegen.concretization.lane_choice import choose_lanes, routes_of
+from scegen.concretization.lane_choice import routes_of
 from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import NeedsLongerArms, Setup
@@ -38,11 +39,6 @@ class Lanes:
     ring: int | None
     exit: int
 
-    @classmethod
-    def of(cls, draft: DriveDraft) -> Lanes:
-        """Those that it has."""
-        return cls(draft.entry_lane, draft.ring_lane, draft.exit_lane)
-
     def give(self, draft: DriveDraft) -> None:
         """Let it have them; it is to be laid anew."""
         draft.entry_lane, draft.ring_lane, draft.exit_lane = self.entry, self.ring, self.exit
@@ -60,10 +56,7 @@ def choose_junction_lanes(scene: Setup) -> None:
     where nobody else could meet. Somebody moves over only for a danger, or where else nobody would
     meet at all.
     """
-    for draft in scene.drives.values():
-        choose_lanes(scene, draft)
-    usual = {name: Lanes.of(draft) for name, draft in scene.drives.items()}
-    options = {name: _options(scene, scene.drives[name], own) for name, own in usual.items()}
+    options = {name: _options(scene, draft) for name, draft in scene.drives.items()}
     placed = [w for w in _from_words(scene) if w.can_be_met(options)]
     _, before = least_broken(options, placed)
     for name in _bound(scene, placed):
@@ -80,20 +73,18 @@ def choose_junction_lanes(scene: Setup) -> None:
     met = any(wish.met(chosen) for wish in meetings)
     for wish in meetings:
         if not wish.met(chosen) and (wish.weight >= LIKELY or not met):
-            met |= _move_over(scene, *(scene.drives[name] for name in wish.who))
+            met |= _move_over(scene, chosen, *(scene.drives[name] for name in wish.who))
 
 
-def _options(scene: Setup, draft: DriveDraft, own: Lanes) -> list[Lanes]:
-    """The lanes that lead to a drive's exit, its usual ones and then the outermost first."""
+def _options(scene: Setup, draft: DriveDraft) -> list[Lanes]:
+    """The lanes that lead to a drive's exit, the outermost and those that stay so first."""
     found = {Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in routes_of(scene, draft)}
-    others = sorted(found - {own}, key=lambda o: (-o.entry, -(o.ring or 0), -o.exit))
-    settled = lanes_abreast(scene.functional, scene.logical, scene.road).get(draft.id)
-    alike = [lanes for lanes in (own, *others) if lanes.entry == settled]
+    usual = sorted(found, key=lambda o: (-o.entry, -(o.ring or 0), o.exit != o.entry, -o.exit))
+    reached = {lanes_abreast(scene.functional, scene.logical, scene.road).get(draft.id)}
     if draft.from_arm is not None:  # from where it comes out backwards
         out = scene.network.routes.get((draft.drive.entry, draft.from_arm), ())
         reached = {route.entry_lane for route in out}
-        alike = [lanes for lanes in (own, *others) if lanes.entry in reached]
-    return alike or [own, *others]
+    return [lanes for lanes in usual if lanes.entry in reached] or usual
 
 
 def _from_words(scene: Setup) -> Iterator[LaneWish]:
@@ -116,13 +107,24 @@ def _from_words(scene: Setup) -> Iterator[LaneWish]:
         level = draft is scene.ego or draft.drive.entry != scene.ego.drive.entry
         if diagonal and not level and not draft.drive.beside:
             yield from _beside(scene, name, scene.ego.id)
-    for hazard in scene.of_kind(HazardKind.REVERSING):
+    yield from _from_dangers(scene)
+    yield from _clear_of_turning_back(scene)
+
+
+def _from_dangers(scene: Setup) -> Iterator[LaneWish]:
+    """Who reverses does so in the lane of the other; who cuts in in a ring comes from inside."""
+    ring = scene.road.kind is JunctionKind.ROUNDABOUT
+    for hazard in scene.functional.hazards:
         for cause, sufferer in pairs(scene, hazard):
-            if same_arm(cause, sufferer):
+            if hazard.kind is HazardKind.REVERSING and same_arm(cause, sufferer):
                 who = cause.id, sufferer.id
                 same = _steps(*who, lambda out: out == 0)
                 yield Wish(who, LIKELY, same, f"{cause.id} reverses in the lane of {sufferer.id}")
-    yield from _clear_of_turning_back(scene)
+            elif hazard.kind is HazardKind.CUT_IN and ring:
+                inside = cause if goes_outwards(scene, cause) else sufferer
+                inner = min(lanes.ring or 0 for lanes in _options(scene, inside))
+                met = partial(_is_in_ring, inside.id, inner)
+                yield Wish((inside.id,), LIKELY, met, f"{inside.id} is inside in the ring")
 
 
 def _clear_of_turning_back(scene: Setup) -> Iterator[LaneWish]:
@@ -150,6 +152,10 @@ def _steps(name: str, reference: str, right: Callable[[int], bool]) -> Callable[
 
 def _in(name: str, allowed: frozenset[int]) -> Callable[[Choice], bool]:
     return lambda lanes: lanes[name].entry in allowed
+
+
+def _is_in_ring(name: str, ring: int, lanes: Choice) -> bool:
+    return lanes[name].ring == ring
 
 
 def _bound(scene: Setup, placed: Sequence[LaneWish]) -> set[str]:
@@ -198,7 +204,7 @@ def _laid(scene: Setup, name: str, lanes: Lanes) -> DriveDraft:
     return draft
 
 
-def _move_over(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
+def _move_over(scene: Setup, lanes: Choice, first: DriveDraft, second: DriveDraft) -> bool:
     """Let one of two who leave by one arm change into the other's lane there; whether it can.
 
     Rather not the ego: its way is the text's.
@@ -206,7 +212,7 @@ def _move_over(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
     ring = scene.road.kind is JunctionKind.ROUNDABOUT
     if ring or scene.network.plain or first.drive.exit != second.drive.exit:
         return False
-    laid = {draft.id: _laid(scene, draft.id, Lanes.of(draft)) for draft in (first, second)}
+    laid = {draft.id: _laid(scene, draft.id, lanes[draft.id]) for draft in (first, second)}
     fixed = _bound(scene, ())
     for draft, other in sorted([(first, second), (second, first)], key=lambda o: o[0] is scene.ego):
         own, lane = laid[draft.id], laid[other.id].exit_lane
@@ -221,7 +227,7 @@ def _move_over(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
         if over > 0.0:
             raise NeedsLongerArms(over + 1.0, draft.id)
         draft.lane_changes.append(change)
-        if ways_touch(*(_laid(scene, each.id, Lanes.of(each)) for each in (draft, other))):
+        if ways_touch(*(_laid(scene, each.id, lanes[each.id]) for each in (draft, other))):
             reason = f"moves over behind the junction, so that its way and that of {other.id} meet"
             scene.note(f"{draft.id}.exit_lane", lane, reason, own.exit_lane)
             return True

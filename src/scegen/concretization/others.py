@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.limits import starting_mps2
+from scegen.concretization.triggers import Comes, as_they_come
 from scegen.motion.model import Array, Path
+from scegen.motion.standing import crossing_path
+from scegen.road.model import RoadNetwork
+from scegen.scenario.acts import Act, AfterStart
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import CrossingMotion, SpeedPhase, StandingMotion, Travelled, Trigger
+from scegen.scenario.concrete import CrossingMotion, SpeedPhase, StandingMotion, Travelled
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
@@ -39,13 +44,25 @@ def abreast_m(number: int) -> float:
 
 @dataclass
 class Walker:
-    """One who goes across a road, on foot or by bicycle, at a steady pace from where it starts."""
+    """One who goes across a road, on foot or by bicycle, at a steady pace from where it starts.
+
+    ``act`` is the one of the text that this is, ``setback_m`` how far outside the carriageway it
+    starts, ``stops_after_m`` where its way ends if it does not go across.
+    """
 
     id: str
     kind: ParticipantKind
     body: Body
     crossing: Crossing
     speed_mps: float
+    act: Act | None
+    setback_m: float = field(default=0.0, kw_only=True)
+    stops_after_m: float | None = field(default=None, kw_only=True)
+
+    @property
+    def timed(self) -> bool:
+        """Whether it is said how long after the start it sets off, whatever others do."""
+        return self.act is not None and isinstance(self.act.when, AfterStart)
 
     @property
     def rate_mps2(self) -> float:
@@ -61,24 +78,35 @@ class Walker:
         """How long it takes from setting off until so much way is behind it."""
         return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
 
-    def program_to(
-        self, trigger: Trigger, length_m: float, act: str | None, *, stops: bool
+    def motion_at(self, from_junction_m: float) -> CrossingMotion:
+        """Its way across, so far from the inner end of its arm."""
+        stops = self.stops_after_m
+        return CrossingMotion(
+            arm=self.crossing.arm,
+            start_side=self.crossing.start,
+            from_junction_m=round(from_junction_m, 3),
+            setback_m=round(self.setback_m, 3),
+            stops_after_m=None if stops is None else round(stops, 3),
+        )
+
+    def program_by(
+        self, met: Iterable[Comes], sets_off_s: float, length_m: float
     ) -> tuple[SpeedPhase, SpeedPhase]:
-        """Set off, and come to rest just before the end of its way; ``stops``: in somebody's."""
+        """Set off as one has come so far who is met, and come to rest just before its way ends."""
         end = max(0.0, length_m - self.gains_m - _STOPS_SHORT_M)
         return (
             SpeedPhase(
-                trigger=trigger,
+                trigger=as_they_come(() if self.timed else met, sets_off_s),
                 target_speed_mps=round(self.speed_mps, 4),
                 rate_mps2=self.rate_mps2,
                 hazard=_CROSSES.get(self.kind),
-                act=act,
+                act=None if self.act is None else self.act.id,
             ),
             SpeedPhase(
                 trigger=Travelled(participant=self.id, distance_m=round(end, 3)),
                 target_speed_mps=0.0,
                 rate_mps2=self.rate_mps2,
-                hazard=HazardKind.STOPPING if stops else None,
+                hazard=None if self.stops_after_m is None else HazardKind.STOPPING,
             ),
         )
 
@@ -87,20 +115,15 @@ class Walker:
 class Walk(Walker):
     """One who goes across an open road: at ``x_m`` of it, ``sets_off_s`` after the start.
 
-    ``setback_m`` is how far outside the carriageway it starts, ``arrives_s`` when it is in the way
-    of whom it meets, ``stops_after_m`` where its way ends if it does not go across, ``from_y_m``
-    where it starts, to the ego's left of the centre line.
+    ``arrives_s`` is when it is in the way of whom it meets, ``from_y_m`` where it starts, to the
+    ego's left of the centre line.
     """
 
     from_left: bool
     meets: str
     x_m: float = 0.0
-    setback_m: float = 0.0
     sets_off_s: float = 0.0
     arrives_s: float = 0.0
-    stops_after_m: float | None = None
-    timed: bool = False
-    act: str | None = None
     from_y_m: float = 0.0
 
     def track(self, times_s: Array) -> tuple[Boxes, Array]:
@@ -115,16 +138,15 @@ class Walk(Walker):
 
 @dataclass
 class WalkDraft(Walker):
-    """One who crosses an arm, in the making."""
+    """One who crosses an arm, in the making; ``sets_off_s`` is known if that is said."""
 
-    motion: CrossingMotion
-    path: Path
-    program: tuple[SpeedPhase, ...] = ()
+    from_junction_m: float
+    path: Path = field(init=False)
+    sets_off_s: float | None = None
 
-    @property
-    def stops(self) -> bool:
-        """Whether it stops in somebody's way."""
-        return self.motion.stops_after_m is not None
+    def lay(self, network: RoadNetwork) -> None:
+        """Lay its way out, anew if it is to end elsewhere."""
+        self.path = crossing_path(network, self.motion_at(self.from_junction_m), self.id)
 
 
 @dataclass

@@ -23,7 +23,7 @@ _BEHIND_M, _AHEAD_M = 3.0, 6.0
 BEFORE_TURNING_M = 3.0
 _OF_GRIP = 0.8
 _BEFORE_JUNCTION_M = 5.0
-_LEAST_RUN_UP_M, _SPARE_M = 10.0, 5.0
+_LEAST_RUN_UP_M, _SPARE_M = 5.0, 10.0
 
 
 def change_length_m(speed_mps: float, seconds: float = LANE_CHANGE_S) -> float:
@@ -31,12 +31,13 @@ def change_length_m(speed_mps: float, seconds: float = LANE_CHANGE_S) -> float:
     return max(8.0, speed_mps * seconds)
 
 
-def calm_change_length_m(passer: DriveDraft, width_m: float) -> float:
+def calm_change_length_m(scene: Setup, passer: DriveDraft) -> float:
     """Length of a change of lane that asks for no more than 4 m/s2 sideways, or what grip allows.
 
     Long enough for the speed at which one cruises, and no shorter than one takes in towns.
     """
     sideways = min(LATERAL_MPS2, _OF_GRIP * passer.grip_mps2)
+    width_m = scene.road.arms[passer.drive.entry].lane_width_m
     least = pi * passer.cruise_mps * sqrt(width_m / (2 * sideways))
     return max(change_length_m(min(passer.cruise_mps, 10.0)), least)
 
@@ -75,8 +76,6 @@ def move_aside(
     stays_m: float | None = None,
     hazard: HazardKind | None = None,
     offset_m: float = 0.0,
-    least_m: float = _LEAST_RUN_UP_M,
-    spare_m: float = _SPARE_M,
 ) -> float:
     """Lay a drive anew with a change of lane over ``over_m``, and back again after ``stays_m``.
 
@@ -84,12 +83,12 @@ def move_aside(
     the station at which it begins.
 
     Raises:
-        NeedsLongerArms: that is before ``least_m``; they are to be ``spare_m`` longer than needed.
+        NeedsLongerArms: the arm is too short for a run-up.
     """
     moves = [(ends_m - over_m, draft.entry_lane if stays_m is not None else lane)]
     if stays_m is not None:
         moves.insert(0, (ends_m - 2 * over_m - stays_m, lane))
-    require_room(draft.id, moves[0][0], least_m, spare_m)
+    require_room(draft.id, moves[0][0], _LEAST_RUN_UP_M, _SPARE_M)
     draft.lane_changes += [
         LaneChange(
             position_m=round(max(0.0, position_m), 3),
@@ -125,43 +124,24 @@ def pass_drive(
     back = passer.entry_lane in lanes and (comes_back or aside not in lanes)
     per_m = passer.cruise_mps / max(passer.cruise_mps - passed.cruise_mps, 1.0)
     half = (passer.body.length_m + passed.body.length_m) / 2
+    before, after = per_m * (half + _BEHIND_M), per_m * (half + _AHEAD_M)
     ends, change = over_by_m(passer, passed), change_length_m(passer.cruise_mps)
-    after = per_m * (half + _AHEAD_M) if back else 0.0
-    middle = ends - after - (change if back else 0.0)
-    before = per_m * (half + _BEHIND_M)
-    move_aside(
-        scene,
-        passer,
-        aside,
-        ends_m=ends if back else middle - before,
-        over_m=change,
-        stays_m=before + after if back else None,
-        least_m=0.0,
-        spare_m=15.0,
-    )
+    middle = ends - after - change if back else ends
+    stays = before + after if back else None
+    over = ends if back else middle - before
+    move_aside(scene, passer, aside, ends_m=over, over_m=change, stays_m=stays)
     level = middle + passer.body.centre_ahead_m - passed.body.centre_ahead_m
     return [Meeting(STRUCTURAL, passed.id, passer.id, level, middle, 0.0, "side by side")]
 
 
-def pass_standing(
-    scene: Setup, passer: DriveDraft, middle_m: float, body: Body, *, over_m: float | None = None
-) -> None:
+def pass_standing(scene: Setup, passer: DriveDraft, middle_m: float, body: Body) -> None:
     """``passer`` goes round what stands in its lane, its centre at ``middle_m`` of the way.
 
-    It changes lanes out and back over ``over_m`` each, or as its speed in towns asks for.
-
     Raises:
-        NeedsLongerArms: there is no room before or behind it.
+        NeedsLongerArms: there is no room before it.
     """
-    change = over_m or change_length_m(min(passer.cruise_mps, 10.0))
+    change = calm_change_length_m(scene, passer)
     clear = (passer.body.length_m + body.length_m) / 2 + _BEHIND_M
-    move_aside(
-        scene,
-        passer,
-        neighbour_lane(scene, passer, oncoming=True),
-        ends_m=middle_m - passer.body.centre_ahead_m + clear + change,
-        over_m=change,
-        stays_m=2 * clear,
-        least_m=passer.body.rear_m + 2.0,
-        spare_m=12.0,
-    )
+    ends = middle_m - passer.body.centre_ahead_m + clear + change
+    lane = neighbour_lane(scene, passer, oncoming=True)
+    move_aside(scene, passer, lane, ends_m=ends, over_m=change, stays_m=2 * clear)

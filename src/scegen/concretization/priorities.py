@@ -18,7 +18,6 @@ from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty
-from scegen.scenario.concrete import AtTime, Travelled
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Control
 
@@ -31,9 +30,6 @@ choice."""
 _MORE_S = 1e-3
 _BRAKES_S = 0.6
 """So long at least it slows down."""
-_ROLLS_MPS, _SURE_S = 0.5, 1.0
-"""Whose way another goes on by moves, then and so long after: one who comes to rest there does so
-some centimetres short where a simulator takes steps."""
 _LONGEST_S = 25.0
 """Nobody is let wait longer for others: of a stream somebody comes later instead."""
 
@@ -189,26 +185,9 @@ def patient_ones(
 
 def _is_free(draft: DriveDraft) -> bool:
     """Whether nothing else fixes how it comes to its line."""
-    does = draft.marks or draft.deeds or draft.reversal or draft.lane_changes
+    does = draft.marks or draft.steps or draft.reversal or draft.lane_changes
     stands = draft.stands or draft.drive.circulating
     return not (does or stands)
-
-
-def set_gaps(scene: Setup) -> None:
-    """Whoever waits for another goes on as that one has passed, wherever it starts."""
-    for draft in scene.drives.values():
-        if draft.lets_by is None:
-            continue
-        other, again = scene.drives[draft.lets_by], _going_on(draft)
-        goes_s = draft.offset_s + again.begins_s
-        way_m = round(other.course.s_at(goes_s - other.offset_s) - other.start_m, 3)
-        moving_s = goes_s - other.offset_s
-        moves = all(other.course.speed_then(moving_s + s) > _ROLLS_MPS for s in (0.0, _SURE_S))
-        if moves and 0.0 < way_m < other.laid.path.length_m - other.start_m - 1.0:
-            draft.goes_at = Travelled(participant=other.id, distance_m=way_m)
-        else:
-            draft.goes_at = AtTime(time_s=round(goes_s, 3))
-        scene.note(f"{draft.id}.goes_s", goes_s, f"{other.id} has passed, who has right of way")
 
 
 def _going_on(draft: DriveDraft) -> SpeedChange:

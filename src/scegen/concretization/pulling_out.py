@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from math import pi
 
-from scegen.concretization.deeds import marks_of
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.limits import LATE_BRAKING_MPS2
-from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
+from scegen.concretization.hazards.aside import close_before
+from scegen.concretization.meetings import Meeting, nearest_s_m
 from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup
+from scegen.concretization.steps import marks_of
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
 from scegen.motion.standing import heads_for_junction
@@ -27,10 +27,8 @@ _CHANGE_M = 10.0
 _LONG_CHANGE = 1.4
 """Lorries and buses, by their length, need more room than a car to leave a gap."""
 _LONG_M = 7.0
-_GAP_M = 1.5
 _SHARE = 0.8
 _LANE_M = 1.0
-_SEEN_S = 0.1
 _TURNS = (
     HazardKind.CUT_IN,
     HazardKind.SUDDEN_TURN,
@@ -100,7 +98,7 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     ]
     draft.lay(scene.network)
     draft.parked_s_m = draft.laid.path_s_m(start)
-    draft.deeds = list(marks_of(scene, draft))
+    draft.steps = list(marks_of(scene, draft))
     scene.note(f"{name}.start_m", start, "is parked, and pulls out")
     return draft
 
@@ -114,9 +112,5 @@ def _meets(scene: Setup, draft: DriveDraft) -> list[Meeting]:
         place, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
         if other is draft or apart > _LANE_M:
             continue
-        closing = max(0.0, other.cruise_mps - draft.course.speed_at(in_lane_m))
-        gap = _GAP_M + closing**2 / (2 * LATE_BRAKING_MPS2)
-        behind = max(1.0, place - draft.body.rear_m - gap - other.body.front_m)
-        reason = f"{draft.id} pulls out in front of it"
-        return [Meeting(STRUCTURAL, other.id, draft.id, behind, in_lane_m, _SEEN_S, reason)]
+        return [close_before(scene, draft, other, in_lane_m, place)]
     return []

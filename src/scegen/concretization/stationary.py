@@ -136,8 +136,7 @@ def place_obstacles(scene: Setup) -> None:
         if stays:
             draft.halts_s_m = draft.laid.path_s_m(station) - shape.length_m / 2 - draft.body.front_m
         for other in touching if not stays else ():
-            calm = calm_change_length_m(other, scene.road.arms[other.drive.entry].lane_width_m)
-            pass_standing(scene, other, station, shape.body, over_m=calm)
+            pass_standing(scene, other, station, shape.body)
 
 
 def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[float, Pose]:
@@ -155,7 +154,7 @@ def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[
         share = -in_lane
     else:
         aside = neighbour_lane(scene, draft, oncoming=True)
-        calm = 0.0 if stays else calm_change_length_m(draft, arm.lane_width_m)
+        calm = 0.0 if stays else calm_change_length_m(scene, draft)
         room = calm + draft.body.length_m + body.length_m + _ROOM_M
         station = draft.laid.turning_starts_m - max(BLOCKS_AT_M, room)
         require_room(draft.id, station, _LEAST_WAY_M)

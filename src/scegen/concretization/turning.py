@@ -2,25 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.motion.polyline import LaidDrive
-from scegen.scenario.concrete import AtTime, Travelled
 
 _WORTH_IT = 0.98
 _SHORT_M = 1.0
 """From the front bumper of one who stops to the stop line, and as early before a bend."""
-
-
-@dataclass(frozen=True, slots=True)
-class Stop:
-    """A stop before the line that the front reaches at ``line_s_m``, for so long or until then."""
-
-    line_s_m: float
-    stands_s: float
-    goes_at: AtTime | Travelled | None = None
 
 
 def turning_changes(
@@ -28,24 +17,23 @@ def turning_changes(
     cruise_mps: float,
     *,
     lateral_mps2: float,
-    stop: Stop | None,
+    stop: tuple[float, float] | None,
     slowing_mps2: float,
     faster_mps2: float,
 ) -> list[SpeedChange]:
     """The marks of a drive along a way at ``cruise_mps``.
 
-    ``stop`` is where it stands for a while. The comfortable speed in a bend is sqrt(lateral
-    acceleration * radius) of the lane driven; from the first to the last bend that is too narrow
-    for ``cruise_mps`` the least of these is kept.
+    ``stop`` is where its front comes to a line before which it stands (m), and for how long (s).
+    The comfortable speed in a bend is sqrt(lateral acceleration * radius) of the lane driven; from
+    the first to the last bend that is too narrow for ``cruise_mps`` the least of these is kept.
     """
     limits = [(begin, end, sqrt(lateral_mps2 * radius_m)) for begin, end, radius_m in laid.bends]
     bend = [limit for limit in limits if limit[2] < cruise_mps * _WORTH_IT]
     speed = min((limit for _, _, limit in bend), default=cruise_mps)
     marks: list[SpeedChange] = []
     if stop is not None:
-        goes, then_s, at = Sort.GOES_ON, stop.stands_s, stop.goes_at
-        on = SpeedChange(speed, faster_mps2, sort=goes, then_s=then_s, trigger=at)
-        marks.append(_slow_before(stop.line_s_m, cruise_mps, 0.0, slowing_mps2, on))
+        on = SpeedChange(speed, faster_mps2, sort=Sort.GOES_ON, then_s=stop[1])
+        marks.append(_slow_before(stop[0], cruise_mps, 0.0, slowing_mps2, on))
     elif bend:
         marks.append(_slow_before(bend[0][0], cruise_mps, speed, slowing_mps2))
     if bend:

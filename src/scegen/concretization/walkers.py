@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
 from math import sin, sqrt
 
 from scegen.concretization.amounts import BRAKING, pace_across_mps
@@ -12,12 +11,9 @@ from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_po
 from scegen.concretization.others import WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of
-from scegen.motion.standing import crossing_path
-from scegen.motion.trigger_steps import just_before_step_s
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
-from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import AtTime, CrossingMotion, Travelled, Trigger
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -31,7 +27,6 @@ room there."""
 _PASSES_BEFORE_S = 0.5
 """Who is just missed has left the way of the vehicle so long before it comes."""
 _STOP_SHORT_M = 0.15
-_MOVES_MPS = 0.1
 _STEPS_OFF_M = 0.5
 _OF_PEAK = 0.9
 """Of the pace at which one who sets off must begin to stop, the share that is used."""
@@ -109,18 +104,13 @@ def place_walkers(scene: Setup) -> None:
         speed = pace_mps(scene, participant, road.edge_t_m(1) - road.edge_t_m(-1))
         who = participant.id, participant.kind, participant.body, crossing, round(speed, 3)
         scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
-        walk = Walker(*who)
-        setback = round(max(setback_m(walk, strip, hidden=hidden), walk.gains_m), 3)
-        far = goes_far_m(scene.first_act(walk.id, ActKind.CROSS))
-        motion = CrossingMotion(
-            arm=crossing.arm,
-            start_side=crossing.start,
-            from_junction_m=round(max(0.0, _from_junction_m(scene, crossing) + aside), 3),
-            setback_m=setback,
-            stops_after_m=None if far is None else round(setback + far, 3),
-        )
-        path = crossing_path(scene.network, motion, participant.id)
-        scene.walks[participant.id] = WalkDraft(*who, motion, path)
+        act = scene.first_act(participant.id, ActKind.CROSS)
+        walk = WalkDraft(*who, act, max(0.0, _from_junction_m(scene, crossing) + aside))
+        walk.setback_m = max(setback_m(walk, strip, hidden=hidden), walk.gains_m)
+        far = goes_far_m(act)
+        walk.stops_after_m = None if far is None else walk.setback_m + far
+        walk.lay(scene.network)
+        scene.walks[participant.id] = walk
 
 
 def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
@@ -174,31 +164,26 @@ def rendezvous(
     if scene.contact_wanted(walk.id, draft.id):
         return place, way
     marks = [m for m in draft.marks if m.then is not None]
-    marks += [m for m in draft.deeds if m.target_mps == 0.0 and scene.is_loose(m.act)]
+    marks += [m for m in draft.steps if m.target_mps == 0.0 and scene.is_loose(m.act)]
     for mark in marks:
         if mark.s_m < place:
             sooner_s = (place - mark.s_m) / max(draft.course.speed_at(mark.s_m), 1.0)
-            left_kerb = max(0.0, walk.motion.setback_m - _STEPS_OFF_M)
+            left_kerb = max(0.0, walk.setback_m - _STEPS_OFF_M)
             return mark.s_m, max(way - walk.speed_mps * sooner_s, left_kerb)
     return place, way
 
 
-def program_walkers(scene: Setup, leaves_s: Callable[[str], float]) -> None:
-    """Step off when the driver has come so far that both arrive together; stop at the far side."""
-    for walk in scene.walks.values():
-        found = partner_of(scene, walk)
-        act = scene.first_act(walk.id, ActKind.CROSS)
-        go = leaves_s(walk.id)
-        trigger: Trigger = AtTime(time_s=round(max(0.0, go), 3))
-        draft = found[0] if found is not None else None
-        if draft is not None and not (act is not None and isinstance(act.when, AfterStart)):
-            own = just_before_step_s(go) - draft.offset_s
-            distance = draft.course.s_at(own) - draft.start_m
-            if draft.course.speed_then(own) > _MOVES_MPS or distance <= 0.0:
-                trigger = Travelled(participant=draft.id, distance_m=round(max(0.0, distance), 3))
-            scene.note(f"{walk.id}.starts_at_m", distance, f"arrives when {draft.id} does")
-        name = None if act is None else act.id
-        walk.program = walk.program_to(trigger, walk.path.length_m, name, stops=walk.stops)
+def leaves_s(scene: Setup, name: str) -> float:
+    """When one who stands at first sets off: as is said, or to meet whom it is to meet."""
+    walk = scene.walks[name]
+    if walk.sets_off_s is not None:
+        return walk.sets_off_s
+    found = partner_of(scene, walk)
+    if found is None:
+        return 1.0
+    draft, point = found
+    place, way_m = rendezvous(scene, draft, walk, point)
+    return draft.offset_s + draft.course.time_at(place) - walk.runs_s(way_m)
 
 
 def stop_in_the_way(scene: Setup) -> None:
@@ -206,10 +191,10 @@ def stop_in_the_way(scene: Setup) -> None:
     for hazard in scene.of_kind(HazardKind.STOPPING):
         for walk in (scene.walks[n] for n in hazard.by if n in scene.walks):
             found = partner_of(scene, walk)
-            if found is None or walk.stops:
+            if found is None or walk.stops_after_m is not None:
                 continue
             length = min(found[1].second_s_m + _STOP_SHORT_M, walk.path.length_m)
             # Nobody reaches its full pace on a way too short to stop from it.
             walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)
-            walk.motion = walk.motion.model_copy(update={"stops_after_m": round(length, 3)})
-            walk.path = crossing_path(scene.network, walk.motion, walk.id)
+            walk.stops_after_m = length
+            walk.lay(scene.network)

@@ -52,8 +52,8 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     from_left = (crossing.start is Side.LEFT) == (crossing.arm == story.ego_arm)
     act = story.first_act(participant.id, ActKind.CROSS)
     pace = pace_mps(story, participant, width)
-    who = participant.id, participant.kind, body, crossing, pace
-    walk = Walk(*who, from_left, meets=meets.id, act=None if act is None else act.id)
+    who = participant.id, participant.kind, body, crossing, pace, act
+    walk = Walk(*who, from_left, meets=meets.id)
     far, into = goes_far_m(act), -1 if from_left else 1
     edge, strip = edge_y_m(story, left=from_left), strips.get("left" if from_left else "right", 0.0)
     middle = (meets.y_m(0.0) - edge) * into - body.centre_ahead_m
@@ -115,7 +115,7 @@ def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float
     spacing = _spacing(story, walk.id, meets.id, act)
     walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, _LEAST_LEAD_S)
     if isinstance(when, AfterStart):
-        walk.sets_off_s, walk.timed = when.delay_s.middle, True
+        walk.sets_off_s = when.delay_s.middle
     if spacing is None:
         arrival = walk.sets_off_s + takes
         walk.x_m = meets.x_m(arrival) + meets.towards * (meets.leading_m + half)

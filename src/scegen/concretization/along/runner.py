@@ -179,6 +179,10 @@ class Runner:
         """Its speed."""
         return self.profile.speed_mps(time_s)
 
+    def gone_m(self, time_s: float) -> float:
+        """How far it has come."""
+        return self.profile.way_m(time_s)
+
     def lane_at(self, time_s: float) -> int:
         """The lane it is in, or moves into."""
         lanes = [self.lane, *(m.lane for m in self.moves if m.begins_s <= time_s)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import hypot
 
 from scegen.concretization.along.doors import beside_outermost, endangered, is_one_way, opening_s
@@ -12,6 +11,7 @@ from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
 from scegen.concretization.profile import NEVER_S, SpeedChange
+from scegen.concretization.triggers import as_they_come
 from scegen.concretization.written import written, written_phase
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M
@@ -27,11 +27,10 @@ from scegen.scenario.concrete import (
     SpeedPhase,
     StandingMotion,
     SwingingMotion,
-    Travelled,
     Trigger,
     door_of,
 )
-from scegen.scenario.logical import Crossing, Standing
+from scegen.scenario.logical import Standing
 from scegen.scenario.reversing import MOST_BACK_M, BacksUp
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -39,8 +38,6 @@ _LEAST_MOVE_M = 2.0
 _BETWEEN_M = 0.1
 """Two changes of lane without anything between would share a vertex, and players round."""
 _SPARE_M = 3.0
-_MOVES_MPS = 2.0
-"""How far one has come tells no moment if it is slower: some centimetres are long then."""
 _LOOK_S = 0.25
 _FLUNG_MPS2 = 6.0
 
@@ -121,8 +118,8 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: SpeedChange) -> T
         if closing and participant and first:
             return DistanceBelow(participant=other.id, distance_m=round(apart, 3))
         if participant and step.act is None:
-            return come_so_far((other, story.ego, runner), moment)
-    return come_so_far((story.ego, runner), moment)
+            return as_they_come((other, story.ego, runner), moment)
+    return as_they_come((story.ego, runner), moment)
 
 
 def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
@@ -131,36 +128,16 @@ def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
     return hypot(here.x_m - there.x_m, here.y_m - there.y_m)
 
 
-def come_so_far(whose: Sequence[Runner], moment_s: float) -> Trigger:
-    """How far the first of them who drives on has come at a moment; that moment if nobody does."""
-    for who in whose:
-        if who.speed_at_mps(moment_s) > _MOVES_MPS:
-            return Travelled(participant=who.id, distance_m=round(who.profile.way_m(moment_s), 3))
-    return AtTime(time_s=round(moment_s, 3))
-
-
 def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
     """One who goes across the road; ``length_m`` is how long its way is."""
     meets = story.runners[walk.meets]
-    trigger: Trigger = AtTime(time_s=round(walk.sets_off_s, 3))
-    if not walk.timed:
-        trigger = come_so_far([meets], just_before_step_s(walk.sets_off_s))
-    stops = walk.stops_after_m is not None
-    program = walk.program_to(trigger, length_m, walk.act, stops=stops)
+    program = walk.program_by((meets,), walk.sets_off_s, length_m)
     return written(story, walk.id, walk_motion(frame, walk), program=program)
 
 
 def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
     """The way across."""
-    crossing: Crossing = walk.crossing
-    stops = walk.stops_after_m
-    return CrossingMotion(
-        arm=crossing.arm,
-        start_side=crossing.start,
-        from_junction_m=round(frame.from_junction_m(crossing.arm, walk.x_m), 3),
-        setback_m=round(walk.setback_m, 3),
-        stops_after_m=None if stops is None else round(stops, 3),
-    )
+    return walk.motion_at(frame.from_junction_m(walk.crossing.arm, walk.x_m))
 
 
 def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcreteParticipant:
@@ -188,9 +165,8 @@ def written_door(story: Story, act: Act, vehicle: ConcreteParticipant) -> Concre
     names = sorted(endangered(story.functional, vehicle.id))
     coming = [story.runners[name] for name in names if name in story.runners]
     begins, lasts = story.begins_s[act.id], opening_s(act)
-    trigger: Trigger = come_so_far((*coming, story.ego), just_before_step_s(begins))
-    if isinstance(act.when, AfterStart):
-        trigger = AtTime(time_s=round(begins, 3))
+    timed = isinstance(act.when, AfterStart)
+    trigger = as_they_come(() if timed else (*coming, story.ego), begins)
     # It gains speed and is stopped where it is open: way = v (t - v / 2a).
     speed = _FLUNG_MPS2 * (lasts - max(lasts**2 - 2 * WAY_M / _FLUNG_MPS2, 0.0) ** 0.5)
     phase = SpeedPhase(

@@ -12,7 +12,7 @@ from __future__ import annotations
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import culprits, pairs, same_arm, victims
-from scegen.concretization.lane_choice import choose_ring_lane, entry_lanes, lanes_in, routes_of
+from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,
@@ -42,21 +42,15 @@ _RING_MARGIN_M, _LEAST_RING_CHANGE_M = 0.25, 7.0
 _SAME_LINE_M = 2.0
 
 
-def start_inside(scene: Setup, hazard: Hazard) -> None:
-    """In a ring, who changes outwards starts on the inner lane, else who is cut in on does."""
-    for culprit, victim in pairs(scene, hazard) if _is_ring(scene) else ():
-        draft = culprit if _outwards(scene, culprit) else victim
-        inner = min(routes_of(scene, draft), key=lambda route: route.ring_lane or 0)
-        draft.entry_lane = draft.exit_lane = inner.entry_lane
-        choose_ring_lane(scene, draft, inner=True)
-
-
 def _is_ring(scene: Setup) -> bool:
     return scene.road.kind is JunctionKind.ROUNDABOUT
 
 
-def _outwards(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether it changes from the inner ring lane to the outer one, as towards an exit."""
+def goes_outwards(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether it changes from the inner ring lane to the outer one, as towards an exit.
+
+    Else whom it cuts in on is inside.
+    """
     side = draft.drive.changes_to
     return side is None or outward(scene.functional, side) > 0
 
@@ -99,7 +93,7 @@ def _in_ring(
     end_m = ([end for end in usable if rooms[end][1].id in theirs] or usable)[-1]
     length = min(rooms[end_m][0], change_length_m(culprit.cruise_mps, ABRUPT_LANE_CHANGE_S))
     end_s = culprit.laid.path_s_m(end_m)
-    target = scene.road.ring_lanes if _outwards(scene, culprit) else 1
+    target = scene.road.ring_lanes if goes_outwards(scene, culprit) else 1
     move_aside(scene, culprit, target, ends_m=end_m, over_m=length, hazard=kind)
     pose = culprit.laid.path.pose(end_s)
     place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
@@ -168,11 +162,10 @@ def close_before(
 ) -> Meeting:
     """At a place of its way, one is close before another; one who is much faster brakes late.
 
-    ``other_s_m`` is the same place on the other's way, if that differs: in a ring, where nobody is
-    much faster.
+    ``other_s_m`` is the same place on the other's way, if that differs.
     """
     there = place_s_m if other_s_m is None else other_s_m
-    closing = other.cruise_mps - draft.cruise_mps if other_s_m is None else 0.0
+    closing = other.course.speed_at(there) - draft.course.speed_at(place_s_m)
     if closing < _MUCH_FASTER_MPS:
         headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
         gap = headway * other.cruise_mps
@@ -190,28 +183,25 @@ def swerve(scene: Setup, hazard: Hazard) -> list[Meeting]:
     One that leaves its lane for another danger already does both in one.
     """
     free = [draft for draft in culprits(scene, hazard) if not draft.lane_changes]
-    if hazard.kind is not HazardKind.ONCOMING_LANE:
-        return [meeting for draft in free for meeting in _out_and_back(scene, draft, hazard)]
-    for draft in free:  # whom it then meets it meets head-on
-        if blocking_m(scene, draft):
-            continue
-        draft.entry_lane = min(entry_lanes(scene, draft))
-        quick = scene.kinds_by(draft.id) & _ABRUPT
-        length = change_length_m(draft.cruise_mps, ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S)
-        stays, ends = _STAYS_ASTRAY_S * draft.cruise_mps, over_by_m(draft)
-        move_aside(scene, draft, 0, ends_m=ends, over_m=length, stays_m=stays, hazard=hazard.kind)
-    return []
+    if hazard.kind is HazardKind.ONCOMING_LANE:  # whom it then meets it meets head-on
+        free = [draft for draft in free if not blocking_m(scene, draft)]
+    return [meeting for draft in free for meeting in _out_and_back(scene, draft, hazard)]
 
 
 def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
     """Out of the lane and back: as is said, else towards who suffers it, close before it."""
-    act = scene.first_act(draft.id, ActKind.SWERVE)
+    act, stays_m = scene.first_act(draft.id, ActKind.SWERVE), _STAYS_M
     near = (other for other in victims(scene, hazard, draft) if same_arm(draft, other))
     beside = next((o for o in near if abs(o.entry_lane - draft.entry_lane) == 1), None)
     width = act.lateral_m.middle if act is not None and act.lateral_m is not None else 0.0
     aside = draft.entry_lane
     usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
-    if not width and act is not None and act.side is not None:
+    if hazard.kind is HazardKind.ONCOMING_LANE:
+        draft.entry_lane, aside, width = min(entry_lanes(scene, draft)), 0, 0.0
+        act, stays_m = None, _STAYS_ASTRAY_S * draft.cruise_mps
+        if not scene.kinds_by(draft.id) & _ABRUPT:
+            usual = LANE_CHANGE_S
+    elif not width and act is not None and act.side is not None:
         aside += outward(scene.functional, act.side)
         if aside > lanes_in(scene, draft):
             # Towards the kerb, where there is no lane: as far as its own one lets it.
@@ -229,7 +219,7 @@ def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeti
         aside,
         ends_m=over_by_m(draft),
         over_m=length,
-        stays_m=_STAYS_M,
+        stays_m=stays_m,
         hazard=hazard.kind,
         offset_m=offset,
     )

@@ -6,8 +6,9 @@ import numpy as np
 
 from scegen.concretization.amounts import GAINING
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import drives_meet, meeting_point
+from scegen.concretization.meetings import drives_meet
 from scegen.concretization.setup import Setup
+from scegen.measures.grounds import grounds
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
@@ -22,7 +23,7 @@ _STANDS_OR_WALKS = frozenset(
     }
 )
 """Made by where somebody walks or stands, not by how anybody drives."""
-_CLEAR_OF_WALKER_M, _CLEAR_OF_OTHER_M = 2.0, 3.0
+_CLEAR_OF_WALKER_M, _CLEAR_BEHIND_M, _CLEAR_OF_OTHER_M = 1.3, 0.7, 3.0
 _TURNED_RAD = 0.75
 """Who stops in a bend is seen to turn: it has got so far, and may stop a little sooner."""
 _BEFORE_S = 1.5
@@ -75,15 +76,17 @@ def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
     return min([draft.junction_s_m - 10.0, *base]) - 5.0
 
 
-def stops_for_walkers(scene: Setup, draft: DriveDraft) -> tuple[float, float] | None:
-    """Where the reference point must rest for those who cross, and how long until they have."""
+def stops_for_walkers(scene: Setup, draft: DriveDraft, *names: str) -> tuple[float, float] | None:
+    """Where the reference point must rest for those who cross, and how long until they have.
+
+    For all of them, or those of some names.
+    """
     stops = []
-    for walk in scene.walks.values():
-        point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
-        if point is not None:
-            place = point.first_s_m - draft.body.front_m - _CLEAR_OF_WALKER_M
-            clear = point.second_s_m + draft.body.width_m / 2 + 1.0 - walk.motion.setback_m
-            stops.append((place, clear / walk.speed_mps))
+    for walk in (scene.walks[n] for n in names or scene.walks if n in scene.walks):
+        for shared in grounds(draft.laid.path, draft.body, walk.path, walk.body)[:1]:
+            over = min(shared.other_leaves_m, walk.path.length_m)
+            clear = over + _CLEAR_BEHIND_M - walk.setback_m
+            stops.append((shared.enter_m - _CLEAR_OF_WALKER_M, clear / walk.speed_mps))
     if not stops:
         return None
     return min(place for place, _ in stops), max(clear for _, clear in stops)
