@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from math import ceil
 
 import numpy as np
@@ -12,14 +11,13 @@ from scegen.concretization.along.doors import opens
 from scegen.concretization.answering import answer, note_answers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
+from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_line
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.aside import (
     brake_out_of_control,
-    come_in,
-    swerve,
-    turn_the_wheel,
+    leave_lanes,
 )
 from scegen.concretization.hazards.reversing import (
     go_back_as_they_come,
@@ -37,7 +35,6 @@ from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import go_round_stationary, place_obstacles, place_stationary
-from scegen.concretization.steps import do_acts, lead_in_missing_s, stand_in_line
 from scegen.concretization.tale import as_meant, pace_of
 from scegen.concretization.walkers import (
     leaves_s,
@@ -50,7 +47,7 @@ from scegen.road import build_network
 from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.vocabulary import AtLight, HazardKind
 
@@ -61,15 +58,6 @@ _SLOWEST_MPS = 1.0
 _AGAIN = 3
 _FAST = frozenset({HazardKind.SPEEDING, HazardKind.SUDDEN_TURN})
 """The dangers of those who go fast through bends."""
-_SHAPES: Mapping[HazardKind, Callable[[Setup, Hazard], list[Meeting]]] = {
-    HazardKind.REVERSING: reverse,
-    HazardKind.SUDDEN_TURN: turn_the_wheel,
-    HazardKind.CUT_IN: come_in,
-    HazardKind.ONCOMING_LANE: swerve,
-    HazardKind.SWERVING: swerve,
-    HazardKind.LOSS_OF_CONTROL: swerve,
-}
-"""What is more than acts, who meets whom and how fast: who leaves its way, in this order."""
 
 
 def concretize(
@@ -132,29 +120,23 @@ def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     _place(scene)
-    for hazard in scene.of_kind(HazardKind.REVERSING):
-        prepare_to_reverse(scene, hazard)
+    prepare_to_reverse(scene)
     choose_junction_lanes(scene)
     prepare_maneuvers(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
-    meetings: list[Meeting] = []
-    for kind, shape in _SHAPES.items():
-        for hazard in scene.of_kind(kind):
-            meetings += shape(scene, hazard)
+    meetings = [*reverse(scene), *leave_lanes(scene)]
     meetings += shape_maneuvers(scene)
     go_round_stationary(scene)
     place_obstacles(scene)
-    for hazard in scene.of_kind(HazardKind.LOSS_OF_CONTROL):
-        brake_out_of_control(scene, hazard)
+    brake_out_of_control(scene)
     stand_in_line(scene)
     meetings += pull_out(scene)
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, meetings)
     _start(scene, meetings)
-    for hazard in scene.of_kind(HazardKind.REVERSING):
-        go_back_as_they_come(scene, hazard)
+    go_back_as_they_come(scene)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 

@@ -12,9 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from scegen.concretization.deeds import is_open
 from scegen.concretization.moments import begins_s, ends_s, too_long_m
 from scegen.concretization.setup import Setup
-from scegen.concretization.steps import is_open
 from scegen.motion.model import Array
 from scegen.scenario.acts import (
     Act,

@@ -12,7 +12,7 @@ from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import goes_round_a_thing
 from scegen.concretization.tale import SIDEWAYS
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 
 def prepare_maneuvers(scene: Setup) -> None:
@@ -78,7 +78,7 @@ def _has_cause(scene: Setup, draft: DriveDraft) -> bool:
 
 def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
     """A change into the lane of one beside it, rather the ego's, or into the one that leads on."""
-    if scene.road.kind is JunctionKind.ROUNDABOUT and lanes_in(scene, draft) < 2:
+    if scene.ring and lanes_in(scene, draft) < 2:
         raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
     if lanes_in(scene, draft) < 2 and draft.drive.maneuver is Maneuver.OVERTAKE:
         raise MotionInfeasibleError(

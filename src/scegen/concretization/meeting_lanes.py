@@ -113,14 +113,13 @@ def _from_words(scene: Setup) -> Iterator[LaneWish]:
 
 def _from_dangers(scene: Setup) -> Iterator[LaneWish]:
     """Who reverses does so in the lane of the other; who cuts in in a ring comes from inside."""
-    ring = scene.road.kind is JunctionKind.ROUNDABOUT
     for hazard in scene.functional.hazards:
         for cause, sufferer in pairs(scene, hazard):
             if hazard.kind is HazardKind.REVERSING and same_arm(cause, sufferer):
                 who = cause.id, sufferer.id
                 same = _steps(*who, lambda out: out == 0)
                 yield Wish(who, LIKELY, same, f"{cause.id} reverses in the lane of {sufferer.id}")
-            elif hazard.kind is HazardKind.CUT_IN and ring:
+            elif hazard.kind is HazardKind.CUT_IN and scene.ring:
                 inside = cause if goes_outwards(scene, cause) else sufferer
                 inner = min(lanes.ring or 0 for lanes in _options(scene, inside))
                 met = partial(_is_in_ring, inside.id, inner)
@@ -209,8 +208,7 @@ def _move_over(scene: Setup, lanes: Choice, first: DriveDraft, second: DriveDraf
 
     Rather not the ego: its way is the text's.
     """
-    ring = scene.road.kind is JunctionKind.ROUNDABOUT
-    if ring or scene.network.plain or first.drive.exit != second.drive.exit:
+    if scene.ring or scene.network.plain or first.drive.exit != second.drive.exit:
         return False
     laid = {draft.id: _laid(scene, draft.id, lanes[draft.id]) for draft in (first, second)}
     fixed = _bound(scene, ())

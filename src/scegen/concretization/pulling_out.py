@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from math import pi
 
+from scegen.concretization.deeds import marks_of
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import close_before
 from scegen.concretization.meetings import Meeting, nearest_s_m
 from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup
-from scegen.concretization.steps import marks_of
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
 from scegen.motion.standing import heads_for_junction

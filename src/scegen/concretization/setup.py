@@ -20,7 +20,7 @@ from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.signals import SignalPlan
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 
 class NeedsLongerArms(Exception):  # noqa: N818 - a signal between two parts, not an error
@@ -125,6 +125,11 @@ class Setup(Tale):
         if name not in self.drives:
             raise MotionInfeasibleError("the ego must drive through the junction", where=name)
         return self.drives[name]
+
+    @property
+    def ring(self) -> bool:
+        """Whether this is a roundabout."""
+        return self.road.kind is JunctionKind.ROUNDABOUT
 
     @property
     def blocked(self) -> bool:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import culprits, pairs, same_arm, victims
+from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
@@ -30,20 +30,23 @@ from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.scenario.acts import ActKind
-from scegen.scenario.functional import Hazard
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 
 _STAYS_M, _STAYS_ASTRAY_S = 1.0, 2.0
 _IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
 _BEND_RAD = 0.35
 _ABRUPT = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.SUDDEN_TURN})
+_ASIDE = (
+    HazardKind.SUDDEN_TURN,
+    HazardKind.CUT_IN,
+    HazardKind.ONCOMING_LANE,
+    HazardKind.SWERVING,
+    HazardKind.LOSS_OF_CONTROL,
+)
+"""The dangers of those who leave their way, in the order in which they do so."""
 _RING_MARGIN_M, _LEAST_RING_CHANGE_M = 0.25, 7.0
 _SAME_LINE_M = 2.0
-
-
-def _is_ring(scene: Setup) -> bool:
-    return scene.road.kind is JunctionKind.ROUNDABOUT
 
 
 def goes_outwards(scene: Setup, draft: DriveDraft) -> bool:
@@ -55,21 +58,36 @@ def goes_outwards(scene: Setup, draft: DriveDraft) -> bool:
     return side is None or outward(scene.functional, side) > 0
 
 
-def come_in(scene: Setup, hazard: Hazard) -> list[Meeting]:
-    """The changes of lane into the sufferers' way, and the meetings that they need."""
+def leave_lanes(scene: Setup) -> list[Meeting]:
+    """The moves of those who endanger somebody by one, and the meetings that they need.
+
+    One that leaves its lane for another danger already does both in one.
+    """
     meetings: list[Meeting] = []
-    done: set[str] = set()
-    for culprit, victim in pairs(scene, hazard):
-        if culprit.id in done:
-            continue
-        if _is_ring(scene):
-            meetings += _in_ring(scene, culprit, victim, hazard.kind)
-        elif same_arm(culprit, victim) and lanes_in(scene, culprit) > 1:
-            meetings += come_into_lane(scene, culprit, victim, hazard.kind)
-        else:
-            continue
-        done.add(culprit.id)
+    for kind in _ASIDE:
+        for hazard in scene.of_kind(kind):
+            for draft in culprits(scene, hazard):
+                if not draft.lane_changes:
+                    others = victims(scene, hazard, draft)
+                    meetings += _leave_lane(scene, draft, others, kind)
     return meetings
+
+
+def _leave_lane(
+    scene: Setup, draft: DriveDraft, others: list[DriveDraft], kind: HazardKind
+) -> list[Meeting]:
+    along = [other for other in others if same_arm(draft, other)]
+    if kind is HazardKind.CUT_IN and scene.ring:
+        return _in_ring(scene, draft, others[0], kind) if others else []
+    if kind is HazardKind.CUT_IN:
+        wide = along and lanes_in(scene, draft) > 1
+        return come_into_lane(scene, draft, along[0], kind) if wide else []
+    if kind is HazardKind.ONCOMING_LANE and blocking_m(scene, draft):
+        return []  # it strays round that one
+    heading = draft.laid.path.heading_rad
+    if kind is HazardKind.SUDDEN_TURN and abs(heading - heading[0]).max() > _BEND_RAD:
+        return []  # it turns; where there is no bend, it turns the wheel all the same
+    return _out_and_back(scene, draft, along, kind)
 
 
 def _in_ring(
@@ -177,26 +195,16 @@ def close_before(
     return Meeting(STRUCTURAL, draft.id, other.id, place_s_m, met, 0.0, reason)
 
 
-def swerve(scene: Setup, hazard: Hazard) -> list[Meeting]:
-    """Out of the lane and back, everybody who causes a danger.
-
-    One that leaves its lane for another danger already does both in one.
-    """
-    free = [draft for draft in culprits(scene, hazard) if not draft.lane_changes]
-    if hazard.kind is HazardKind.ONCOMING_LANE:  # whom it then meets it meets head-on
-        free = [draft for draft in free if not blocking_m(scene, draft)]
-    return [meeting for draft in free for meeting in _out_and_back(scene, draft, hazard)]
-
-
-def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeting]:
+def _out_and_back(
+    scene: Setup, draft: DriveDraft, along: list[DriveDraft], kind: HazardKind
+) -> list[Meeting]:
     """Out of the lane and back: as is said, else towards who suffers it, close before it."""
     act, stays_m = scene.first_act(draft.id, ActKind.SWERVE), _STAYS_M
-    near = (other for other in victims(scene, hazard, draft) if same_arm(draft, other))
-    beside = next((o for o in near if abs(o.entry_lane - draft.entry_lane) == 1), None)
+    beside = next((o for o in along if abs(o.entry_lane - draft.entry_lane) == 1), None)
     width = act.lateral_m.middle if act is not None and act.lateral_m is not None else 0.0
     aside = draft.entry_lane
     usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
-    if hazard.kind is HazardKind.ONCOMING_LANE:
+    if kind is HazardKind.ONCOMING_LANE:
         draft.entry_lane, aside, width = min(entry_lanes(scene, draft)), 0, 0.0
         act, stays_m = None, _STAYS_ASTRAY_S * draft.cruise_mps
         if not scene.kinds_by(draft.id) & _ABRUPT:
@@ -209,7 +217,7 @@ def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeti
     elif not width and beside is not None:
         aside = beside.entry_lane
     elif not width:
-        aside = neighbour_lane(scene, draft, oncoming=not _is_ring(scene))
+        aside = neighbour_lane(scene, draft, oncoming=not scene.ring)
     offset = width if act is not None and act.side is Side.LEFT else -width
     over_m = width or scene.functional.junction.lanes_wide_m
     length = draft.cruise_mps * (usual if act is None else lasting_s(act, over_m, usual))
@@ -220,7 +228,7 @@ def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeti
         ends_m=over_by_m(draft),
         over_m=length,
         stays_m=stays_m,
-        hazard=hazard.kind,
+        hazard=kind,
         offset_m=offset,
     )
     if beside is None or beside.entry_lane != aside:
@@ -228,21 +236,11 @@ def _out_and_back(scene: Setup, draft: DriveDraft, hazard: Hazard) -> list[Meeti
     return [close_before(scene, draft, beside, draft.laid.path_s_m(out + length))]
 
 
-def turn_the_wheel(scene: Setup, hazard: Hazard) -> list[Meeting]:
-    """One whose way has no bend turns the wheel all the same: into the lane beside, and back."""
-    meetings: list[Meeting] = []
-    for draft in culprits(scene, hazard):
-        heading = draft.laid.path.heading_rad
-        if not draft.lane_changes and abs(heading - heading[0]).max() <= _BEND_RAD:
-            meetings += _out_and_back(scene, draft, hazard)
-    return meetings
-
-
-def brake_out_of_control(scene: Setup, hazard: Hazard) -> None:
+def brake_out_of_control(scene: Setup) -> None:
     """Loss of control ends in hard braking to walking pace."""
-    for draft in culprits(scene, hazard):
+    kind = HazardKind.LOSS_OF_CONTROL
+    for draft in (each for hazard in scene.of_kind(kind) for each in culprits(scene, hazard)):
         for change in draft.lane_changes[-1:]:
             rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
             place = draft.laid.path_s_m(change.position_m)
-            slows = SpeedChange(2.0, rate, s_m=place, hazard=hazard.kind)
-            draft.hold(slows, 1.0)
+            draft.hold(SpeedChange(2.0, rate, s_m=place, hazard=kind), 1.0)

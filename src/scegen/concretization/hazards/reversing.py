@@ -41,13 +41,14 @@ _SEEN_BY_THEN_S = 0.6
 _LEAST_RUN_UP_M = 15.0
 
 
-def _each(scene: Setup, hazard: Hazard) -> Iterator[tuple[DriveDraft, DriveDraft | None]]:
+def _each(scene: Setup) -> Iterator[tuple[Hazard, DriveDraft, DriveDraft | None]]:
     """Who reverses, and towards whom: the first who drives.
 
     Raises:
         MotionInfeasibleError: those who are named only stand.
     """
-    for draft in culprits(scene, hazard):
+    every = scene.of_kind(HazardKind.REVERSING)
+    for hazard, draft in ((each, draft) for each in every for draft in culprits(scene, each)):
         if hazard.to and scene.stands.keys() >= {*hazard.to}:
             raise MotionInfeasibleError(
                 f"reversing towards {', '.join(hazard.to)}, who is parked, is not supported: one "
@@ -55,16 +56,16 @@ def _each(scene: Setup, hazard: Hazard) -> Iterator[tuple[DriveDraft, DriveDraft
                 where=draft.id,
                 hint="Name another as the one that suffers it, or let it drive.",
             )
-        yield draft, next(iter(victims(scene, hazard, draft)), None)
+        yield hazard, draft, next(iter(victims(scene, hazard, draft)), None)
 
 
-def prepare_to_reverse(scene: Setup, hazard: Hazard) -> None:
+def prepare_to_reverse(scene: Setup) -> None:
     """Who comes out backwards enters, as it were, ahead of the other, as who reverses there is.
 
     Raises:
         MotionInfeasibleError: it is beside or behind the other, or does something else as well.
     """
-    for draft, other in _each(scene, hazard):
+    for _, draft, other in _each(scene):
         if draft.drive.maneuver in SIDEWAYS:
             raise MotionInfeasibleError(
                 f"reversing and {draft.drive.maneuver.value.replace('_', ' ')} in one drive are "
@@ -87,14 +88,14 @@ def prepare_to_reverse(scene: Setup, hazard: Hazard) -> None:
             )
 
 
-def reverse(scene: Setup, hazard: Hazard) -> list[Meeting]:
+def reverse(scene: Setup) -> list[Meeting]:
     """The ways of those who go back, and whom they meet there.
 
     With nobody who drives, that is who crosses behind it: one who suffers it, or in whose way it is
     by another danger.
     """
     meetings: list[Meeting] = []
-    for draft, other in _each(scene, hazard):
+    for hazard, draft, other in _each(scene):
         if draft.reversal is not None:
             continue
         crossing = [n for h in scene.functional.hazards if draft.id in h.to for n in h.by]
@@ -132,9 +133,9 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
     return event_s, brakes_s
 
 
-def go_back_as_they_come(scene: Setup, hazard: Hazard) -> None:
+def go_back_as_they_come(scene: Setup) -> None:
     """It begins to reverse when the other is so many seconds short of where it brakes."""
-    for draft, other in _each(scene, hazard):
+    for _, draft, other in _each(scene):
         if other is None or draft.reversal is None:
             continue
         brakes_s = _encounter(draft, other)[1]
