@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from math import ceil, floor, inf
@@ -21,7 +21,6 @@ from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.concretization.traffic import Contact, Mover, Traffic, goes_along, leaves_room, unwanted
 from scegen.motion.trigger_steps import STEP_S
-from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 20.0
@@ -73,39 +72,26 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
     own = loose or tale.loose(who.steps, who.speed_mps)
     if own is None and traffic.follows(contact):
         return True
-    slowest = _slowest_mps(traffic, contact)
     before = who.steps
     waits = [s for s in before if s.act and goes_on_when_free(tale.act(s.act).when)]
     rest = [step for step in before if step is not own and step not in waits]
     who.steps = rest
     timed = who.timing()
-    answer, rates = _answer(tale, contact, own, slowest, who.body)
-    answer = replace(answer, there=own is None and (contact.other in traffic.backs))
+    answer, rates = _answer(traffic, contact, own)
 
     def brake(begins_s: float, rate: float) -> None:
         who.steps = [*rest, timed(replace(answer, rate_mps2=rate), begins_s)]
 
-    rests_m, last = traffic.rests_m(contact, answer.act), traffic.times_s[-1:]
-    ahead = traffic.track(contact.other, traffic.times_s)[0]
-    if own is not None and rests_m > -inf:  # as soft as it is told, if that is enough
+    rests_m = traffic.rests_m(contact, answer.act)
+    leaves, exact = _leaving(traffic, contact, rests_m), rests_m > -inf
+    if own is not None and exact:  # as soft as it is told, if that is enough
         rates = sorted({own.rate_mps2, *(rate for rate in rates if rate > own.rate_mps2)})
-
-    def leaves(room_m: float) -> bool:
-        if not leaves_room(traffic, contact, room_m, ahead):
-            return False
-        ends = (traffic.track(name, last)[0] for name in contact[1:])
-        return rests_m == -inf or not gap_m(*ends)[0] < rests_m - _SAME_M
-
     # Braking before one speeds up by an act of one's own would be undone by it.
     gains = [step.begins_s for step in rest if step.target_mps > who.speed_mps]
     found = None
-    # Who cannot stop for somebody who steps out any more brakes as it sees that one.
-    for reaction_s in (REACTION_S, *(() if contact.other in traffic.movers else (0.0,))):
-        sees_s = ceil((traffic.seen_s(*contact[1:]) + reaction_s) / STEP_S - _ROUNDING) * STEP_S
+    for sees_s in _sees_s(traffic, contact):
         earliest = max([sees_s, *gains, 0.0])
-        found = found or brake_late(
-            leaves, contact.time_s, rates, earliest, brake, exact=rests_m > -inf
-        )
+        found = found or brake_late(leaves, contact.time_s, rates, earliest, brake, exact=exact)
     if found is None:
         who.steps = before
         return False
@@ -116,16 +102,45 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
     return True
 
 
+def _leaving(traffic: Traffic, contact: Contact, rests_m: float) -> Callable[[float], bool]:
+    """Whether one leaves so much room to another, and comes to rest no nearer than is said."""
+    ahead, last = traffic.track(contact.other, traffic.times_s)[0], traffic.times_s[-1:]
+
+    def leaves(room_m: float) -> bool:
+        if not leaves_room(traffic, contact, room_m, ahead):
+            return False
+        ends = (traffic.track(name, last)[0] for name in contact[1:])
+        return rests_m == -inf or not gap_m(*ends)[0] < rests_m - _SAME_M
+
+    return leaves
+
+
+def _sees_s(traffic: Traffic, contact: Contact) -> Iterator[float]:
+    """When one may brake for another: as a driver reacts.
+
+    Who cannot stop any more for somebody who steps out brakes as it sees that one.
+    """
+    for reaction_s in (REACTION_S, *(() if contact.other in traffic.movers else (0.0,))):
+        seen_s = traffic.seen_s(*contact[1:]) + reaction_s
+        yield ceil(seen_s / STEP_S - _ROUNDING) * STEP_S
+
+
 def _answer(
-    tale: Tale, contact: Contact, own: SpeedChange | None, to_mps: float, body: Body
+    traffic: Traffic, contact: Contact, own: SpeedChange | None
 ) -> tuple[SpeedChange, list[float]]:
-    """The braking of one for another, down to a speed at least, and how hard it may be."""
+    """The braking of one for another, as slow as that one at least, and how hard it may be."""
+    tale, body, to_mps = (
+        traffic.tale,
+        traffic.movers[contact.who].body,
+        _slowest_mps(traffic, contact),
+    )
     said = tale.act(own.act) if own is not None and own.act is not None else None
     kinds = sorted(tale.kinds_by(contact.who) & BRAKING)
     if own is None:
         thing = all(each.id != contact.other for each in tale.functional.participants)
         hazard = next(iter(kinds), HazardKind.OBSTACLE if thing else None)
-        own = SpeedChange(to_mps, 0.0, hazard=hazard, sort=Sort.ACT)
+        there = contact.other in traffic.backs
+        own = SpeedChange(to_mps, 0.0, hazard=hazard, sort=Sort.ACT, there=there)
     elif said is None or not falls_back(said):
         to_mps = min(own.target_mps, to_mps)
     rates = answering_rates_mps2(said, hardest_mps2(body, tale.grip_mps2), hard=bool(kinds))

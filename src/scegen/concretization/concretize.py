@@ -26,7 +26,7 @@ from scegen.concretization.hazards.reversing import (
 )
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
-from scegen.concretization.maneuvers import prepare_maneuvers, shape_maneuvers
+from scegen.concretization.maneuvers import shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
@@ -122,7 +122,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     _place(scene)
     prepare_to_reverse(scene)
     choose_junction_lanes(scene)
-    prepare_maneuvers(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)

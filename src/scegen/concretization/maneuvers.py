@@ -7,22 +7,12 @@ from scegen.concretization.hazards.aside import come_into_lane
 from scegen.concretization.hazards.parties import ahead_on_arm, same_arm
 from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
-from scegen.concretization.passing import FASTER, pass_drive
+from scegen.concretization.passing import pass_drive
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import goes_round_a_thing
 from scegen.concretization.tale import SIDEWAYS
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.vocabulary import HazardKind, Maneuver
-
-
-def prepare_maneuvers(scene: Setup) -> None:
-    """Make those who go round another clearly faster than it: it is slow, rather than they fast."""
-    for passer in scene.drives.values():
-        passed = _passed(scene, passer)
-        if passed is not None and passer.cruise_mps < FASTER * passed.cruise_mps:
-            slower, before = passer.cruise_mps / FASTER, passed.cruise_mps
-            scene.note(f"{passed.id}.speed_mps", slower, f"is overtaken by {passer.id}", before)
-            passed.cruise_mps = slower
 
 
 def shape_maneuvers(scene: Setup) -> list[Meeting]:

@@ -17,7 +17,7 @@ from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.vocabulary import HazardKind
 
-FASTER = 1.5
+_FASTER = 1.5
 """One who overtakes drives this much faster than the one overtaken (own choice)."""
 _BEHIND_M, _AHEAD_M = 3.0, 6.0
 BEFORE_TURNING_M = 3.0
@@ -106,13 +106,18 @@ def move_aside(
 def pass_drive(
     scene: Setup, passer: DriveDraft, passed: DriveDraft, *, comes_back: bool
 ) -> list[Meeting]:
-    """``passer`` overtakes ``passed`` on their common entry arm.
+    """``passer`` overtakes ``passed`` on their entry arm: that one is slow, rather than it fast.
 
     Returns the meeting side by side.
 
     Raises:
         NeedsLongerArms: the arm is too short for it.
     """
+    slower = passer.cruise_mps / _FASTER
+    if passed.cruise_mps > slower:
+        before = passed.cruise_mps
+        scene.note(f"{passed.id}.speed_mps", slower, f"is overtaken by {passer.id}", before)
+        passed.cruise_mps = slower
     strays = HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
     for draft in (passer, passed) if strays else ():
         if not draft.lane_changes:
