@@ -16,7 +16,6 @@ from scegen.motion.model import Array, Path
 from scegen.scenario.bodies import Body
 
 _SAMPLE_M = 1.0
-_GRAZE_M = 2.0
 _OPPOSED = -0.85
 """The cosine between those who meet head-on is less."""
 _CROSSES = 0.2

@@ -8,6 +8,7 @@ tells of. And who turns back, or turns late behind another.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
 from itertools import combinations
 from math import radians, tan
 
@@ -227,13 +228,7 @@ def _late_turns(
         for drive in sorted(late.values(), key=lambda each: least_radius_m(each, functional))
     }
     return [
-        Turn(
-            entry=way.entry,
-            lane_in=way.lane_in,
-            exit=way.exit,
-            lane_out=way.lane_out,
-            radius_m=round(radii[way.entry, way.exit], 3),
-        )
+        Turn(**asdict(way), radius_m=round(radii[way.entry, way.exit], 3))
         for way in lane_ways(road.arms, road.driving_side)
         if (way.entry, way.exit) in radii
     ]

@@ -25,7 +25,6 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.along.writing import (
     ends_s,
-    walk_motion,
     written_door,
     written_parked,
     written_runner,
@@ -41,7 +40,6 @@ from scegen.concretization.traffic import contacts
 from scegen.concretization.written import written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths
-from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
 from scegen.road.model import RoadNetwork
@@ -197,9 +195,7 @@ def _written(
         elif name in story.runners:
             people.append(written_runner(story, frame, name))
         elif name in by_walk:
-            walk = by_walk[name]
-            path = crossing_path(network, walk_motion(frame, walk), name)
-            people.append(written_walk(story, frame, walk, path.length_m))
+            people.append(written_walk(story, frame, network, by_walk[name]))
     doors = opens(story.functional)
     people += [written_door(story, doors[p.id], p) for p in parked if p.id in doors]
     things = (r.id for r in story.runners.values() if r.thing and not r.opens)

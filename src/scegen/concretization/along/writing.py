@@ -15,12 +15,13 @@ from scegen.concretization.triggers import as_they_come
 from scegen.concretization.written import written, written_phase
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M
+from scegen.motion.standing import crossing_path
 from scegen.motion.trigger_steps import just_before_step_s
+from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, AfterStart
 from scegen.scenario.concrete import (
     AtTime,
     ConcreteParticipant,
-    CrossingMotion,
     DistanceBelow,
     DriveMotion,
     LaneChange,
@@ -128,16 +129,14 @@ def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
     return hypot(here.x_m - there.x_m, here.y_m - there.y_m)
 
 
-def written_walk(story: Story, frame: Frame, walk: Walk, length_m: float) -> ConcreteParticipant:
-    """One who goes across the road; ``length_m`` is how long its way is."""
-    meets = story.runners[walk.meets]
-    program = walk.program_by((meets,), walk.sets_off_s, length_m)
-    return written(story, walk.id, walk_motion(frame, walk), program=program)
-
-
-def walk_motion(frame: Frame, walk: Walk) -> CrossingMotion:
-    """The way across."""
-    return walk.motion_at(frame.from_junction_m(walk.crossing.arm, walk.x_m))
+def written_walk(
+    story: Story, frame: Frame, network: RoadNetwork, walk: Walk
+) -> ConcreteParticipant:
+    """One who goes across the road."""
+    motion = walk.motion_at(frame.from_junction_m(walk.crossing.arm, walk.x_m))
+    length = crossing_path(network, motion, walk.id).length_m
+    program = walk.program_by((story.runners[walk.meets],), walk.sets_off_s, length)
+    return written(story, walk.id, motion, program=program)
 
 
 def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcreteParticipant:
