@@ -5,7 +5,6 @@ from __future__ import annotations
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import come_into_lane
 from scegen.concretization.hazards.parties import ahead_on_arm, same_arm
-from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.passing import pass_drive
 from scegen.concretization.setup import Setup
@@ -68,9 +67,9 @@ def _has_cause(scene: Setup, draft: DriveDraft) -> bool:
 
 def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
     """A change into the lane of one beside it, rather the ego's, or into the one that leads on."""
-    if scene.ring and lanes_in(scene, draft) < 2:
+    if scene.ring and scene.lanes_in(draft) < 2:
         raise MotionInfeasibleError("there is no second lane to change into", where=draft.id)
-    if lanes_in(scene, draft) < 2 and draft.drive.maneuver is Maneuver.OVERTAKE:
+    if scene.lanes_in(draft) < 2 and draft.drive.maneuver is Maneuver.OVERTAKE:
         raise MotionInfeasibleError(
             f"nobody is ahead of it on arm {draft.drive.entry} whom it could overtake",
             where=draft.id,
@@ -82,7 +81,7 @@ def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
         if (other.id == draft.drive.beside or other.drive.beside == draft.id)
         and same_arm(other, draft)
         and abs(other.entry_lane - draft.entry_lane) == 1
-        and other.entry_lane in entry_lanes(scene, draft)
+        and other.entry_lane in scene.entry_lanes(draft)
         and not other.lane_changes
     ]
     beside = max(near, key=lambda other: other is scene.ego, default=None)

@@ -14,7 +14,6 @@ from itertools import combinations
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import goes_outwards
 from scegen.concretization.hazards.parties import pairs, same_arm
-from scegen.concretization.lane_choice import routes_of
 from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import NeedsLongerArms, Setup
@@ -61,7 +60,8 @@ def choose_junction_lanes(scene: Setup) -> None:
     _, before = least_broken(options, placed)
     for name in _bound(scene, placed):
         options[name] = [before[name]]
-    meetings = [] if scene.blocked else [*_meetings(scene)]
+    blocked = any(stand.standing.in_lane for stand in scene.stands.values())
+    meetings = [] if blocked else [*_meetings(scene)]
     possible = [wish for wish in meetings if wish.can_be_met(options)]
     if any(wish.weight >= USUAL for wish in possible):
         possible = [wish for wish in possible if wish.weight >= USUAL]
@@ -78,7 +78,7 @@ def choose_junction_lanes(scene: Setup) -> None:
 
 def _options(scene: Setup, draft: DriveDraft) -> list[Lanes]:
     """The lanes that lead to a drive's exit, the outermost and those that stay so first."""
-    found = {Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in routes_of(scene, draft)}
+    found = {Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in scene.routes_of(draft)}
     usual = sorted(found, key=lambda o: (-o.entry, -(o.ring or 0), o.exit != o.entry, -o.exit))
     reached = {lanes_abreast(scene.functional, scene.logical, scene.road).get(draft.id)}
     if draft.from_arm is not None:  # from where it comes out backwards
@@ -132,7 +132,7 @@ def _clear_of_turning_back(scene: Setup) -> Iterator[LaneWish]:
     for name, draft in scene.drives.items():
         plain = draft.drive.maneuver is draft.drive.turn is Maneuver.STRAIGHT
         if scene.road.kind is JunctionKind.STRAIGHT and plain and draft.drive.entry in back:
-            innermost = frozenset({min(r.entry_lane for r in routes_of(scene, draft))})
+            innermost = frozenset({min(r.entry_lane for r in scene.routes_of(draft))})
             yield Wish((name,), LIKELY, _in(name, innermost), f"{name} keeps inside")
 
 

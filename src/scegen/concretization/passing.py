@@ -8,7 +8,6 @@ from __future__ import annotations
 from math import pi, sqrt
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.limits import LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.setup import Setup, require_room
@@ -59,7 +58,7 @@ def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:
     """
     if draft.entry_lane > 1 or oncoming:
         return draft.entry_lane - 1
-    if lanes_in(scene, draft) > 1:
+    if scene.lanes_in(draft) > 1:
         return 2
     raise MotionInfeasibleError(
         f"arm {draft.drive.entry} has one lane: there is no lane to change into", where=draft.id
@@ -121,11 +120,11 @@ def pass_drive(
     strays = HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
     for draft in (passer, passed) if strays else ():
         if not draft.lane_changes:
-            draft.take_lane(scene.network, min(entry_lanes(scene, draft)))
-    lanes = entry_lanes(scene, passer)
+            draft.take_lane(scene.network, min(scene.entry_lanes(draft)))
+    lanes = scene.entry_lanes(passer)
     if comes_back or passed.entry_lane in lanes:
         passer.entry_lane = passed.entry_lane
-    aside = neighbour_lane(scene, passer, oncoming=strays or lanes_in(scene, passer) == 1)
+    aside = neighbour_lane(scene, passer, oncoming=strays or scene.lanes_in(passer) == 1)
     back = passer.entry_lane in lanes and (comes_back or aside not in lanes)
     per_m = passer.cruise_mps / max(passer.cruise_mps - passed.cruise_mps, 1.0)
     half = (passer.body.length_m + passed.body.length_m) / 2

@@ -12,7 +12,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.others import StandDraft, WalkDraft
 from scegen.concretization.tale import Tale
 from scegen.errors import MotionInfeasibleError
-from scegen.road.model import RoadNetwork
+from scegen.road.model import RoadNetwork, Route
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario, Hazard
@@ -131,15 +131,32 @@ class Setup(Tale):
         """Whether this is a roundabout."""
         return self.road.kind is JunctionKind.ROUNDABOUT
 
-    @property
-    def blocked(self) -> bool:
-        """Whether somebody stands in a lane."""
-        return any(stand.standing.in_lane for stand in self.stands.values())
-
     def concerned(self, name: str) -> list[DriveDraft]:
         """Whose way somebody may come into: named sufferers first, then the ego, then others."""
         ranked = dict.fromkeys([*self.endangered_by(name), self.ego.id, *self.drives])
         return [self.drives[other] for other in ranked if other in self.drives]
+
+    def routes_of(self, draft: DriveDraft) -> tuple[Route, ...]:
+        """The routes between a drive's arms.
+
+        Raises:
+            MotionInfeasibleError: there is none.
+        """
+        key = (draft.drive.entry, draft.drive.exit)
+        routes = self.network.routes.get(key, ())
+        if not routes:
+            raise MotionInfeasibleError(
+                f"no route leads from arm {key[0]} to arm {key[1]}", where=draft.id
+            )
+        return routes
+
+    def entry_lanes(self, draft: DriveDraft) -> tuple[int, ...]:
+        """The lanes from which a drive's exit can be reached, outermost first."""
+        return tuple(sorted({r.entry_lane for r in self.routes_of(draft)}, reverse=True))
+
+    def lanes_in(self, draft: DriveDraft) -> int:
+        """Number of lanes towards the junction on a drive's entry arm."""
+        return self.road.arms[draft.drive.entry].lanes_in
 
     def speed_acts(self, name: str) -> list[Act]:
         """The changes of speed that the text tells of somebody, in order."""

@@ -14,7 +14,6 @@ import numpy as np
 from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clearance import same_lane
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lane_choice import lanes_in
 from scegen.concretization.meetings import drives_meet
 from scegen.concretization.others import StandDraft
 from scegen.concretization.passing import calm_change_length_m, neighbour_lane, pass_standing
@@ -109,7 +108,7 @@ def go_round_stationary(scene: Setup) -> None:
 def goes_round_a_thing(scene: Setup, draft: DriveDraft) -> bool:
     """Whether a drive that overtakes or changes lanes does so round a thing in its way."""
     expected = lying_in_the_way(scene.functional, scene.logical, scene.drives)
-    round_it = draft.drive.maneuver is Maneuver.OVERTAKE or lanes_in(scene, draft) == 1
+    round_it = draft.drive.maneuver is Maneuver.OVERTAKE or scene.lanes_in(draft) == 1
     return round_it and any(thing.in_way_of == draft.id for _, thing in expected)
 
 

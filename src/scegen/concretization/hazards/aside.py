@@ -12,7 +12,6 @@ from __future__ import annotations
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import culprits, same_arm, victims
-from scegen.concretization.lane_choice import entry_lanes, lanes_in
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,
@@ -80,7 +79,7 @@ def _leave_lane(
     if kind is HazardKind.CUT_IN and scene.ring:
         return _in_ring(scene, draft, others[0], kind) if others else []
     if kind is HazardKind.CUT_IN:
-        wide = along and lanes_in(scene, draft) > 1
+        wide = along and scene.lanes_in(draft) > 1
         return come_into_lane(scene, draft, along[0], kind) if wide else []
     if kind is HazardKind.ONCOMING_LANE and blocking_m(scene, draft):
         return []  # it strays round that one
@@ -139,14 +138,14 @@ def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None)
 
     Where nothing is said, one comes from the inside, a rider from the kerb.
     """
-    own, count = draft.entry_lane, lanes_in(scene, draft)
-    lanes = [*entry_lanes(scene, draft)]
+    own, count = draft.entry_lane, scene.lanes_in(draft)
+    lanes = [*scene.entry_lanes(draft)]
     outward = False
     if other is None:
         target = own if own in lanes else lanes[0]
         taking = [each for each in scene.drives.values() if each.drive.beside == draft.id]
     else:
-        lanes = [lane for lane in lanes if lane in entry_lanes(scene, other)]
+        lanes = [lane for lane in lanes if lane in scene.entry_lanes(other)]
         if not lanes:
             raise MotionInfeasibleError(
                 f"no lane of arm {draft.drive.entry} leads both {draft.id} and {other.id} where "
@@ -166,7 +165,7 @@ def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None)
             where=draft.id,
         )
     for each in taking:  # who travels beside it is in the lane that it wants
-        if target in entry_lanes(scene, each):
+        if target in scene.entry_lanes(each):
             each.take_lane(scene.network, target)
     return start, target
 
@@ -205,13 +204,13 @@ def _out_and_back(
     aside = draft.entry_lane
     usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
     if kind is HazardKind.ONCOMING_LANE:
-        draft.entry_lane, aside, width = min(entry_lanes(scene, draft)), 0, 0.0
+        draft.entry_lane, aside, width = min(scene.entry_lanes(draft)), 0, 0.0
         act, stays_m = None, _STAYS_ASTRAY_S * draft.cruise_mps
         if not scene.kinds_by(draft.id) & _ABRUPT:
             usual = LANE_CHANGE_S
     elif not width and act is not None and act.side is not None:
         aside += outward(scene.functional, act.side)
-        if aside > lanes_in(scene, draft):
+        if aside > scene.lanes_in(draft):
             # Towards the kerb, where there is no lane: as far as its own one lets it.
             aside, width, usual = draft.entry_lane, _IN_LANE_M, _IN_LANE_S
     elif not width and beside is not None:
