@@ -209,10 +209,10 @@ def _start(scene: Setup, meetings: list[Meeting]) -> None:
 
 def _with_lead_in(scene: Setup) -> None:
     """Starts and acts as is said, everybody undisturbed for a moment before the first act."""
-    early = 0.0
+    late_s = {name: draft.offset_s for name, draft in scene.drives.items()}
     for _ in range(_AGAIN):
-        for draft in scene.drives.values():
-            draft.offset_s += early
+        for name, draft in scene.drives.items():
+            draft.offset_s = late_s[name]
         for name, walk in scene.walks.items():
             walk.sets_off_s = None
             walk.sets_off_s = leaves_s(scene, name) if conditioned(scene, name) else None
@@ -220,3 +220,4 @@ def _with_lead_in(scene: Setup) -> None:
         early = lead_in_missing_s(scene)
         if early <= 0.0:
             break
+        late_s = {name: late + early for name, late in late_s.items()}
