@@ -38,7 +38,8 @@ def _ends_there(event: Event, prep: Prep) -> bool:
         return True  # "a car comes the other way; the ego goes in front of it"
     if afoot and (event.name, prep.value) == ("stop", "ahead"):
         return True  # "stops 1 m in front of her"
-    return (turns or onto) and prep.value == "ahead"
+    past = prep.value == "behind" and event.name in {"pass", "cross"}  # "passes behind the ego"
+    return past or ((turns or onto) and prep.value == "ahead")
 
 
 def _same_way(prep: Prep) -> bool:
