@@ -105,12 +105,6 @@ def test_traffic_of_so_many_is_those(text):
     assert {a.into for a in scenario.acts} == {p.id for p in others}
 
 
-def test_a_door_that_opens_is_of_who_is_parked_there():
-    scenario = read("The ego passes a row of three parked cars; a door opens in front of it.")
-    assert len(scenario.participants) == 4
-    assert [a.kind for a in scenario.acts] == ["open_door"]
-
-
 def test_who_is_met_as_it_comes_towards_the_ego_faces_it():
     text = "The ego meets a van that comes towards it."
     assert _who(text, "van_1").approaches == {Approach.OPPOSITE}

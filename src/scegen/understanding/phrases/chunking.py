@@ -70,8 +70,9 @@ class Chunker:
             if not self._owns(k):
                 self._chunks.append(Word(term))
                 return k + 1
-            self._mark_possessor()
-        if self._that_of(k):
+            if isinstance(owner := self._chunks[-1], Mention):
+                owner.possessor = True
+        if self._mine(k):
             return k + 1
         reached = self._noun_phrase(k)
         if reached is None:
@@ -86,24 +87,20 @@ class Chunker:
         event.object = before if isinstance(before, Place) and before.j == term.i else None
         return event
 
-    def _that_of(self, k: int) -> bool:
-        """``leaves its lane and enters that of the bus``: a place of the kind named last."""
+    def _mine(self, k: int) -> bool:
+        """``his car hits mine``: the teller's vehicle, or a place of the kind named last."""
         term = self._terms[k]
-        follows = self._terms[k + 1] if k + 1 < len(self._terms) else None
-        mine = term.cat == "possessive" and term.value == "mine"
-        that = self._tokens[term.i].low == "that" and follows is not None and follows.value == "of"
-        if not (mine or that):
+        if (term.cat, term.value) != ("possessive", "mine"):
             return False
-        named = (c for c in reversed(self._chunks) if _owned(c, mine=mine))
-        last = next(named, None)
-        if isinstance(last, Mention):  # "his car hits mine"
+        last = next((c for c in reversed(self._chunks) if _owned(c)), None)
+        if isinstance(last, Mention):
             data = {"ego": True, "me": True}
             head = Term("actor", "ego", term.i, term.j, data=data)
             self._chunks.append(Mention(term.i, term.j, [], head, heads=[head]))
             return True
-        mods = [replace(term, value="first_person")] if mine else []
         kind = last.kind if isinstance(last, Place) else "lane"
-        self._chunks.append(Place(term.i, term.j, mods, None, None, kind=kind))
+        mine = [replace(term, value="first_person")]
+        self._chunks.append(Place(term.i, term.j, mine, None, None, kind=kind))
         return True
 
     def _owns(self, k: int) -> bool:
@@ -113,10 +110,6 @@ class Chunker:
         follows = self._terms[k + 1]
         plain = follows.cat not in {"aux", "neg", "prep", "punct", "det", "pronoun"}
         return isinstance(self._chunks[-1], Mention) and plain and not self._is_adverb(follows)
-
-    def _mark_possessor(self) -> None:
-        if self._chunks and isinstance(self._chunks[-1], Mention):
-            self._chunks[-1].possessor = True
 
     def _is_adverb(self, term: Term) -> bool:
         last = self._tokens[term.j - 1].low
@@ -147,7 +140,7 @@ class Chunker:
 
     def _noun_phrase(self, k: int) -> int | None:
         mods, m = self._scan(k)
-        head = self._terms[m] if m < len(self._terms) else None
+        head = self._term(m)
         owner = self._owner(mods)
         if head is not None and head.cat == "actor":
             if any(m.cat == "manner" for m in mods) and "speaks" in head.data:
@@ -173,11 +166,9 @@ class Chunker:
     def _side_before_number(self, mods: list[Term]) -> bool:
         """``from the left two cars come``: the number begins a noun phrase of its own."""
         previous = self._chunks[-1] if self._chunks else None
-        preposed = isinstance(previous, Word) and previous.cat == "prep"
-        pairs = pairwise(mods)
-        return preposed and any(
+        return getattr(previous, "cat", "") == "prep" and any(
             b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
-            for a, b in pairs
+            for a, b in pairwise(mods)
         )
 
     def _owner(self, mods: list[Term]) -> Mention | None:
@@ -192,18 +183,15 @@ class Chunker:
             return None
         first = mods[0]
         if first.cat == "det" and self._tokens[first.j - 1].low == "others":
-            return self._stand_alone(first, "others", k)
+            return self._stand_alone(mods[:1], "others", k)
         if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
-            self._chunks.append(Mention(first.i, first.j + 1, [first], None, pronoun="others"))
-            return k + 2  # "two others"
-        if first.cat == "num" and len(mods) > 1 and mods[1].value in _COMING_FROM:
-            named = "one" if first.data["number"] == 1 else "count"
-            self._chunks.append(Mention(first.i, mods[1].j, mods[:2], None, pronoun=named))
-            return k + 2  # "one oncoming"
+            return self._stand_alone([first, self._terms[k + 1]], "others", k)  # "two others"
         if first.cat == "num" and first.data["number"] < 10:
-            return self._stand_alone(first, "one" if first.data["number"] == 1 else "count", k)
+            coming = mods[1:2] if mods[1:] and mods[1].value in _COMING_FROM else []
+            named = "one" if first.data["number"] == 1 else "count"
+            return self._stand_alone([first, *coming], named, k)  # "one", "one oncoming"
         if first.cat == "det" and first.value in {"another", "other"}:
-            return self._one_after(self._stand_alone(first, first.value, k))
+            return self._one_after(self._stand_alone(mods[:1], first.value, k))
         second = mods[1] if len(mods) > 1 else None
         if first.cat == "det" and second is not None and second.cat == "label":
             ordinal = second.value in ORDINALS
@@ -243,12 +231,12 @@ class Chunker:
 
     def _one_after(self, k: int) -> int:
         """``the other one``: the numeral adds nothing."""
-        term = self._terms[k] if k < len(self._terms) else None
+        term = self._term(k)
         return k + 1 if term is not None and term.cat == "num" and term.value == "one" else k
 
-    def _stand_alone(self, term: Term, pronoun: str, k: int) -> int:
-        self._chunks.append(Mention(term.i, term.j, [term], None, pronoun=pronoun))
-        return k + 1
+    def _stand_alone(self, mods: list[Term], pronoun: str, k: int) -> int:
+        self._chunks.append(Mention(mods[0].i, mods[-1].j, mods, None, pronoun=pronoun))
+        return k + len(mods)
 
     def _side(self, mods: list[Term], k: int) -> int | None:
         """``the right``, ``right front``, ``the north``: a side named without a noun."""
@@ -262,9 +250,8 @@ class Chunker:
                 break  # "from the right straight on"
             seen = seen or side
             length += 1
-        preposed = governed(self._chunks)
-        determined = mods[0].cat in {"det", "possessive"}
-        if not seen or not (preposed or determined):
+        placed = governed(self._chunks) or mods[0].cat in {"det", "possessive"}
+        if not seen or not placed:
             return None
         used = mods[:length]
         owner = self._owner(used)
@@ -285,8 +272,7 @@ class Chunker:
         mention.negated = any(mod.cat == "det" and mod.value == "negative" for mod in mods)
         named = Namer(self._terms, self._tokens)
         m = named.single(mention, m)
-        following = self._terms[m] if m < len(self._terms) else None
-        mention.possessor = ego_owns(heads, following)
+        mention.possessor = ego_owns(heads, self._term(m))
         self._chunks.append(mention)
         further, m = named.further(mention, m)
         self._chunks += further
@@ -297,21 +283,18 @@ class Chunker:
         if head.cat in {"place", "leg"}:
             place = Place(start, head.j, mods, head, owner, kind=head.value)
             self._chunks.append(place)
-            if Namer(self._terms, self._tokens).numbered(head, m + 1):
-                place.j = self._terms[m + 1].j
-                return m + 2
-        else:
-            kind = head.cat if head.cat == "view" else head.value
-            end = compound_end(head, self._term(m + 1), self._chunks)
-            self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
-            return m + 1 + (end is not head)
-        return m + 1
+            if not Namer(self._terms, self._tokens).numbered(head, m + 1):
+                return m + 1
+            place.j = self._terms[m + 1].j
+            return m + 2
+        kind = head.cat if head.cat == "view" else head.value
+        end = compound_end(head, self._term(m + 1), self._chunks)
+        self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
+        return m + 1 + (end is not head)
 
 
-def _owned(chunk: Chunk, *, mine: bool) -> bool:
-    """What "that" or "mine" may be: a lane, even one that only a verb names, or a vehicle."""
-    head = chunk.head if isinstance(chunk, Mention) else None
-    vehicle = head is not None and head.value in _VEHICLES
-    left = isinstance(chunk, Event) and chunk.name == "lane_change"
-    place = isinstance(chunk, Place) and not (mine and chunk.kind == "flank")
-    return place or left or (mine and vehicle)
+def _owned(chunk: Chunk) -> bool:
+    """What "mine" may be: a place, or a vehicle."""
+    if isinstance(chunk, Place):
+        return chunk.kind != "flank"
+    return isinstance(chunk, Mention) and chunk.head is not None and chunk.head.value in _VEHICLES

@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _HELPS = frozenset({"aux", "copy", "manner"})
-_ENDS = frozenset({".", ";"})
-_JOINTS = frozenset({"punct", "conj", "sub"})
 _REACH = 2
-_LONGEST = 6
 
 
 def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -32,39 +30,34 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     k = 0
     while k < len(chunks):
         chunk, owned = chunks[k], _owners_after(chunks, k)
-        if ended and isinstance(chunk, Word) and chunk.value in _ENDS:
+        if ended and isinstance(chunk, Word) and chunk.value in BOUNDARIES:
             found, ended = [*found, *ended], []
         if owned and isinstance(chunk, Event) and chunk.name == "door" and _called(chunk, found):
             found += owned
             ended = _opened_by(owned[0], chunk)
             k += 1 + 2 * len(owned[::2])
             continue
-        if _opens_one(chunks[k : k + 2], tokens):
-            opened = Event("door", chunk.i, chunks[k + 1].j, "s", lemma="open")
-            found.append(replace(opened, mods=[*getattr(chunks[k + 1], "mods", ())]))
+        object_ = chunks[k + 1] if k + 1 < len(chunks) else None
+        verbal = isinstance(chunk, Event) and tokens[chunk.i].low.startswith("open")
+        if verbal and isinstance(object_, Thing) and _door(object_):  # "opens its left door"
+            mods = list(object_.mods)
+            found.append(Event("door", chunk.i, object_.j, "s", lemma="open", mods=mods))
             k += 2
             continue
-        after = k + 1 + 2 * len(owned[::2])
-        verb = _behind_participle(chunks, after, tokens) if owned else after
-        described = chunks[after:verb]
+        verb = k + 1 + 2 * len(owned[::2])
         while verb < len(chunks) and getattr(chunks[verb], "cat", "") in _HELPS:
             verb += 1
         door = isinstance(chunk, Thing) and chunk.kind == "door" and verb < len(chunks)
         end = _opens(chunks[verb].i, tokens) if door else None
-        if not door or end is None or not isinstance(chunk, Thing):
+        if end is None or not isinstance(chunk, Thing):
             found.append(chunk)
             k += 1
             continue
-        genitive = any(m.value == "genitive" for m in chunk.mods)
         before = found[-1] if found else None
-        if genitive and owned and isinstance(before, Mention):
-            found = [*found[:-1], *owned, *described]  # "the driver's door of a parked car"
-        elif genitive and isinstance(before, Mention) and _its(before) and _standing(found):
-            found[-1] = _who(chunk, found)
-        elif genitive and isinstance(before, Mention):
+        if isinstance(before, Mention) and any(m.value == "genitive" for m in chunk.mods):
             before.possessor = False
         else:
-            found += [*owned, *described] or [_who(chunk, found)]
+            found += owned or [_who(chunk, found)]
         found.append(Event("door", chunks[verb].i, end, "s", lemma="open"))
         k = next((m for m in range(verb, len(chunks)) if chunks[m].i >= end), len(chunks))
     return found + ended
@@ -84,35 +77,10 @@ def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
     return found[1:]
 
 
-def _behind_participle(chunks: list[Chunk], k: int, tokens: list[Token]) -> int:
-    """``the door of a car parked on the right opens``: where the verb stands."""
-    told = chunks[k] if k < len(chunks) else None
-    if not isinstance(told, Event) or told.form != "ed":
-        return k
-    for m in range(k + 1, min(k + _LONGEST, len(chunks))):
-        if getattr(chunks[m], "cat", "") in {"punct", "sub", "conj"}:
-            break
-        if _opens(chunks[m].i, tokens) is not None and tokens[chunks[m].i].low != "open":
-            return m
-    return k
-
-
-def _opens_one(two: list[Chunk], tokens: list[Token]) -> bool:
-    """``opens its left door``, ``opens the driver's door``."""
-    verb, door = [*two, None, None][:2]
-    opens = isinstance(verb, Event) and tokens[verb.i].low.startswith("open")
-    return opens and isinstance(door, Thing) and door.kind == "door"
-
-
 def _called(door: Event, before: list[Chunk]) -> bool:
     """``hits the open door``: a name of the door, nobody's doing."""
     article = any(m.cat in {"det", "possessive"} for m in door.mods)
     return article or (bool(before) and getattr(before[-1], "cat", "") == "det")
-
-
-def _its(driver: Mention) -> bool:
-    """``its driver's door``: of somebody named before."""
-    return any((m.cat, m.value) == ("possessive", "its") for m in driver.mods)
 
 
 def _opened_by(owner: Chunk, door: Event) -> list[Chunk]:
@@ -154,14 +122,6 @@ def _who(door: Thing | Event, before: list[Chunk]) -> Mention:
     if parked:
         known = parked[-1]
         return replace(known, i=door.i, j=door.j, pps=[], prep=None, same_as=known, joined=None)
-    several = [
-        c
-        for c in before
-        if isinstance(c, Mention) and c.mod("num") and any(m.value == "parked" for m in c.mods)
-    ]
-    if several:  # one of the three
-        one = Term("pronoun", "one", door.i, door.j)
-        return Mention(door.i, door.j, [], one, pronoun="one", partitive=True, whole=several[-1])
     head = Term("actor", "car", door.i, door.j)
     mods = [Term("det", "indef", door.i, door.i), Term("state", "parked", door.i, door.i)]
     return Mention(door.i, door.j, mods, head, heads=[head])

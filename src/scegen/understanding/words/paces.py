@@ -2,41 +2,15 @@
 
 from __future__ import annotations
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.quantities import Quantity, as_written, quantity_at
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
 _ARTICLES = frozenset({"a", "an", "the"})
-_ZONE = frozenset({"zone", "limit", "area", "stretch", "road", "street"})
+_DEGREES = {"slow": "slow_degrees", "fast": "fast_degrees"}
 _OVER = {"over": "fast", "above": "fast", "under": "slow", "below": "slow"}
-_PACING = frozenset({"do", "go", "drive", "travel", "hit", "come", "move", "ride", "roll",
-                     "pootle", "potter", "crawl", "trundle", "dawdle", "chug", "toddle", "tootle",
-                     "bimble", "race", "fly", "tear", "speed", "zoom", "barrel", "cruise",
-                     "creep", "amble", "hurtle", "bomb", "roar"})  # fmt: skip
-_VAGUELY = frozenset({"about", "around", "only", "maybe", "at", "barely", "nearly", "over", "just",
-                      "well", "like", "along", "down", "past", "least", "most", "close", "to",
-                      "almost", "up", "some", "roughly", "approximately", "easily", "really",
-                      "very", "so",
-                      "too", "rather", "quite", "pretty", "awfully", "extremely", "fairly",
-                      "unusually", "terribly", "far", "way", "much"})  # fmt: skip
-_RATES = frozenset({"speed", "speeds", "velocity", "velocities", "pace", "rate", "lick", "clip",
-                    "rates"})  # fmt: skip
-_MERELY = frozenset({"barely", "only", "just", "merely", "hardly", "scarcely"})
-_DEGREES = {
-    **dict.fromkeys(("low", "lower", "slow", "slower", "reduced", "crawling", "sluggish",
-                     "leisurely", "glacial", "funereal", "walking", "jogging",
-                     "snail's", "modest", "ponderous", "pedestrian"), "slow"),
-    **dict.fromkeys(("high", "higher", "excessive", "great", "greater", "unsafe", "dangerous",
-                     "inappropriate", "illegal", "faster", "reckless", "tremendous", "terrific",
-                     "furious", "frightening", "crazy", "ridiculous", "alarming", "insane", "mad",
-                     "huge", "enormous", "considerable", "breakneck", "unreasonable", "scary",
-                     "terrifying", "incredible", "phenomenal", "frantic", "ferocious", "fierce",
-                     "blistering", "hair-raising", "ludicrous", "lunatic", "rapid", "hellish",
-                     "appalling", "colossal", "rare", "brisk", "motorway", "illegal"), "fast"),
-}  # fmt: skip
-_WITHIN = frozenset({"a", "an", "the", "much", "far", "very", "constant", "steady", "fixed", "way",
-                     "quite", "rather", "such", "even", "still", "too", "uniform"})  # fmt: skip
 _SHORT_OF = 2
 _CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir")
 """Classes of words that go on after a number without a unit; nouns would be counted by it."""
@@ -68,7 +42,7 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
     if limit and lowest and tokens[j].low in {"in", "on"} and tokens[j + 1].low in _ARTICLES:
         allowed = quantity_at(tokens, j + 2)
         end = allowed.j if allowed is not None else j + 2 + limit.length
-        while end < len(tokens) and tokens[end].low in _ZONE:
+        while end < len(tokens) and tokens[end].low in word_list("zones"):
             end += 1
         value = "fast" if number.value > limit.value else "slow"
         if (
@@ -78,7 +52,7 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         return Term("manner", value, i, end, data={"pace": True})
     if number.value <= _CRAWL and j < len(tokens) and _on_a_highway(tokens, j):
         return Term("manner", "slow", i, j, data={"pace": True})
-    merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & _MERELY
+    merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & word_list("merely")
     if merely and speed and quantity is not None:
         return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
     if number.value >= _MOTORWAY and not speed and _must_have_been(tokens, i):
@@ -132,7 +106,12 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
 def _its_speed(tokens: list[Token], i: int) -> bool:
     """``its own speed is 120``, ``100 km/h against the ego's 80``: a speed without its unit."""
     before = tokens[max(0, i - _SAID_REACH) : i]
-    rated = any(t.low in _RATES for t in before) and before[-1].low in {"is", "was", "of", "="}
+    rated = any(t.low in word_list("pace_nouns") for t in before) and before[-1].low in {
+        "is",
+        "was",
+        "of",
+        "=",
+    }
     versus = any(t.low in {"against", "versus", "vs"} for t in before)
     return rated or (versus and before[-1].kind == "clitic")
 
@@ -154,12 +133,17 @@ def speed_at(tokens: list[Token], i: int) -> Term | None:
     value = None
     for k in range(i + 1, min(i + _PHRASE, len(tokens))):
         low = tokens[k].low
-        value = value or _DEGREES.get(low)
-        if low in _RATES:
+        value = value or _degree(low)
+        if low in word_list("pace_nouns"):
             return Term("manner", value, i, k + 1) if value is not None else None
-        if low not in _DEGREES and low not in _WITHIN and not low.endswith("ly"):
+        if not (_degree(low) or low in word_list("within_paces") or low.endswith("ly")):
             return None
     return None
+
+
+def _degree(word: str) -> str | None:
+    """``excessive``: fast; ``leisurely``: slow."""
+    return next((d for d in _DEGREES if word in word_list(_DEGREES[d])), None)
 
 
 def doing(tokens: list[Token], i: int) -> bool:
@@ -170,6 +154,6 @@ def doing(tokens: list[Token], i: int) -> bool:
         i: index of the number.
     """
     k = i - 1
-    while k >= 0 and tokens[k].low in _VAGUELY:
+    while k >= 0 and tokens[k].low in word_list("vaguely"):
         k -= 1
-    return k >= 0 and tokens[k].forms[-1][0] in _PACING
+    return k >= 0 and tokens[k].forms[-1][0] in word_list("pacing")
