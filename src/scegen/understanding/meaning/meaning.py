@@ -85,11 +85,7 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (
-                _starts(e, p)
-                or (e.name in _BESIDE and bearing.is_side(p))
-                or bearing.own_lane(e, p)
-            )
+            and (_starts(e, p) or (e.name in _BESIDE and bearing.is_side(p)))
         }
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events

@@ -10,19 +10,13 @@ from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.road.dark_lights import flashing, out_of_order
 from scegen.understanding.words import absent
 from scegen.understanding.words.angles import kind_of
 from scegen.understanding.words.shape_words import named_by_letter, only_counted
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_OFF = (
-    "out of order", "out of service", "out of use", "not work", "not working", "switched off",
-    "turned off", "not in use", "is off", "are off", "was off", "were off", "is dark", "are dark",
-)  # fmt: skip
-"""Said after the name of a light, or before it."""
-_CLAUSES = frozenset({",", ".", ";", "when", "while", "as", "and", "before", "but"})
-_BROKEN_REACH, _BROKEN_NEAR = 7, 4
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
@@ -103,41 +97,6 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     return reading
 
 
-def _out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
-    """``non-working traffic lights``, ``traffic lights that are out of order``: all these words."""
-    i, j = term.i, term.j
-    before = [t.low for t in tokens[max(0, i - 3) : i]]
-    if before[-1:] and before[-1] in word_list("broken"):
-        return Basis(i - 1, j)
-    for count in (2, 3):
-        if " ".join(before[-count:]) in {*_OFF, "non working"}:
-            return Basis(i - count, j)
-    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
-    ends = [m for m, word in enumerate(after) if word in _CLAUSES]
-    after = after[: ends[0]] if ends else after
-    for m, word in enumerate(after):
-        something_else = bool(m) and after[m - 1] in {"a", "an", "the"}
-        if m < _BROKEN_NEAR and word in word_list("broken") and not something_else:
-            return Basis(i, j + m + 1)
-        for phrase in _OFF:
-            length = len(phrase.split())
-            if " ".join(after[m : m + length]) == phrase:
-                return Basis(i, j + m + length)
-    return None
-
-
-def _flashing(term: Term, tokens: list[Token], colours: frozenset[str]) -> Basis | None:
-    """``a flashing amber light``, ``a light that is flashing amber``."""
-    i, j, words = term.i, term.j, word_list("flashing")
-    if i and tokens[i - 1].low in words and colours & {t.low for t in tokens[i:j]}:
-        return Basis(i - 1, j)
-    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
-    ends = next((m for m, word in enumerate(after) if word in _CLAUSES), len(after))
-    flashes = (m for m, word in enumerate(after[: ends - 1]) if word in words)
-    m = next((m for m in flashes if after[m + 1] in colours), None)
-    return Basis(i, j + m + 2) if m is not None else None
-
-
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
@@ -167,9 +126,9 @@ def _place_control(
     if control == Control.SIGNALS and _of_a_vehicle(terms, k, tokens):
         return
     lights = control == Control.SIGNALS
-    stop = _flashing(term, tokens, frozenset({"red"})) if lights else None
-    off = _flashing(term, tokens, word_list("flashing_colours")) if lights else None
-    off = off or (_out_of_order(term, tokens) if lights else None)
+    stop = flashing(term, tokens, frozenset({"red"})) if lights else None
+    off = flashing(term, tokens, word_list("flashing_colours")) if lights else None
+    off = off or (out_of_order(term, tokens) if lights else None)
     if stop is not None:
         said.setdefault(Control.ALL_WAY_STOP, stop)
     elif off is not None:
