@@ -154,14 +154,13 @@ def _described(prep: Prep, state: State) -> Mention | None:
         return None
     if "aux:be" not in state.between:
         return anchor
-    waiting = anchor is state.candidate and not state.candidate_done
+    waiting = anchor is state.waiting
     return anchor if waiting or "rel" in state.between else None
 
 
 def _aside(prep: Prep, state: State) -> bool:
     """``a truck, previously behind it, accelerates``: what is put between commas."""
-    who = state.candidate
-    waits = who is not None and who is state.anchor and not state.candidate_done
+    waits = state.waiting is not None and state.waiting is state.anchor
     placed = prep.word.cat == "locus" or prep.value in {"in", "from", "into"}
     return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
 

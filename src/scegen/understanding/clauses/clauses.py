@@ -148,8 +148,8 @@ class ClauseReader:
             state.ahead.append(word.term)  # "a cyclist riding ahead suddenly turns"
             return
         copular = "aux:be" in state.between and not before_event and word.cat == "manner"
-        if copular and state.candidate is not None and not state.candidate_done:
-            state.candidate.mods.append(word.term)  # "the one behind me is too close"
+        if copular and state.waiting is not None:
+            state.waiting.mods.append(word.term)  # "the one behind me is too close"
             return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         if "rel" in state.between and state.mentions and predicate:

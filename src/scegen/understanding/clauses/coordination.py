@@ -61,7 +61,7 @@ def coordinate(event: Event, state: State) -> None:
     parallel = next(reversed(exact or alike), None)
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
-    who = state.candidate if not state.candidate_done else None
+    who = state.waiting
     if who is not None and (parallel is None or (parallel.i < who.i and event.finite and helped)):
         event.subject = chain(who)  # "… while the ego has green and goes straight"
         return

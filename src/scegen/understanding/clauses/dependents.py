@@ -96,8 +96,8 @@ def _opens(state: State) -> bool:
 
 def _in_a_phrase(event: Event, state: State) -> None:
     """``is in the middle of a left turn``, ``during its left turn``: whose it is."""
-    who = state.candidate if not state.candidate_done else None
-    last = state.events[-1] if state.events else None
+    who = state.waiting
+    last = state.last
     if who is not None and (last is None or last.j <= who.i):
         event.subject = chain(who)
     elif last is not None:
@@ -111,11 +111,11 @@ def infinitive(event: Event, state: State) -> None:
         event: the verb after "to".
         state: what the clause reader remembers.
     """
-    parent = state.events[-1] if state.events else None
+    parent = state.last
     anchor = state.anchor
     if isinstance(anchor, Event):
         parent = anchor
-    who = state.candidate if not state.candidate_done else None
+    who = state.waiting
     if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
         event.subject = chain(who)  # "a van passes and the ego has a second to brake"
         event.modal = "aux:have" in state.between
@@ -149,7 +149,7 @@ def gerund(event: Event, state: State) -> None:
         state: what the clause reader remembers.
     """
     prep = state.prep.value if state.prep else ""
-    parent = state.events[-1] if state.events else None
+    parent = state.last
     event.negated = prep in {"without", "instead"}
     if prep == "instead" and event.name != "yield":
         event.name = "inert"  # "speeds up instead of slowing down": only what is owed counts
@@ -159,7 +159,7 @@ def gerund(event: Event, state: State) -> None:
         if not event.subject:
             state.pending.append(event)
         return
-    who = state.candidate if not state.candidate_done else None
+    who = state.waiting
     if who is not None and parent.j <= who.i and state.anchor is not parent and prep in _OPENING:
         event.subject = chain(who)  # "a man crosses while the ego is in the middle of turning"
         return

@@ -26,7 +26,7 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
-    waiting = anchor is state.candidate and not state.candidate_done
+    waiting = anchor is state.waiting
     waiting = waiting and not any(anchor in event.subject for event in state.events)
     said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, k, chunks)
     complete = said and finite_follows(chunks, k)  # "I'm here and a van …"
@@ -67,7 +67,7 @@ def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
 
 def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
     """``waits for a van coming from the left and a bus coming from the right``: for both."""
-    last = state.events[-1] if state.events else None
+    last = state.last
     following = chunks[k + 1] if k + 1 < len(chunks) else None
     if last is None or last.form != "ing" or last.finite or "and" not in state.between:
         return
@@ -78,7 +78,7 @@ def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State)
 
 def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``lets two people and a cyclist cross``: both are let."""
-    last = state.events[-1] if state.events else None
+    last = state.last
     if last is None or last.control != "object" or last.object is not anchor:
         return False
     verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
@@ -88,7 +88,7 @@ def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
 def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``a bus approaches the ego from the left and a taxi from the right``: the taxi does, too."""
     known = anchor.is_ego or anchor.pronoun is not None  # others are described by where they are
-    last = state.events[-1] if state.events else None
+    last = state.last
     if not known or last is None or last.object is not anchor or not 3 <= k < len(chunks) - 1:
         return False
     before, after = chunks[k - 3], chunks[k + 1]

@@ -90,7 +90,7 @@ def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State)
     after = [c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)]
     measured = [getattr(c, "cat", "") for c in after[:1]] == ["quantity"]
     ends = [getattr(c, "value", "") for c in after[1:2]] == [","]
-    waits = state.candidate is not None and not state.candidate_done and "," in state.between
+    waits = state.waiting is not None and "," in state.between
     return measured and ends and waits
 
 
@@ -133,8 +133,8 @@ def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> M
 
 def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
-    who = state.candidate
-    if who is None or state.candidate_done or state.anchor is not who:
+    who = state.waiting
+    if who is None or state.anchor is not who:
         return False
     bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
     bare = bare or mention.is_ego  # "the truck is the ego"
@@ -177,7 +177,7 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     if prep.fronted:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
-    last = state.events[-1] if state.events else None
+    last = state.last
     done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
     undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
     doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
@@ -187,8 +187,7 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.partitive, prep.on_mention.whole = True, mention
         return
-    pending = state.candidate is not None and not state.candidate_done
-    if pending and finite_follows(chunks, k):
+    if state.waiting is not None and finite_follows(chunks, k):
         state.last_pp = mention
         return
     if named and state.candidate is None:

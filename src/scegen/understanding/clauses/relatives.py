@@ -28,7 +28,7 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     about = before[-1] if before else None
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
-    waits = about is state.candidate and not state.candidate_done and not state.between
+    waits = about is state.waiting and not state.between
     told = mention.pronoun is not None or any("speaks" in h.data for h in mention.heads)
     touching = before[-1:] == [chunks[k - 1]] and told
     if not (marked or waits or touching) or not _acts(k, chunks):

@@ -61,3 +61,13 @@ class State:
     resumed: list[Mention] = field(default_factory=list)
     being: Mention | None = None
     dependent: bool = False
+
+    @property
+    def waiting(self) -> Mention | None:
+        """The candidate, as long as it has no verb of its own."""
+        return self.candidate if not self.candidate_done else None
+
+    @property
+    def last(self) -> Event | None:
+        """The last event of the sentence."""
+        return self.events[-1] if self.events else None

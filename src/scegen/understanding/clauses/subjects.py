@@ -123,8 +123,8 @@ def _clause(event: Event, state: State) -> None:
         return  # "a fallen tree that blocks the lane"
     if state.relating is not None and event.finite and between == {","}:
         event.subject, state.relating = [state.relating], None
-    elif _past_being(event, state) and state.candidate is not None:
-        event.subject, event.embedded = chain(state.candidate), False
+    elif state.waiting is not None and _past_being(event, state):
+        event.subject, event.embedded = chain(state.waiting), False
     elif "rel" in between and state.mentions:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
@@ -137,8 +137,8 @@ def _clause(event: Event, state: State) -> None:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
         _after_mention(event, anchor, state)
-    elif isinstance(anchor, Event) and event.finite and _waits(state):
-        event.subject = chain(state.candidate) if state.candidate else []
+    elif isinstance(anchor, Event) and event.finite and state.waiting is not None:
+        event.subject = chain(state.waiting)  # "a man with a walking frame crosses"
     elif isinstance(anchor, Event):
         depend(event, granting(event, anchor), "ing")
         event.subject = anchor.subject
@@ -147,14 +147,9 @@ def _clause(event: Event, state: State) -> None:
         _subjectless(event, state)
 
 
-def _waits(state: State) -> bool:
-    """``a man with a walking frame crosses``: whether a noun still has no verb of its own."""
-    return state.candidate is not None and not state.candidate_done
-
-
 def _past_being(event: Event, state: State) -> bool:
     """``a van that is behind the ego brakes``: the van, as "is" has its end before the verb."""
-    if not {"rel", "aux:be"} <= state.between or "," in state.between or not _waits(state):
+    if not {"rel", "aux:be"} <= state.between or "," in state.between:
         return False
     helped = bool({"aux:do", "aux:will", "aux:can", "aux:modal"} & state.between)
     beside = state.mentions[-1:] != [state.candidate] and event.name not in PASSIVE
@@ -168,41 +163,31 @@ def _antecedent(state: State) -> Mention:
 
 def _subjectless(event: Event, state: State) -> None:
     """``while turning``: the subject of the clause before, or of the one that follows."""
-    candidate = state.candidate
-    if candidate is not None and not state.candidate_done and event.finite:
-        event.subject = chain(candidate)
-    elif state.events and not event.finite and "," not in state.between:
-        event.subject = state.main or state.events[-1].subject
+    if state.waiting is not None and event.finite:
+        event.subject = chain(state.waiting)
+    elif state.last is not None and not event.finite and "," not in state.between:
+        event.subject = state.main or state.last.subject
     elif state.main and state.events:
         event.subject = state.main
-    elif candidate is not None:
-        event.subject = chain(candidate)
-    elif state.events:
-        event.subject = state.events[-1].subject
     else:
         state.pending.append(event)
 
 
 def _after_comma(event: Event, state: State) -> None:
-    waiting = state.candidate is not None and not state.candidate_done
-    who = state.candidate
-    placed = who is not None and any(p.target is state.anchor for p in who.pps)
-    if state.resumed and event.finite and not waiting:
-        event.subject, state.resumed = state.resumed, []
-        return
-    if waiting and (state.anchor is who or placed) and state.candidate is not None:
-        event.subject = chain(state.candidate)  # "when a van, turning left, fails to yield"
-        return
+    who = state.waiting
     beside = None if event.finite else _on_foot(event, state) or told_beside(state, "with", "by")
-    if beside is not None:
+    if state.resumed and event.finite and who is None:
+        event.subject, state.resumed = state.resumed, []
+    elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
+        event.subject = chain(who)  # "when a van, turning left, fails to yield"
+    elif beside is not None:
         event.subject = [beside]
-        return
-    if state.candidate is not None and (event.finite or not state.main):
+    elif state.candidate is not None and (event.finite or not state.main):
         event.subject = chain(state.candidate)
-    elif state.events:
+    elif state.last is not None:
         event.subject = main_in_sentence(state)
-        if not event.finite:
-            _inherit_mood(event, state)
+        if not event.finite:  # what hangs on an obliged verb is no less obliged
+            event.modal = event.modal or state.last.modal
     else:
         state.pending.append(event)
 
@@ -211,11 +196,6 @@ def _on_foot(event: Event, state: State) -> Mention | None:
     """``a child …, running``: who is on foot."""
     on_foot = [m for m in state.mentions if m.head is not None and m.head.value == "pedestrian"]
     return on_foot[-1] if event.name == "walk" and on_foot else None
-
-
-def _inherit_mood(event: Event, state: State) -> None:
-    """A participle that hangs on an obliged verb is no less obliged."""
-    event.modal = event.modal or state.events[-1].modal
 
 
 def main_in_sentence(state: State) -> list[Mention]:
@@ -232,13 +212,12 @@ def main_in_sentence(state: State) -> list[Mention]:
 
 
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
-    waiting = state.candidate is not None and not state.candidate_done
-    if event.finite and waiting and state.candidate is not None:
-        event.subject = chain(state.candidate)
+    if event.finite and state.waiting is not None:
+        event.subject = chain(state.waiting)
         return
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
-    last = state.events[-1] if state.events else None
+    last = state.last
     within = anchor.prep is not None and anchor.prep.value == "in" and anchor.head is not None
     if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
