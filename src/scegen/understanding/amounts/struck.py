@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import CONTACT, Measure
-from scegen.scenario.vocabulary import BodySide, ParticipantKind, Side
+from scegen.scenario.vocabulary import BodySide, HazardKind, ParticipantKind, Side
 from scegen.understanding.amounts.teller import Teller
 from scegen.understanding.amounts.whom import ego_of
 from scegen.understanding.chunks import NounPhrase, Place, Thing
@@ -59,7 +59,12 @@ class Struck(Teller):
                 and ego in ending.between
                 and part is BodySide.REAR
             ):
-                ending.struck, ending.struck_basis = BodySide.FRONT, basis
+                backs = any(
+                    d.kind is HazardKind.REVERSING and ego in d.by
+                    for d in self._context.draft.dangers
+                )
+                ending.struck = BodySide.REAR if backs else BodySide.FRONT
+                ending.struck_basis = basis
 
     def _portion(self, place: Place) -> NounPhrase | None:
         """``the left half`` of its front, ``the right corner`` of the ego's front."""
