@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Maneuver
-from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.chunks import Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.which_road import AGAINST, ALONG
 from scegen.understanding.semantics.context import Clause, Context
@@ -31,9 +31,6 @@ def keep_along(clause: Clause, context: Context) -> bool:
     free = not any(Maneuver.CROSS in e.maneuvers for e in clause.walkers)
     along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
     along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
-    along = along or (
-        _own_word(event, context) in word_list("lengthwise") and event.object is not None
-    )
     return aside or (along and not words & word_list("across"))
 
 
@@ -59,11 +56,6 @@ def _from_or_to_a_vehicle(prep: Prep, context: Context) -> bool:
     towards = context.tokens[prep.word.i].low in {"towards", "toward", "away"}
     who = prep.target.entities if isinstance(prep.target, Mention) else []
     return towards and any(e.is_vehicle and not e.parked for e in who)
-
-
-def _own_word(event: Event, context: Context) -> str:
-    """The last word of the verb itself ("runs along")."""
-    return context.tokens[event.j - 1].low
 
 
 def _lengthwise(prep: Prep, context: Context) -> bool:

@@ -56,15 +56,10 @@ def _has_to_wait(clause: Clause, context: Context) -> bool:
     event, junction = clause.event, context.junction
     if _signed(clause):
         return True
-    if event.name not in {"stop", "slow", "brake", "wait"}:
-        return False
     if junction.control in _SIGNED or any(context.comes_across(e) for e in clause.drivers):
         return True
-    parent = event.parent
-    onto = parent is not None and parent.name in {"enter", "pull_out", "cross", "move"}
-    onto = onto and any(p.value == "into" for p in (parent.pps if parent else []))
-    if event.link == "ing" and (onto or (parent is not None and parent.name == "pull_out")):
-        return True  # "rides onto the road without stopping"
+    if event.link == "ing" and event.parent is not None and event.parent.name == "pull_out":
+        return True  # "pulls out without stopping"
     awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in event.pps)
     joins = junction.crossing or context.draft.access is not None or junction.control is not None
     return (event.link == "ing" or (awaited and event.name == "wait")) and joins

@@ -38,13 +38,6 @@ def _aloof(e: Entity, context: Context) -> bool:
     return not any(e in {p.entity, p.reference} for p in context.draft.placements)
 
 
-def _in_front(e: Entity, context: Context) -> bool:
-    return any(
-        p.entity is e and p.reference is None and p.approaches == {Approach.AHEAD}
-        for p in context.draft.placements
-    )
-
-
 def _slow(e: Entity, context: Context) -> bool:
     return any(d.kind in _SLOWER and e in d.by for d in context.draft.dangers)
 
@@ -85,7 +78,6 @@ ENTITY: dict[str, EntityTest] = {
     "across": lambda e, c: c.comes_across(e),
     "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
     "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},
-    "in_front": _in_front,
     "aloof": _aloof,
     "unplaced": _unplaced,
     "unseen": _unseen,
