@@ -7,6 +7,18 @@ from scegen.understanding.chunks import Event, Place, Prep
 _LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
 
 
+def own_lane(event: Event, prep: Prep) -> bool:
+    """``the ego follows a van in the right lane``: that is the ego's lane, too.
+
+    Args:
+        event: what happens.
+        prep: a phrase after its object.
+    """
+    lane = isinstance(prep.target, Place) and prep.target.kind == "lane" and prep.value == "in"
+    ego = any(e.ego for m in event.subject for e in m.entities)
+    return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
+
+
 def is_side(prep: Prep) -> bool:
     """Whether a phrase names a side.
 

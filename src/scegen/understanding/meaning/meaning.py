@@ -85,7 +85,11 @@ class Interpreter:
             for e in events
             for p in e.pps
             if p.on_mention is e.object
-            and (_starts(e, p) or (e.name in _BESIDE and bearing.is_side(p)))
+            and (
+                _starts(e, p)
+                or (e.name in _BESIDE and bearing.is_side(p))
+                or bearing.own_lane(e, p)
+            )
         }
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
