@@ -22,7 +22,7 @@ from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.meaning.too_fast import too_fast
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, silence
-from scegen.understanding.phrases.identity import in_brackets
+from scegen.understanding.phrases.identity import in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.on_sides import each_of
 from scegen.understanding.phrases.opening_doors import open_doors
@@ -88,7 +88,7 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
     chunks = name_roads(name_hiders(chunks), tokens)
-    chunks = spell_out(announce(each_of(in_brackets(chunks))))
+    chunks = spell_out(announce(each_of(in_brackets(under_test(chunks, tokens)))))
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)

@@ -1,12 +1,14 @@
-"""``V1 (ego, a truck)``: one and the same."""
+"""``V1 (ego, a truck)``, ``the vehicle … the vehicle under test``: one and the same."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
 
 _WHOLE = 6
 """Somebody, a bracket, two names with a comma between, a bracket."""
+_HELPS = frozenset({"aux", "manner"})
 
 
 def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
@@ -23,6 +25,25 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
         else:
             found.append(chunk)
     return found
+
+
+def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``the vehicle follows a van …; the vehicle under test stops``: the vehicle is that one.
+
+    Whom a text begins with by a mere noun is nobody new, if the ego is called by that noun later.
+    """
+    named = [c for c in chunks if isinstance(c, Mention) and c.heads]
+    first = named[0] if named else None
+    if first is None or first.head is None or first.is_ego:
+        return chunks
+    after = chunks[chunks.index(first) + 1 :]
+    verb = next((c for c in after if not (isinstance(c, Word) and c.cat in _HELPS)), None)
+    mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
+    if mere and isinstance(verb, Event):  # "the vehicle ahead" is another one
+        noun = tokens[first.head.i].low
+        egos = [a for a in named[1:] if a.is_ego and noun in {t.low for t in tokens[a.i : a.j]}]
+        first.heads = [*(egos[0].heads if egos else []), *first.heads]
+    return chunks
 
 
 def _says_who(chunk: Chunk | None) -> bool:
