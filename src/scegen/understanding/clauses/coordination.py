@@ -6,6 +6,9 @@ from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.state import State
 
+_ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
+"""What one does who comes up to others."""
+
 
 def auxiliary(state: State) -> bool:
     """Whether an auxiliary stands before the verb."""
@@ -53,8 +56,8 @@ def coordinate(event: Event, state: State) -> None:
         return  # "ahead of the ego, which is doing 70 km/h and stops"
     outer = [e for e in verbs if not e.embedded]
     relative = bool(verbs) and verbs[-1].embedded and verbs[-1].form == event.form
-    # "A car passes the ego, which drives on, and changes lanes".
-    if relative and "," in state.between:
+    # "A car passes the ego, which drives on, and changes lanes", "… a jam that crawls and brakes".
+    if relative and ("," in state.between or _no_jam(event, verbs[-1].subject)):
         verbs = outer or verbs
     alike = [e for e in verbs if _shape(e) == wanted]
     exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
@@ -81,6 +84,12 @@ def coordinate(event: Event, state: State) -> None:
     alternative(event, parallel, state)
 
 
+def _no_jam(event: Event, subject: list[Mention]) -> bool:
+    """``comes up to a jam that crawls and brakes late``: what one does, and no jam."""
+    head = subject[-1].head if subject else None
+    return event.name in _ONES and head is not None and bool(head.data.get("mass"))
+
+
 def _as_finite(first: Event, second: Event) -> bool:
     """``does not slow and swings out``: "do" bears the ending that the second verb bears."""
     return first.form == second.form or (first.form == "base" and not first.modal)
@@ -89,5 +98,7 @@ def _as_finite(first: Event, second: Event) -> bool:
 def _agree(verb: Event, subject: list[Mention]) -> bool:
     """``must wait until two trucks have passed and then turns``: no plural turns."""
     plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
+    if verb.form == "s" and any(m.head is not None and m.head.data.get("me") for m in subject):
+        return False  # "fails to see that we stop and rams our rear"
     numbered = any((m.label or "").startswith("#") for m in subject)
     return verb.form != "s" or numbered or not plural
