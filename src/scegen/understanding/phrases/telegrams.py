@@ -13,7 +13,7 @@ from scegen.understanding.words.terms import Term
 _WAYS = frozenset({"left", "right", "straight"})
 _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "(", "both"})
 _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
-_WITHIN = frozenset({"prep", "locus", "dir", "manner", "label"})
+_WITHIN = frozenset({"prep", "locus", "dir", "manner", "label", "quantity"})
 _NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent", "stop"})  # fmt: skip

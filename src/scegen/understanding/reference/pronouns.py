@@ -83,9 +83,10 @@ class Pronouns:
         word = self.tokens[mention.i].low
         if word == "it":
             recent = [e for e in recent if e.is_vehicle] or recent
-            others = [e for e in recent if "speaks" not in e.named_by]
-            recent = others or recent  # whoever tells it is no "it"
-            subject = [e for e in subject if "speaks" not in e.named_by] if others else subject
+        others = [e for e in recent if "speaks" not in e.named_by]
+        if others and word != "that":  # whoever tells it is no "it", and no "he"
+            recent = others
+            subject = [e for e in subject if "speaks" not in e.named_by]
         if word == "it" and len(subject) > 1:
             others = [e for e in recent if e not in subject]  # "two cars pass; it turns"
             told = self.roster.before if len(self.roster.before) == 1 else recent
