@@ -144,7 +144,8 @@ class Known:
         ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
         car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
         own = own and ego not in exclude and "target" not in " ".join(reading.called)
-        if own and car and len(only) == 1 and ego is not None and reading.det == "def":
+        alone = len(only) == 1 and ego is not None and not elsewhere(reading, mention, ego)
+        if own and car and alone and ego is not None and reading.det == "def":
             return [ego]  # "the ego reverses; a child stands behind the car"
         rest = [e for e in self.roster.draft.entities if not e.ego]
         if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:

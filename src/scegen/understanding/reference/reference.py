@@ -63,6 +63,8 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     """
     if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
+    if entity.ego and any((m.cat, m.value) == ("verb", "approach") for m in mention.mods):
+        return True  # "the ego turns; the approaching car …": it comes towards the ego
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
     return bare and bool(mention.pps) and bool(entity.dirs)
 
