@@ -25,6 +25,8 @@ INVERSE = {
     Approach.ADJACENT: Approach.ADJACENT,
 }
 """How one sees another, by how the other sees the one."""
+FACING = {"north": "south", "south": "north", "east": "west", "west": "east"}
+"""Heading -> the opposite one."""
 SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip

@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place, Thing
 from scegen.understanding.draft import Entity
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.approaches import FACING
 from scegen.understanding.semantics.context import Clause, Context
 
 _BESIDE = frozenset({"adjacent", "left", "right"})
@@ -65,9 +66,8 @@ def against(entity: Entity, place: Place) -> bool:
         place: the lane.
     """
     ways = {m.value for m in place.mods if m.cat == "compass"}
-    opposed = {"north": "south", "south": "north", "east": "west", "west": "east"}
     heading = entity.heading or ""
-    return place.kind == "lane" and opposed.get(heading, "") in ways
+    return place.kind == "lane" and FACING.get(heading, "") in ways
 
 
 def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]:

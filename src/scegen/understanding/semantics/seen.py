@@ -7,12 +7,11 @@ from scegen.understanding.chunks import Event, Place
 from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import BY_DIR, SIDES, place_approaches
+from scegen.understanding.semantics.approaches import BY_DIR, FACING, SIDES, place_approaches
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.site import Put, Site
 from scegen.understanding.words.quantities import ends_a_quantity
 
-_FROM = {"north": "south", "south": "north", "east": "west", "west": "east"}
 _ACROSS = {"left": Approach.RIGHT, "right": Approach.LEFT}
 _SIDE_REACH = 3
 
@@ -109,7 +108,7 @@ def _headed(entity: Entity, site: Site) -> None:
     if term is None or entity.heading is not None:
         return
     back = site.value == "from" and "bound" not in term.data
-    entity.heading = _FROM[term.value] if back else term.value
+    entity.heading = FACING[term.value] if back else term.value
     entity.heading_basis = site.basis
 
 

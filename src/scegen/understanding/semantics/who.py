@@ -14,6 +14,7 @@ from typing import TypeAlias
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Entity
 from scegen.understanding.semantics import doing, lanes, met, owed
+from scegen.understanding.semantics.approaches import FACING
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
 
@@ -64,6 +65,9 @@ ENTITY: dict[str, EntityTest] = {
     "free": lambda e, _: not e.maneuvers,
     "turns": lambda e, _: bool(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT}),
     "headed": lambda e, _: e.heading is not None,
+    "faced": lambda e, c: any(
+        o.heading and FACING[o.heading] == e.heading for o in c.draft.entities
+    ),
     "pulls_out": lambda e, _: e.pulls_out,
     "walks_up": lambda e, _: e.walks_up,
     "gives_way": lambda e, _: e.gives_way,
