@@ -227,7 +227,7 @@ class Draft:
                 danger.by += [e for e in by if e not in danger.by]
                 danger.to += [e for e in to if e not in danger.to]
                 return
-        self.dangers.append(Danger(kind, basis, list(by), list(to)))
+        self.dangers.append(Danger(kind, basis, list(dict.fromkeys(by)), list(to)))
 
     def place(
         self, entity: Entity, reference: Entity | None, approaches: set[Approach], basis: Basis

@@ -28,7 +28,7 @@ def alongside(draft: Draft, ego: Entity, tokens: list[Token]) -> None:
         goes_on = entity.maneuvers <= {Maneuver.STRAIGHT} and not crosses
         words = [t.low for t in tokens[basis.i : basis.j]]
         from_behind = Approach.BEHIND in entity.approaches
-        comes_from = (words[0] == "from" and not from_behind) or "front" in words
+        comes_from = (words[:1] == ["from"] and not from_behind) or "front" in words
         if turn is None or ego.maneuvers != {turn} or not goes_on or comes_from:
             continue
         reason = f"beside the ego, on the {side}: it turns across its way"
