@@ -140,6 +140,7 @@ class Interpreter:
                     say("nouns.idle", clause_of_noun(chunk), self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, chunks, self._draft)
+                self._context.screens += [chunk.i] if chunk.kind == "object" else []
                 self._context.barred |= chunk.kind in {"object", "obstacle"}
 
     def _mention(self, mention: Mention) -> None:

@@ -42,6 +42,7 @@ FACTS: dict[str, Test] = {
     "unable": lambda clause, _: clause.event.unable,
     "sudden": lambda clause, _: clause.sudden is not None,
     "premodifier": lambda clause, _: clause.event.premod_of is not None,
+    "subject": lambda clause, _: bool(clause.event.subject),
     "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
     "directed": lambda clause, _: bool(clause.event.dirs),
     "at_a_speed": lambda clause, _: any(

@@ -100,6 +100,8 @@ class Context:
     """The side of a turn across oncoming traffic: right where traffic keeps left."""
     told_in_the_past: bool = False
     """Whether the text tells in the past tense, so that "stopped" is something that happened."""
+    screens: list[int] = field(default_factory=list)
+    """Where in the text things are named that one cannot see through."""
     acts: list[Any] = field(default_factory=list)
     """What is done, as rows tell it."""
     letting: list[Entity] = field(default_factory=list)

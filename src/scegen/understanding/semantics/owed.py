@@ -19,6 +19,7 @@ _SIGNED = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _FREE = frozenset({None, Control.UNCONTROLLED, Control.PRIORITY_TO_RIGHT,
                    Control.SIGNALS_OFF})  # fmt: skip
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
+_NEAR = 12
 _PHRASE = 5
 
 
@@ -166,6 +167,7 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "object_it": lambda clause, c: _it(clause.event.object, c),
     "out_of_the_stem": _out_of_the_stem,
     "noted": lambda clause, _: any(m.cat == "noted" for m in clause.event.mods),
+    "screen_before": lambda clause, c: any(0 < clause.event.i - i < _NEAR for i in c.screens),
     "nobody_acts": lambda clause, _: any(
         m.pronoun in {"everybody", "neither", "nobody"} for m in clause.event.subject
     ),

@@ -84,6 +84,8 @@ _FILTERS: dict[str, NounTest] = {
     "different": lambda n, _: any(m.value in {"different", "another"} for m in n.mods),
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
     "unprotected": lambda n, _: any(m.value == "unprotected" for m in n.mods),
+    "ranked": lambda n, _: n.head is not None and "ranked" in n.head.data,
+    "compound": lambda n, _: n.head is not None and n.head.j - n.head.i > 1,
     "gap": lambda n, _: n.head is not None and "gap" in n.head.data,
     "leads_off": lambda n, _: n.head is not None and n.head.data.get("auxiliary") == "off_ramp",
     "plural": lambda n, _: n.head is not None and n.head.form == "s",
