@@ -83,6 +83,10 @@ ENTITY: dict[str, EntityTest] = {
     "across": lambda e, c: c.comes_across(e),
     "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
     "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},
+    "in_front": lambda e, c: any(
+        p.entity is e and p.reference is None and p.approaches == {Approach.AHEAD}
+        for p in c.draft.placements
+    ),
     "aloof": _aloof,
     "unplaced": _unplaced,
     "unseen": _unseen,
