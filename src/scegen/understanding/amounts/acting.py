@@ -84,7 +84,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         return []
     made = []
     for doing in [d for d in context.acts if whom or d.kind is not ActKind.GIVE_WAY]:
-        to_the_side(doing, scene, context)
+        to_the_side(doing, scene, text, context)
         doing.forced = doing.entity.ego and event.modal
         # "must brake or swerve", "must go round it, giving way": not what it does as an answer.
         either = [t.low for t in context.tokens[event.j : event.j + 1]] == ["or"]
@@ -153,7 +153,9 @@ def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
         if before is None or not {before.kind, doing.kind} <= _SLOWING:
             return False
         if before.kind is ActKind.STOP:  # "stops with a deceleration of 3 m/s²"
-            return text.bounds(before.i) == text.bounds(doing.i) and doing.nominal
+            same = text.bounds(before.i) == text.bounds(doing.i) and doing.nominal
+            before.told += [doing.i] if same else []
+            return same
         return not doing.always
     if before.i == doing.i:
         return doing.kind is not ActKind.GIVE_WAY or before.into is doing.into

@@ -62,10 +62,11 @@ def _followed(text: Sentences, context: Context) -> None:
     slow = [e for d in context.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
     for scene in text.scenes:
         pair = [*scene.actors[:1], *scene.targets[:1]]
-        if scene.event.name not in {"follow", "tailgate"} or len(pair) != _PAIR:
+        follows = scene.event.name in {"follow", "tailgate"}
+        if not follows or len(pair) != _PAIR or scene.event.negated:
             continue
         known = [e for e in pair if e.speed is not None]
-        if len(known) != 1 or any(e in slow for e in pair):
+        if len(known) != 1 or any(e in slow or e.still or not e.is_vehicle for e in pair):
             continue
         other = next(e for e in pair if e is not known[0])
         other.speed = known[0].speed

@@ -5,11 +5,11 @@ from __future__ import annotations
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import HazardKind, Side
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.chunks import Place, Prep, Thing
+from scegen.understanding.chunks import Mention, Place, Prep, Thing
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.happenings import Item
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.context import Context
+from scegen.understanding.semantics.context import Clause, Context
 
 _MOST = 5
 _NEAR = 4
@@ -86,6 +86,7 @@ def _hide(danger: Danger, text: Sentences, found: list[Item]) -> None:
     i, j = danger.basis.i or 0, danger.basis.j or 0
     start, end = text.bounds(i)
     things = [t for t in _things(text) if start <= t.i < end and t.kind in {"object", "obstacle"}]
+    things += [t for t in _things(text) if t not in things and t.kind == "object"]
     # "a crate lies there and a hedge hides …": what lies in the way is named already.
     things.sort(key=lambda t: any(f.basis.i == t.i for f in found))
     for thing in things[:1]:
@@ -129,7 +130,9 @@ def kind_of(thing: Thing) -> str:
 
 
 def _known(thing: Thing, found: list[Item]) -> Item | None:
-    return next((f for f in reversed(found) if f.kind.value == kind_of(thing)), None)
+    alike = [f for f in found if f.kind.value == kind_of(thing)]
+    same = [f for f in alike if f.basis.i == thing.i]
+    return same[0] if same else alike[-1] if alike else None
 
 
 def _count(thing: Thing) -> int:
@@ -164,10 +167,16 @@ def _hidden(thing: Thing, text: Sentences, i: int, j: int) -> list[Entity]:
         if any(_behind(p, thing) for p in scene.event.pps):
             return [e for e in (scene.actors or scene.targets) if not e.ego]
     for scene in [s for s in here if i <= s.event.i <= j or s.event.name == "hide"]:
-        who = [e for e in scene.targets if not e.ego]
+        who = _seen_in(scene)
         if who:
             return who
     return []
+
+
+def _seen_in(scene: Clause) -> list[Entity]:
+    direct = scene.event.object
+    named = list(direct.entities) if isinstance(direct, Mention) else scene.targets
+    return [e for e in (named or scene.actors) if not e.ego]
 
 
 def _behind(prep: Prep, thing: Thing) -> bool:

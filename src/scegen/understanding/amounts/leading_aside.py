@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
+from scegen.understanding.amounts.sentences import Sentences
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context
 
 SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
+_BACK = {"left": "right", "right": "left"}
 OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 
 
-def to_the_side(doing: Doing, scene: Clause, context: Context) -> None:
+def to_the_side(doing: Doing, scene: Clause, text: Sentences, context: Context) -> None:
     """Fill in to which side an act leads, and into whose lane.
 
     Args:
         doing: the act; others are left as they are.
         scene: the clause that tells of it.
+        text: the text with its clauses.
         context: the scenario in the making.
     """
     if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
@@ -26,7 +29,10 @@ def to_the_side(doing: Doing, scene: Clause, context: Context) -> None:
     event, entity = scene.event, doing.entity
     goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
-    sources = [p.target for p in event.pps if p.value == "from"]
+    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
+    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
+    moved = [event.object, *sources]  # "moves one lane to the left", "leaves the lane to the left"
+    lanes = [c for c in lanes if not any(c is m for m in moved)]
     out_of = [
         c
         for c in sources
@@ -34,8 +40,12 @@ def to_the_side(doing: Doing, scene: Clause, context: Context) -> None:
     ]
     for goal in [p for p in goals if isinstance(p, Place)]:
         there = goal.kind == "side" and any(c.i < goal.i <= c.j + 1 for c in out_of)
-        if not there:  # "from the lane to our left"
-            sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]
+        if there:  # "from the lane to our left"
+            sides += [(_BACK[d], Basis(goal.i, goal.j)) for d in goal.dirs if d in _BACK]
+            continue
+        within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
+        named = [] if within else goal.dirs  # "from the lane to its right": from there
+        sides += [(d, Basis(goal.i, goal.j)) for d in named]
     for value, basis in sides:
         if value in SIDES and doing.side is None:
             doing.side, doing.side_basis = SIDES[value], basis

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
 from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
@@ -119,7 +119,7 @@ def _describes(told: Clause, after: list[Clause]) -> bool:
 def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     """``a pedestrian crosses, the ego waits``: whoever comes across its way just before."""
     event = clause.event
-    other = [p for p in event.pps if p.value != "for"]
+    other = [p for p in event.pps if p.value != "for" or not isinstance(p.target, Thing)]
     if not all(e.is_vehicle and not e.parked for e in clause.actors) or other or event.object:
         return []  # "waits for a gap" says no more of whom than "waits"
     before = [s for s in scenes if s.event.i < event.i and event.sentence - s.event.sentence <= 1]

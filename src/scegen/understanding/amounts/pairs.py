@@ -50,7 +50,14 @@ def row_of(number: Measured, text: Sentences, context: Context) -> list[tuple[En
 def _in_one_file(members: list[Entity], context: Context) -> bool:
     """``three cars stand in the ego's lane``: one behind the other, the first named in front."""
     ego = ego_of(context)
-    ahead = all(e.stands is not None for e in members)
+    ahead = all(
+        any(
+            p.entity is e and p.approaches == {Approach.AHEAD} and p.reference in (None, ego)
+            for p in context.draft.placements
+        )
+        or e.stands is not None
+        for e in members
+    )
     alike = len({e.kind for e in members}) == 1
     if not (ahead and alike and ego is not None and ego not in members):
         return False
@@ -80,6 +87,8 @@ def pair_of(number: Measured, text: Sentences, context: Context) -> tuple[Entity
     holder = [m for m in text.mentions for p in m.pps if p.word is word and m.i < number.i]
     if holder and len(holder[0].entities) == 1 and named:
         subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
+    if isinstance(noun, Mention) and noun.pronoun is not None and named == subject:
+        named = []  # "and the ego, 15 m behind it": not behind itself
     pairs = [m.entities for m in text.mentions if m.i < number.i and len(m.entities) == _PAIR]
     if number.around.opens("between_two") and pairs:
         return pairs[-1][0], pairs[-1][1]

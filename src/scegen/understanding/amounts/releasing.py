@@ -73,7 +73,8 @@ class Releaser(Teller):
         """Between whom a measure comes down to a value that sets something off."""
         text = self._text
         noun, _ = self._what_follows(number)
-        named = [e for e in text.named(noun) if e is not subject]
+        own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
+        named = [e for e in (text.named(noun) if not own else []) if e is not subject]
         if line is not None:
             named = [e for e in self._on_it() if e is not subject]
             if len(named) != 1:

@@ -183,7 +183,7 @@ class Sentences:
             i: index of a token.
         """
         start, _ = self.bounds(i)
-        own = self.adjacent(i) or self._owner(start)
+        own = self.adjacent(i) or self._owner(start, i)
         if own:
             return own
         before = [s for s in self.within(start, i) if s.actors]
@@ -199,10 +199,16 @@ class Sentences:
             return list(last.actors)
         return list((free or named)[-1].entities) if (free or named) else []
 
-    def _owner(self, start: int) -> list[Entity]:
+    def _owner(self, start: int, i: int) -> list[Entity]:
         """``its speed is 50 km/h``, ``my speed``: whose a measure is that opens a sentence."""
-        if self.tokens[start].low not in words()["whose"]:
+        word = self.tokens[start].low
+        if word not in words()["whose"]:
             return []
+        acting = any(s.actors for s in self.within(start, i))
+        if acting or any(start < m.i < i for m in self.mentions):
+            return []
+        if word in {"my", "our"}:
+            return [e for m in self.mentions for e in m.entities if e.ego][:1]
         before = [m for m in self.mentions if m.i < start and m.entities and not m.possessor]
         opening = self.bounds(start - 2)[0] if start > 1 else start
         said = [m for m in before if m.i >= opening and m.prep is None]

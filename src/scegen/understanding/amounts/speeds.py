@@ -124,6 +124,12 @@ def _whose(number: Measured, text: Sentences) -> list[Entity]:
     """Who drives or walks so fast."""
     start, _ = text.bounds(number.i)
     scene = text.scene_at(number.i, number.j)
+    adjacent = text.adjacent(number.i)
+    if adjacent:
+        return adjacent
+    inside = text.own_subject(number.i)
+    if inside:
+        return inside
     movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
     owned = text.tokens[start].low in words()["whose"]
     return text.subject_before(number.i) if owned or not movers else movers

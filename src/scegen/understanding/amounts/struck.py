@@ -28,6 +28,8 @@ class Struck(Teller):
         start, end = self._text.bounds(i)
         ego = ego_of(self._context)
         for place in self._text.places(start, end, {"side", "front", "flank"}):
+            if self._text.tokens[place.i - 2].low == "overlap":
+                continue
             corner = "front" in place.dirs and bool({"left", "right"} & set(place.dirs))
             part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
             part = BodySide.FRONT if corner else part
@@ -119,11 +121,12 @@ class Struck(Teller):
         if scene is None:
             return None
         direct = scene.event.object is place
+        flank = bool({"left", "right"} & set(place.dirs))
         at = place.prep is not None and place.prep.value == "in"
         if at and scene.event.name == "collide" and scene.targets:
             return scene.targets[0]  # "hits us in the side", "is hit on its right side"
         into = place.prep is not None and place.prep.value == "into"
-        met = direct or (into and not scene.event.passive)
+        met = direct or (into and (flank or not scene.event.passive))
         if met and own and scene.actors:  # "a car behind hits its rear"
             ego = ego_of(self._context)
             return (
@@ -131,7 +134,8 @@ class Struck(Teller):
             )
         if own or not direct:
             doer = scene.actors[0] if scene.actors else None
-            return ego_of(self._context) if doer is None else doer
+            hit_by = scene.event.passive and place.prep is not None and place.prep.value == "by"
+            return ego_of(self._context) if hit_by or doer is None else doer
         return None
 
     def _middle(self, ending: Ending, place: NounPhrase, start: int) -> None:

@@ -51,7 +51,8 @@ class Clock(Teller):
         doing = self._delayed(number)
         who = [doing.entity] if doing is not None else self._text.subject_before(number.i)
         waits = [e for e in self._context.draft.entities if e.light and e.light[0] is AtLight.WAITS]
-        return next((e for e in waits if e in who), None)
+        named = [e for e in waits if e in who]
+        return next(iter(named or ([] if who else waits)), None)
 
     def _since_green(self, doing: Doing) -> None:
         """``the light turns green. The car ahead sets off 3 s later``: since the green."""
