@@ -14,7 +14,8 @@ _JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "whe
 _HEADS = frozenset({"collision", "gap", "distance", "headway", "ttc", "spacing", "overlap"})
 """Nouns of a measure: a clause between one and its number says when."""
 _CLOSE = frozenset({"to", "by", "for", "in", "over", "at", "with", "after", "within",
-                    "from", "only", "just", "following"})  # fmt: skip
+                    "from", "only", "just", "following",
+                    "no", "without", "never", "neither", "nor", "not", "n't"})  # fmt: skip
 """Words that mean something only right before the number."""
 _FURTHER = frozenset({"with", "at", "by"})
 """Words that begin another statement after a number."""
