@@ -113,7 +113,8 @@ def test_a_bend_to_the_left_is_no_turn():
 
 def test_out_of_a_road_named_by_its_direction():
     scenario = read("V1 turned left from northbound Elm Street. V2 was heading south.")
-    assert scenario.participant("car_2").approaches == {"opposite"}
+    (other,) = [p for p in scenario.participants if p.role == "other"]
+    assert other.approaches == {"opposite"}
 
 
 @pytest.mark.parametrize(
