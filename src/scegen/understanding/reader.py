@@ -17,6 +17,7 @@ from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.hiders import name_hiders
+from scegen.understanding.meaning.manner import Manners
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.meaning.too_fast import too_fast
@@ -103,7 +104,8 @@ def read(text: str) -> FunctionalScenario:
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)
-    scenes = Interpreter(context, numbers, surroundings.measured).run(chunks, events)
+    manners = Manners(context, numbers, surroundings.measured)
+    scenes = Interpreter(context, manners).run(chunks, events)
     ego = choose_ego(draft)
     happenings = read_amounts(numbers, chunks, scenes, context)
     for scene in scenes:

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
-
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.clauses import bearing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import Numbers
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing, rows, standing
 from scegen.understanding.meaning.lights import read_lights
@@ -26,7 +23,6 @@ from scegen.understanding.semantics.roles import (
     without_nouns,
 )
 from scegen.understanding.semantics.rows import say
-from scegen.understanding.words.terms import Term
 
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
@@ -59,14 +55,13 @@ class Interpreter:
 
     Args:
         context: the scenario in the making.
-        numbers: the numbers of the text.
-        of_the_road: quantities that are a speed limit and the like, and nobody's.
+        manners: reads words of manner, measure and state.
     """
 
-    def __init__(self, context: Context, numbers: Numbers, of_the_road: Collection[Term]) -> None:
+    def __init__(self, context: Context, manners: Manners) -> None:
         self._context = context
         self._draft = context.draft
-        self._manners = Manners(context, numbers, of_the_road)
+        self._manners = manners
         self._clauses: list[Clause] = []
         self._of_verbs: set[int] = set()
 

@@ -71,7 +71,6 @@ ENTITY: dict[str, EntityTest] = {
     "pulls_out": lambda e, _: e.pulls_out,
     "walks_up": lambda e, _: e.walks_up,
     "gives_way": lambda e, _: e.gives_way,
-    "unmoved": lambda e, _: e.moves is None,
     "opposite": lambda e, _: "opposite" in e.dirs,
     "oncoming": lambda e, c: c.oncoming(e),
     "ahead": lambda e, c: c.placed(e, Approach.AHEAD),

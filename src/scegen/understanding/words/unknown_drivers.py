@@ -50,11 +50,12 @@ def _opened(terms: list[Term], k: int) -> bool:
 
 def _acts(terms: list[Term], k: int, number: str) -> bool:
     verb = terms[k + 1] if k + 1 < len(terms) else None
-    forms = {"base", "ed"} if number == "s" else {"s", "ed"}
-    told = verb is not None and verb.cat == "verb" and verb.form in forms
     before = _opener(terms, k) - 1
     governed = before >= 0 and terms[before].cat in _GOVERNING  # "a kid on a BMX shoots out"
-    return told and not governed and verb is not None and verb.value in word_list("driving")
+    if verb is None or verb.cat != "verb" or governed:
+        return False
+    forms = {"base", "ed"} if number == "s" else {"s", "ed"}
+    return verb.form in forms and verb.value in word_list("driving")
 
 
 def _suffers(terms: list[Term], k: int) -> bool:
