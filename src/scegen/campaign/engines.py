@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -19,7 +20,7 @@ from signal import (
     signal,
 )
 from socket import create_connection
-from threading import current_thread, main_thread
+from threading import ExceptHookArgs, current_thread, main_thread
 from typing import Any, TypeVar
 from warnings import catch_warnings
 
@@ -110,8 +111,25 @@ def _closed(results: Generator[R, None, None]) -> Iterator[Iterator[R]]:
     try:
         yield results
     finally:
-        with catch_warnings(action="ignore"):  # that some were still at work
+        with catch_warnings(action="ignore"), _unheard():  # that some were still at work
             results.close()
+
+
+@contextmanager
+def _unheard() -> Iterator[None]:
+    """Loky's thread looks for work that it has just thrown away, once its workers are killed."""
+    before = threading.excepthook
+
+    def heard(error: ExceptHookArgs) -> None:
+        thread = error.thread
+        if error.exc_type is not KeyError or not thread or thread.name != "ExecutorManagerThread":
+            before(error)
+
+    threading.excepthook = heard
+    try:
+        yield
+    finally:
+        threading.excepthook = before
 
 
 @contextmanager
