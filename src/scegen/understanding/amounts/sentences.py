@@ -268,7 +268,7 @@ class Sentences:
 
     def _shared(self, k: int) -> int:
         """``a van 60 m and a bus 75 m ahead of the ego``: the phrase after both holds for each."""
-        joint, *rest = [*self.chunks[k : k + 4], None]
+        joint, *rest = [*self.chunks[k : k + 4], None, None]
         rest = rest[isinstance(rest[0], Mention) :]
         measure, locus = (*rest, None, None)[:2]
         both = isinstance(joint, Word) and joint.value in {"and", "or"}
