@@ -113,7 +113,7 @@ def test_no_junction_where_none_is():
         ("The leading truck's cargo falls onto the carriageway.", {"obstacle"}),
         ("Vehicle 1 was waiting at a red light. Vehicle 2 failed to brake and struck Vehicle 1.",
          {"delayed_braking"}),
-        ("A delivery van is unloading in the ego's lane.", {"stopping"}),
+        ("A delivery van is unloading in the ego's lane.", {"obstacle"}),
     ],
 )  # fmt: skip
 def test_dangers_of_things_and_of_those_who_stand(text, expected):
