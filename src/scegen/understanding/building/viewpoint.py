@@ -25,7 +25,9 @@ _PARTIES = ("insured", "claimant")
 def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     """The ego with the reason for the choice; adds one if no vehicle moves."""
     named = next((e for e in draft.entities if e.ego), None)
-    if named is not None:
+    if named is not None and "speaks" in named.named_by and not named.is_vehicle:
+        _look_on(draft, named)
+    elif named is not None:
         stood = named.was_parked or (named.parked_basis if named.parked else None)
         draft.note_at(stood, _DRIVES)
         named.parked = False
@@ -66,7 +68,21 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
         return _added(draft, reason)
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
+    afoot = [e for e in draft.entities if not e.is_vehicle]
+    if len(afoot) == 1 and len(candidates) == len(movers) == 1 and not _said_where(draft, afoot[0]):
+        for placement in draft.placements:
+            if placement.entity is chosen and placement.reference is None:
+                placement.reference = afoot[0]
     return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _look_on(draft: Draft, teller: Entity) -> None:
+    """Who tells it on foot is no ego; what is seen is seen from there."""
+    teller.ego = False
+    draft.placements = [p for p in draft.placements if p.entity is not teller or p.reference]
+    for placement in draft.placements:
+        if placement.reference is None:
+            placement.reference = teller
 
 
 def _stays(entity: Entity) -> bool:
@@ -94,6 +110,10 @@ def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
         p.entity is entity and p.reference is None and p.approaches == {approach}
         for p in draft.placements
     )
+
+
+def _said_where(draft: Draft, entity: Entity) -> bool:
+    return any(p.entity is entity and p.reference is None for p in draft.placements)
 
 
 def _met(draft: Draft, entity: Entity) -> bool:

@@ -10,7 +10,7 @@ from scegen.understanding.reference.reference import is_pronoun, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_ONLY_VEHICLES = frozenset(
+ONLY_VEHICLES = frozenset(
     {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
      "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
      "door", "reverse"}
@@ -24,7 +24,7 @@ _AGAIN = (
 )
 """What a second clause may tell of another time, so that its subject is the same."""
 _CYCLING = frozenset({"cycle", "pedal"})
-_DRIVEN = _ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
+_DRIVEN = ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
@@ -70,7 +70,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.seated = mention.seated or event.name in {"door", "alight"}
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
-    alone = event.drives or (event.name in _ONLY_VEHICLES and not across) or _takes_a_turn(event)
+    alone = event.drives or (event.name in ONLY_VEHICLES and not across) or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}

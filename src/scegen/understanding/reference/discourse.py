@@ -156,7 +156,7 @@ class Discourse:
         count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
         ego = the_ego(self._roster, ParticipantKind.CAR, basis)
         further = range(min(count, _MOST) - 1)
-        others = [self._roster.new(ParticipantKind.CAR, basis) for _ in further]
+        others = [self._roster.new(self._roster.teller, basis) for _ in further]
         if others:
             self._roster.groups.append(Group(others, vague=False))
         return [ego, *others]
@@ -196,6 +196,10 @@ class Discourse:
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found
+
+    def told_by(self, kind: ParticipantKind | None) -> None:
+        """What the one who tells it goes by; None: a car, or what it says."""
+        self._roster.teller = kind or ParticipantKind.CAR
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").

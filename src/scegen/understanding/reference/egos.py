@@ -27,11 +27,13 @@ def the_ego(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
 
     Args:
         roster: who is known.
-        kind: what it drives, if it is new.
+        kind: what it drives, if it is new and does not say itself what it goes by.
         basis: the words for it.
     """
     known = next((e for e in roster.draft.entities if e.ego), None)
-    return known or _take(roster.new(kind, basis))
+    return known or _take(
+        roster.new(roster.teller if kind is ParticipantKind.CAR else kind, basis)
+    )
 
 
 def last_is_ego(roster: Roster, mention: Mention) -> None:

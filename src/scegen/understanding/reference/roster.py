@@ -29,7 +29,8 @@ class Roster:
         subject: who acted last.
         before: who acted before them.
         landmark: who others were placed by last.
-    pair: the two of whom one was called "the former".
+        pair: the two of whom one was called "the former".
+        teller: what the one who tells it goes by.
     """
 
     draft: Draft
@@ -40,6 +41,7 @@ class Roster:
     before: list[Entity] = field(default_factory=list)
     landmark: list[Entity] = field(default_factory=list)
     pair: list[Entity] = field(default_factory=list)
+    teller: ParticipantKind = ParticipantKind.CAR
 
     def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
         """Remembers a mention.

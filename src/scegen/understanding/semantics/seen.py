@@ -188,7 +188,16 @@ def _headings(event: Event) -> bool:
     return any(m.cat == "compass" for m in event.mods)
 
 
+def _seen_on_foot(_: Clause, context: Context) -> bool:
+    """``I was on the zebra when a car came from the left``: along the road that is crossed."""
+    people = context.draft.entities
+    egos = [e for e in people if e.ego]
+    driving = [e for e in people if e.moving_vehicle and not e.ego]
+    return not all(e.is_vehicle for e in egos or people) and (bool(egos) or len(driving) == 1)
+
+
 FACTS = {
+    "seen_on_foot": _seen_on_foot,
     "within_the_lane": _within_the_lane,
     "wrong_lane": _wrong_lane,
     "own_heading": lambda clause, _: _headings(clause.event),

@@ -1,0 +1,88 @@
+"""What the one who tells it goes by, where that is not a car: a bicycle, or on foot."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.reference.describing import ONLY_VEHICLES
+from scegen.understanding.reference.reference import tells
+from scegen.understanding.words.tokens import Token
+
+_KERBS = frozenset({"sidewalk", "crosswalk"})
+_RIDDEN = frozenset({"bicycle", "motorcycle"})
+_WAITS = frozenset({"wait", "stop"})
+_REACH = 3
+"""Within so many words after "my" stands what is mine."""
+
+
+def teller_goes_by(
+    chunks: list[Chunk], events: list[Event], tokens: list[Token]
+) -> ParticipantKind | None:
+    """``I was walking over the zebra``, ``on my handlebar``: no driver tells it.
+
+    Args:
+        chunks: the chunks of the text.
+        events: its events, with who does what.
+        tokens: its tokens.
+
+    Returns:
+        How the teller moves; None if it drives, or nothing says so.
+    """
+    mentions = [c for c in chunks if isinstance(c, Mention)]
+    if any(m.is_ego and not tells(m) for m in mentions):
+        return None  # the vehicle under test is who tells it
+    own = [e for e in events if any(_us(m) for m in e.subject) and not e.negated]
+    if any(e.drives for e in own):
+        return None
+    ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
+    if any(_cycles(e) for e in own) or _owns(tokens, "of_cyclists", others=bool(ridden)):
+        return ParticipantKind.BICYCLE
+    if any(e.name in ONLY_VEHICLES for e in own):
+        return None
+    afoot = any(_afoot(e, tokens) for e in own) or any(_on_foot(m, tokens) for m in mentions)
+    return ParticipantKind.PEDESTRIAN if afoot else None
+
+
+def _us(mention: Mention) -> bool:
+    return tells(mention) or (mention.whole is not None and tells(mention.whole))
+
+
+def _lemma(event: Event, words: str) -> bool:
+    return event.lemma in word_list(words)
+
+
+def _cycles(event: Event) -> bool:
+    """``I was cycling``; ``I rode out of an alley``, where nothing else is ridden."""
+    return _lemma(event, "pedalling") or (
+        event.lemma == "ride" and not isinstance(event.object, Mention)
+    )
+
+
+def _owns(tokens: list[Token], things: str, *, others: bool) -> bool:
+    """``my handlebar``; ``my elbow on the handlebar``, where nobody else rides."""
+    mine = {"my", "our"} if others else {"my", "our", "the"}
+    near = [tokens[k + 1 :][:_REACH] for k, t in enumerate(tokens) if t.low in mine]
+    return any(token.forms[-1][0] in word_list(things) for after in near for token in after)
+
+
+def _afoot(event: Event, tokens: list[Token]) -> bool:
+    """``I stepped out``, ``I was waiting on the pavement``, ``pushing the pram, I …``."""
+    if _lemma(event, "stepping") and event.name in {"walk", "cross", "appear"}:
+        return True
+    what = event.object
+    if what is not None and event.lemma == "push":
+        return tokens[what.j - 1].forms[-1][0] in word_list("of_walkers")
+    places = [what, *(p.target for p in event.pps)]
+    kinds = {p.kind for p in places if isinstance(p, Place)}
+    return bool(kinds & _KERBS if event.name == "walk" else kinds & {"sidewalk"}) and (
+        event.name in _WAITS | {"walk"}
+    )
+
+
+def _on_foot(mention: Mention, tokens: list[Token]) -> bool:
+    """``I was on foot``."""
+    after = [t.low for t in tokens[mention.j :][: _REACH + 1]]
+    return tells(mention) and ("on", "foot") in pairwise(after)
