@@ -71,7 +71,8 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     afoot = [e for e in draft.entities if not e.is_vehicle]
     if len(afoot) == 1 and len(candidates) == len(movers) == 1 and not _said_where(draft, afoot[0]):
         for placement in draft.placements:
-            if placement.entity is chosen and placement.reference is None:
+            facing = Approach.OPPOSITE in placement.approaches  # "an approaching taxi": to nobody
+            if placement.entity is chosen and placement.reference is None and not facing:
                 placement.reference = afoot[0]
     return chosen, Basis(reason=f"the text names no ego; {reason}")
 

@@ -31,9 +31,7 @@ def the_ego(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
         basis: the words for it.
     """
     known = next((e for e in roster.draft.entities if e.ego), None)
-    return known or _take(
-        roster.new(roster.teller if kind is ParticipantKind.CAR else kind, basis)
-    )
+    return known or _take(roster.new(roster.teller if kind is ParticipantKind.CAR else kind, basis))
 
 
 def last_is_ego(roster: Roster, mention: Mention) -> None:

@@ -70,7 +70,9 @@ def _owns(tokens: list[Token], things: str, *, others: bool) -> bool:
 
 def _afoot(event: Event, tokens: list[Token]) -> bool:
     """``I stepped out``, ``I was waiting on the pavement``, ``pushing the pram, I …``."""
-    if _lemma(event, "stepping") and event.name in {"walk", "cross", "appear"}:
+    if event.name == "walk" and not _lemma(event, "running"):
+        return True
+    if _lemma(event, "stepping") and event.name in {"cross", "appear"}:
         return True
     what = event.object
     if what is not None and event.lemma == "push":
