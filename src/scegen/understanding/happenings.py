@@ -12,7 +12,6 @@ from scegen.scenario.spacings import START, Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import BodySide, Side
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import Measured
 
 STILL = Interval(low=0.0, high=0.0)
 
@@ -23,16 +22,6 @@ class Amount:
 
     value: Interval
     basis: Basis
-
-
-def amount_of(number: Measured) -> Amount:
-    """The value of a number with its words."""
-    return Amount(number.quantity.value, Basis(number.i, number.j, number.quantity.note))
-
-
-def exactly(number: Measured) -> Amount:
-    """The number itself, without what "up to" or "about" make of it."""
-    return Amount(number.quantity.exact, Basis(number.i, number.j))
 
 
 @dataclass(slots=True, eq=False)
@@ -75,6 +64,11 @@ class Doing:
     told: list[int] = field(default_factory=list)
     """Where the text tells of it again."""
     name: str = ""
+
+    @property
+    def places(self) -> set[int]:
+        """All tokens at which the text tells of it."""
+        return {self.i, *self.told}
 
     @property
     def ends_at_rest(self) -> bool:

@@ -7,10 +7,10 @@ from dataclasses import replace
 from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
-from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Basis
 from scegen.understanding.happenings import STILL, Amount, Doing
-from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.context import Clause
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import quantity_at
 
@@ -19,36 +19,25 @@ _SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
 
-def acts_in(text: Sentences, context: Context) -> list[Doing]:
-    """Everything that is done; of each participant once where it is only told again.
-
-    Args:
-        text: the text with its clauses.
-        context: the scenario in the making, everything else understood.
-    """
-    found: list[Doing] = []
-    context.letting = [e for s in text.scenes if let_by(s, text.scenes) for e in s.actors]
+def read_acts(text: Telling) -> None:
+    """Everything that is done; of each participant once where it is only told again."""
+    found = text.found.acts
+    text.context.letting = [e for s in text.scenes if let_by(s, text.scenes) for e in s.actors]
     described = [s for s in text.scenes if s.event.premod_of is not None]
     told = [s for s in text.scenes if s.event.premod_of is None]
     for scene in told:
-        first = (
-            goes_first(scene, text.tokens, context.draft.entities)
-            if context.junction.crossing
-            else []
-        )
-        first += arrives_first(scene, text, context)
-        for doing in [*_acts_of(scene, text, context), *first]:
+        first = [*goes_first(scene, text), *arrives_first(scene, text)]
+        for doing in [*_acts_of(scene, text), *first]:
             if not _continued(doing, found, text) and not _told_again(doing, found, text):
                 found.append(doing)
     for scene in described:  # "the braking car ahead": unless the text tells of it
-        for doing in _acts_of(scene, text, context):
+        for doing in _acts_of(scene, text):
             known = any(d.entity is doing.entity and d.kind is doing.kind for d in found)
             if doing.always and scene.event.form == "ing" and not known:
                 found.append(doing)
     found.sort(key=lambda d: d.i)
     _back_from_there(found)
     _come_to_rest(found)
-    return found
 
 
 def _come_to_rest(found: list[Doing]) -> None:
@@ -73,8 +62,8 @@ def _back_from_there(found: list[Doing]) -> None:
             doing.side = OTHER[own[-1].side]
 
 
-def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
-    event = scene.event
+def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
+    event, context = scene.event, text.context
     whom = let_by(scene, text.scenes)
     context.acts = []
     if whom and event.name not in {"stop", "wait"}:
@@ -84,7 +73,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
         return []
     made = []
     for doing in [d for d in context.acts if whom or d.kind is not ActKind.GIVE_WAY]:
-        to_the_side(doing, scene, text, context)
+        to_the_side(doing, scene, text)
         doing.forced = doing.entity.ego and event.modal
         # "must brake or swerve", "must go round it, giving way": not what it does as an answer.
         either = [t.low for t in context.tokens[event.j : event.j + 1]] == ["or"]
@@ -100,7 +89,7 @@ def _acts_of(scene: Clause, text: Sentences, context: Context) -> list[Doing]:
     return made
 
 
-def _then_again(doing: Doing, text: Sentences) -> Doing | None:
+def _then_again(doing: Doing, text: Telling) -> Doing | None:
     """``brakes at 3 m/s² to 60 km/h, then at 8 m/s²``: the same once more, without its verb."""
     then = text.find("then", doing.i + 1, text.bounds(doing.i)[1])
     if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1]):
@@ -114,13 +103,13 @@ def _then_again(doing: Doing, text: Sentences) -> Doing | None:
     return again
 
 
-def _changed(text: Sentences, start: int, end: int) -> bool:
+def _changed(text: Telling, start: int, end: int) -> bool:
     """Whether a speed, or how quickly one changes, is given there."""
     found = (quantity_at(text.tokens, k) for k in range(start, min(end, len(text.tokens))))
     return any(q is not None and q.dimension in {"acceleration", "speed"} for q in found)
 
 
-def _to_standstill(doing: Doing, text: Sentences, upto: int | None = None) -> None:
+def _to_standstill(doing: Doing, text: Telling, upto: int | None = None) -> None:
     """``brakes to a stop``, ``an emergency stop``."""
     if doing.kind is not ActKind.BRAKE:
         return
@@ -131,7 +120,7 @@ def _to_standstill(doing: Doing, text: Sentences, upto: int | None = None) -> No
         doing.amounts["target_speed_mps"] = Amount(STILL, Basis(*span))
 
 
-def _continued(doing: Doing, found: list[Doing], text: Sentences) -> bool:
+def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
     """``brakes and stops``: one act that ends at standstill."""
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if doing.kind is not ActKind.STOP or before is None or before.kind is not ActKind.BRAKE:
@@ -146,7 +135,7 @@ def _continued(doing: Doing, found: list[Doing], text: Sentences) -> bool:
     return True
 
 
-def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
+def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     """Whether the same is only told another time: no words of order, and no other sentence part."""
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if before is None or before.kind is not doing.kind:
@@ -160,11 +149,10 @@ def _told_again(doing: Doing, found: list[Doing], text: Sentences) -> bool:
     if before.i == doing.i:
         return doing.kind is not ActKind.GIVE_WAY or before.into is doing.into
     before.told.append(doing.i)
-    ordered = text.says("then", before.basis.j or before.i, doing.i)
     named = before.nominal and not doing.nominal and before.side in {None, doing.side}
-    if named and " : " in text.low(before.i, doing.i):
-        ordered = None  # "Cut-in followed by braking: the van cuts in …": what the heading names
-    if ordered is not None:
+    # "Cut-in followed by braking: the van cuts in …": what the heading names
+    heading = named and " : " in text.low(before.i, doing.i)
+    if not heading and text.find("then", before.basis.j or before.i, doing.i):
         before.told.pop()
         return False
     before.side = before.side or doing.side

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
-from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
@@ -15,15 +15,15 @@ _BACK = {"left": "right", "right": "left"}
 OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 
 
-def to_the_side(doing: Doing, scene: Clause, text: Sentences, context: Context) -> None:
+def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
     """Fill in to which side an act leads, and into whose lane.
 
     Args:
         doing: the act; others are left as they are.
         scene: the clause that tells of it.
         text: the text with its clauses.
-        context: the scenario in the making.
     """
+    context = text.context
     if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
         return
     event, entity = scene.event, doing.entity

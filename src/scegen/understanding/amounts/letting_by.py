@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
-from scegen.understanding.amounts.sentences import Sentences
+from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.semantics.context import Clause
 
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _SOON, _ORDERS = 4, ("first", "before", "after")
@@ -41,37 +40,35 @@ def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     return [e for mention in named for e in mention.entities if e not in clause.actors]
 
 
-def goes_first(clause: Clause, tokens: list[Token], everybody: list[Entity]) -> list[Doing]:
-    """``the car goes first``: all others let it go.
+def goes_first(clause: Clause, text: Telling) -> list[Doing]:
+    """``the car goes first``: where roads meet, all others let it go.
 
     Args:
         clause: what happens.
-        tokens: of the text.
-        everybody: in traffic.
+        text: the text.
     """
-    event = clause.event
+    event, tokens = clause.event, text.tokens
     goes = event.name in _GOING and event.lemma in word_list("going") and not event.negated
     after = [t.low for t in tokens[event.j : event.j + 2]]
     ends = after[1:] == [] or tokens[event.j + 1].kind == "punct" or after[1] in {"and", "while"}
     told = goes and after[:1] == ["first"] and ends
-    if not told or len(clause.drivers) != 1 or event.parent is not None:
+    if not told or len(clause.drivers) != 1 or event.parent or not text.context.junction.crossing:
         return []
     first, basis = clause.drivers[0], Basis(event.i, event.j + 1)
-    others = [e for e in everybody if e.moving_vehicle and e is not first]
+    others = [e for e in text.draft.entities if e.moving_vehicle and e is not first]
     return [
         Doing(ActKind.GIVE_WAY, e, basis, event.i, into=first, into_basis=basis) for e in others
     ]
 
 
-def arrives_first(clause: Clause, text: Sentences, context: Context) -> list[Doing]:
+def arrives_first(clause: Clause, text: Telling) -> list[Doing]:
     """``arrives before the ego``, ``after a truck``: at an all-way stop who comes later gives way.
 
     Args:
         clause: what happens.
-        text: the text with its clauses.
-        context: the scenario in the making.
+        text: the text.
     """
-    event = clause.event
+    event, context = clause.event, text.context
     comes = event.lemma in word_list("arriving") and event.finite and not event.negated
     if not comes or context.junction.control is not Control.ALL_WAY_STOP:
         return []
@@ -136,15 +133,14 @@ def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     return []
 
 
-def go_on(acts: list[Doing], text: Sentences) -> list[Doing]:
-    """The acts, with those who stop and go on afterwards as waiting.
+def go_on(text: Telling) -> None:
+    """Those who stop and go on afterwards wait.
 
     Args:
-        acts: in the order of the text, each with what sets it off.
-        text: the text with its clauses.
+        text: the text, each act with what sets it off.
     """
-    kept = list(acts)
-    for stop in [a for a in acts if a.kind is ActKind.STOP and a.entity.is_vehicle]:
+    kept = text.found.acts
+    for stop in [a for a in kept if a.kind is ActKind.STOP and a.entity.is_vehicle]:
         later = [a for a in kept if a.entity is stop.entity and a.i > stop.i]
         same = text.bounds(stop.i)
         letting = [a for a in later if a.kind is ActKind.GIVE_WAY and text.bounds(a.i) == same]
@@ -157,4 +153,3 @@ def go_on(acts: list[Doing], text: Sentences) -> list[Doing]:
         before = act.when.act if act.when is not None else None
         if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):
             act.when = None  # that the other goes first says it
-    return kept

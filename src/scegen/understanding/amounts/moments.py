@@ -7,108 +7,95 @@ from typing import Literal
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.amounts.teller import Teller
-from scegen.understanding.amounts.whom import in_file
+from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Entity
-from scegen.understanding.frames import Measured, words
+from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
-_LANED = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
-_MOVES_INTO = frozenset({ActKind.SWERVE, ActKind.CROSS, ActKind.OPEN_DOOR})
+_INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
+                   ActKind.OPEN_DOOR})  # fmt: skip
 
 
-class Moments(Teller):
-    """Finds the moment of a spacing."""
+def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doing | str:
+    """An act, the contact or the start.
 
-    def at(
-        self, number: Measured, measure: Measure, entity: Entity, reference: Entity
-    ) -> Doing | str:
-        """An act, the contact or the start.
+    Args:
+        figure: how far or how long.
+        measure: what it measures.
+        one: whose it is.
+        other: from whom.
+    """
+    if measure is Measure.OVERLAP_PERCENT:
+        return CONTACT
+    text, start = figure.text, figure.start
+    acts = [a for a in text.found.acts if a.entity in (one, other)]
+    if measure is Measure.LATERAL_GAP_M:
+        passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < figure.end]
+        return passing[-1] if passing else START
+    if measure not in LENGTHWISE or text.find("starts", start, figure.end):
+        return START
+    own = figure.verb
+    told = {own.i} if own is not None and own.i < figure.i else set()
+    into = [a for a in acts if a.kind in _INTO and told & a.places]
+    into = into or [a for a in acts if _in_trigger(a, figure)] or _revealed_by(figure, one, other)
+    if into:
+        return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
+    here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
+    pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
+    here_into = [a for a in here if a.kind in _INTO] + pulls_out
+    if not here_into and (measure is Measure.TTC_S or figure.around.closes("at_that")):
+        # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
+        here_into = [a for a in here if told & a.places]
+    return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
 
-        Args:
-            number: how far or how long.
-            measure: what it measures.
-            entity: whose it is.
-            reference: from whom.
-        """
-        if measure is Measure.OVERLAP_PERCENT:
-            return CONTACT
-        start, end = self._text.bounds(number.i)
-        acts = [a for a in self._happenings.acts if a.entity in (entity, reference)]
-        if measure is Measure.LATERAL_GAP_M:
-            passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < end]
-            return passing[-1] if passing else START
-        if measure not in LENGTHWISE:
-            return START
-        if self._text.says("starts", start, end):
-            return START
-        own = self._text.verb_at(number.i, number.j)
-        told = {own.i} if own is not None and own.i < number.i else set()
-        into = [a for a in acts if a.kind in _LANED | _MOVES_INTO and told & {a.i, *a.told}]
-        into = into or [a for a in acts if self._in_trigger(a, start, end, number.i)]
-        into = into or [a for a in [self._revealed_by(number, entity, reference)] if a is not None]
-        if into:
-            return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
-        here = [a for a in acts if any(start <= i < number.i for i in (a.i, *a.told))]
-        laned = [a for a in here if a.kind in _LANED | _MOVES_INTO]
-        laned += [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
-        laned = laned or [
-            a
-            for a in here
-            if told & {a.i, *a.told}
-            and (measure is Measure.TTC_S or number.around.closes("at_that"))
-        ]  # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
-        if laned:
-            return laned[-1]
-        return self._until_it_brakes(entity, reference, acts)
 
-    def _until_it_brakes(self, entity: Entity, reference: Entity, acts: list[Doing]) -> Doing | str:
-        """Between two who are as fast: as far as when the one in front brakes."""
-        one, other = entity.speed, reference.speed
-        unequal = one is not None and other is not None and one != other
-        stands = any(e.stands is not None or e.parked for e in (entity, reference))
-        if unequal or stands or not (entity.is_vehicle and reference.is_vehicle):
-            return START
-        leader = in_file(entity, reference, self._context)[1]
-        later = [a for a in acts if a.kind in _ANSWERING and a.always]
-        return later[0] if later and later[0].entity is leader else START
+def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing]) -> Doing | str:
+    """Between two who are as fast: as far as when the one in front brakes."""
+    unequal = one.speed is not None and other.speed is not None and one.speed != other.speed
+    if unequal or any(e.still or not e.is_vehicle for e in (one, other)):
+        return START
+    leader = text.in_file(one, other)[1]
+    later = next((a for a in acts if a.kind in _ANSWERING and a.always), None)
+    return later if later is not None and later.entity is leader else START
 
-    def _in_trigger(self, doing: Doing, start: int, end: int, i: int) -> bool:
-        """``… is 150 m away when the ego pulls out``: at that moment."""
-        for told in (doing.i, *doing.told):
-            clause = self._text.subordinate(told)
-            if clause is None or not start <= told < end or clause[0] <= i < clause[1]:
-                continue
-            if clause[2] in words()["triggers"] and told >= clause[0]:
-                return True
-        return False
 
-    def since(self, at: Doing | str, one: Entity, other: Entity) -> Literal["begin", "end"]:
-        """``when it has changed lanes``; what somebody reveals who leaves the lane.
+def _in_trigger(doing: Doing, figure: Figure) -> bool:
+    """``… is 150 m away when the ego pulls out``: at that moment."""
+    for told in doing.places:
+        clause = figure.clause_of(told)
+        if clause is None or not figure.start <= told < figure.end:
+            continue
+        if not clause[0] <= figure.i < clause[1] and clause[2] in words()["triggers"]:
+            return True
+    return False
 
-        Args:
-            at: the moment.
-            one: one of the two.
-            other: the other.
-        """
-        if not isinstance(at, Doing) or at.kind is not ActKind.CHANGE_LANE:
-            return "begin"
-        told = {at.i, *at.told}
-        over = any(s.event.perfect and s.event.i in told for s in self._text.scenes)
-        return "end" if over or at.entity not in (one, other) else "begin"
 
-    def _revealed_by(self, number: Measured, one: Entity, other: Entity) -> Doing | None:
-        """``the car ahead changes lanes and reveals a truck 60 m ahead``: as it has done so."""
-        if not (one.still or other.still) or not (one.ego or other.ego):
-            return None
-        ahead = [
-            a
-            for a in self._happenings.acts
-            if a.kind is ActKind.CHANGE_LANE
-            and a.entity not in (one, other)
-            and a.into is None
-            and a.i < self._text.bounds(number.i)[1]
-            and self._context.placed(a.entity, Approach.AHEAD)
-        ]
-        return ahead[0] if len(ahead) == 1 and ahead[0].when is None else None
+def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Literal["begin", "end"]:
+    """``when it has changed lanes``; what somebody reveals who leaves the lane.
+
+    Args:
+        text: the text.
+        at: the moment.
+        one: one of the two.
+        other: the other.
+    """
+    if not isinstance(at, Doing) or at.kind is not ActKind.CHANGE_LANE:
+        return "begin"
+    over = any(s.event.perfect and s.event.i in at.places for s in text.scenes)
+    return "end" if over or at.entity not in (one, other) else "begin"
+
+
+def _revealed_by(figure: Figure, one: Entity, other: Entity) -> list[Doing]:
+    """``the car ahead changes lanes and reveals a truck 60 m ahead``: as it has done so."""
+    if not (one.still or other.still) or not (one.ego or other.ego):
+        return []
+    text = figure.text
+    ahead = [
+        a
+        for a in text.acts(0, figure.end, {ActKind.CHANGE_LANE})
+        if a.entity not in (one, other) and a.into is None
+        if text.context.placed(a.entity, Approach.AHEAD)
+    ]
+    return ahead if len(ahead) == 1 and ahead[0].when is None else []

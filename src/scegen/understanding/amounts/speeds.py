@@ -6,70 +6,63 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
-from scegen.understanding.amounts.sentences import Sentences
-from scegen.understanding.amounts.whom import counterpart, ego_of
+from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import Measured, words
-from scegen.understanding.happenings import Amount, Doing, Happenings
+from scegen.understanding.frames import words
+from scegen.understanding.happenings import Amount, Doing
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.context import Context
 
 _PAIR = 2
 _RUNNING_MPS = 8.0
 _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 
-def held(number: Measured, text: Sentences, context: Context, found: Happenings) -> bool:
-    """A speed that somebody holds: of whom the rules of the clause have not given it to.
-
-    Args:
-        number: the number.
-        text: the text with its clauses.
-        context: the scenario in the making.
-        found: what the text tells of.
-    """
-    span = (number.i, number.j)
-    quantity = number.quantity
-    change = _from_to(number, text, found)
-    taken = [e for e in context.draft.entities if _at(e.speed_basis, span)]
-    for entity in [e for e in taken if _stays(e, quantity.value)]:
+def held(figure: Figure) -> bool:
+    """A speed that somebody holds: of whom the rules of the clause have not given it to."""
+    text, speed, span = figure.text, figure.quantity.value, (figure.i, figure.j)
+    change = _from_to(figure)
+    taken = [e for e in text.draft.entities if e.speed_basis and _span(e.speed_basis) == span]
+    for entity in [e for e in taken if _stays(e, speed)]:
         entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
     taken = [e for e in taken if e.speed is not None]
     if change is not None:
         for entity in taken or [change.entity]:
-            entity.speed, entity.speed_basis = quantity.parts[0], Basis(*span)
+            entity.speed, entity.speed_basis = figure.quantity.parts[0], Basis(*span)
         return True
-    shared = {t.low for t in text.tokens[number.j : number.j + 1]} & {"each", "both"}
+    shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
         return True
-    whose = _able(number, [e for e in _whose(number, text) if e not in taken], text)
-    ego = ego_of(context)
+    whose = _able(figure, [e for e in _whose(figure) if e not in taken])
+    ego = text.ego
     if not whose and ego is not None and ego.speed is None:
         whose = [ego]
-    start, _ = text.bounds(number.i)
-    again = [e for e in whose if e.speed_basis is not None and start <= (e.speed_basis.i or 0)]
-    if whose and all(e.speed not in (None, quantity.value) or e in again for e in whose):
-        whose = _without_speed(number, text) or whose  # "beside a truck, also 100 km/h"
+    others = [e for e in whose if e.speed not in (None, speed)]
+    again = [e for e in whose if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
+    if whose and all(e in others or e in again for e in whose):
+        whose = _without_speed(figure) or whose  # "beside a truck, also 100 km/h"
     for entity in whose:
-        if entity.speed is not None and entity.speed != quantity.value:
-            _hand_on(entity, text)
+        if entity.speed is not None and entity.speed != speed:
+            _hand_on(entity, figure)
         if entity.speed is None:
-            entity.speed, entity.speed_basis = quantity.value, Basis(*span, quantity.note)
-        elif entity.speed != quantity.value:
+            entity.speed, entity.speed_basis = speed, figure.amount.basis
+        elif entity.speed != speed:
             return False
         else:
-            found.further.append(("speed_mps", entity, Basis(*span)))
-        taken.append(entity)
-    return bool(taken)
+            text.found.further.append(("speed_mps", entity, Basis(*span)))
+    return bool(taken or whose)
 
 
-def _able(number: Measured, whose: list[Entity], text: Sentences) -> list[Entity]:
+def _span(basis: Basis) -> tuple[int | None, int | None]:
+    return basis.i, basis.j
+
+
+def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
     """Those who can be so fast; if all of them stand, who comes to them."""
-    speed = number.quantity.value
-    near = text.adjacent(number.i - 1)  # "runs across in front of the ego at 50 km/h"
+    speed = figure.quantity.value
+    near = figure.named_before(figure.i - 1)  # "runs across in front of the ego at 50 km/h"
     able = [e for e in whose if speed.low <= _fastest_mps(e, near)]
     stand = bool(able) and all(_stays(e, speed) for e in able)
-    return _who_comes(able, number, text) if stand else able
+    return _who_comes(able, figure) if stand else able
 
 
 def _stays(entity: Entity, speed: Interval) -> bool:
@@ -78,10 +71,10 @@ def _stays(entity: Entity, speed: Interval) -> bool:
     return stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
 
 
-def _who_comes(standing: list[Entity], number: Measured, text: Sentences) -> list[Entity]:
+def _who_comes(standing: list[Entity], figure: Figure) -> list[Entity]:
     """``ran into a car parked there, at 30 km/h``: who does something to those who stand."""
-    start, _ = text.bounds(number.i)
-    before = [s for s in text.within(start, number.i) if any(not e.still for e in s.actors)]
+    before = figure.text.within(figure.start, figure.i)
+    before = [s for s in before if any(not e.still for e in s.actors)]
     to_them = [s for s in before if set(standing) & set(s.targets)] or before
     return [e for s in to_them[-1:] for e in s.actors if e.speed is None and not e.still]
 
@@ -93,95 +86,71 @@ def _fastest_mps(entity: Entity, near: list[Entity]) -> float:
     return top if own else min(top, _RUNNING_MPS)
 
 
-def _from_to(number: Measured, text: Sentences, found: Happenings) -> Doing | None:
+def _from_to(figure: Figure) -> Doing | None:
     """``brakes from 50 to 20 km/h``: what it drove before, and what it comes to."""
-    quantity = number.quantity
-    if len(quantity.parts) != _PAIR:
+    text, parts, i = figure.text, figure.quantity.parts, figure.i
+    if len(parts) != _PAIR:
         return None
     # "brakes, 100 to 60 km/h": no range goes down
-    joined = any(t.low in word_list("up_to") for t in text.tokens[number.i : number.j])
-    falls = joined and quantity.parts[0].low > quantity.parts[1].low
-    if not falls and not number.around.preceded("from"):
+    joined = any(t.low in word_list("up_to") for t in text.tokens[i : figure.j])
+    falls = joined and parts[0].low > parts[1].low
+    if not falls and not figure.around.preceded("from"):
         return None
-    start, end = text.bounds(number.i)
-    first, last = quantity.parts
+    first, last = parts
     kind = ActKind.BRAKE if last.low < first.low else ActKind.ACCELERATE
-    here = [a for a in found.acts if start <= a.i < end and a.kind in {kind, ActKind.STOP}]
-    who = text.subject_before(number.i)
-    if not here and who:  # "slowing of the van from 90 to 36 km/h", "goes from 60 to 100 km/h"
-        event = text.verb_at(number.i, number.j)
-        told = [event.i] if event is not None else []
-        here = [Doing(kind, who[0], Basis(number.i, number.j), number.i, told=told)]
-        found.acts = sorted([*found.acts, *here], key=lambda a: a.i)
+    here = text.acts(figure.start, figure.end, {kind, ActKind.STOP})
+    if not here and figure.subject:  # "slowing of the van from 90 to 36 km/h"
+        told = [figure.verb.i] if figure.verb is not None else []
+        made = Doing(kind, figure.subject[0], Basis(i, figure.j), i, told=told)
+        here = [text.add(made)]  # "goes from 60 to 100 km/h"
     if not here:
         return None
-    doing = next((a for a in reversed(here) if a.i < number.i), here[0])
-    doing.amounts.setdefault("target_speed_mps", Amount(last, Basis(number.i, number.j)))
+    doing = next((a for a in reversed(here) if a.i < i), here[0])
+    doing.amounts.setdefault("target_speed_mps", Amount(last, Basis(i, figure.j)))
     return doing
 
 
-def _whose(number: Measured, text: Sentences) -> list[Entity]:
+def _whose(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
-    start, _ = text.bounds(number.i)
-    scene = text.scene_at(number.i, number.j)
-    adjacent = text.adjacent(number.i)
-    if adjacent:
-        return adjacent
-    inside = text.own_subject(number.i)
-    if inside:
-        return inside
-    movers = [e for e in (scene.actors if scene is not None else []) if not e.parked]
-    owned = text.tokens[start].low in words()["whose"]
-    return text.subject_before(number.i) if owned or not movers else movers
+    told = figure.adjacent or figure.own_subject
+    if told:
+        return told
+    movers = [e for e in figure.actors if not e.parked]
+    owned = figure.text.tokens[figure.start].low in words()["whose"]
+    return figure.subject if owned or not movers else movers
 
 
-def _without_speed(number: Measured, text: Sentences) -> list[Entity]:
+def _without_speed(figure: Figure) -> list[Entity]:
     """Whoever is named last before a number that cannot be the speed of who acts there."""
-    start, _ = text.bounds(number.i)
-    named = [e for m in text.mentions if start <= m.i < number.i for e in m.entities]
-    free = [e for e in reversed(named) if e.speed is None and not e.still]
-    return free[:1]
+    named = figure.text.spoken_of(figure.start, figure.i)
+    return [e for e in reversed(named) if e.speed is None and not e.still][:1]
 
 
-def _hand_on(entity: Entity, text: Sentences) -> None:
+def _hand_on(entity: Entity, figure: Figure) -> None:
     """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
-    basis = entity.speed_basis
+    basis, text = entity.speed_basis, figure.text
     if basis is None or basis.i is None:
         return  # nobody said it
-    start, _ = text.bounds(basis.i)
-    named = [m.entities for m in text.mentions if start <= m.i < basis.i]
-    if not named or len(named[-1]) != 1:
-        return
-    (other,) = named[-1]
-    if other is not entity and other.speed is None and not other.still:
+    start, i = text.bounds(basis.i)[0], basis.i
+    named = [m.entities for m in text.mentions if start <= m.i < i][-1:]
+    others = [e for e in named[0] if e is not entity] if named and len(named[0]) == 1 else []
+    for other in (e for e in others if e.speed is None and not e.still):
         other.speed, other.speed_basis = entity.speed, basis
         entity.speed = entity.speed_basis = None
 
 
-def _at(basis: Basis | None, span: tuple[int, int]) -> bool:
-    return basis is not None and (basis.i, basis.j) == span
-
-
-def relative(number: Measured, text: Sentences, context: Context) -> bool:
-    """``20 km/h slower than the ego``: from the speed of the other.
-
-    Args:
-        number: the number.
-        text: the text with its clauses.
-        context: the scenario in the making.
-    """
-    tokens = text.tokens
-    word = tokens[number.j].low if number.j < len(tokens) else ""
-    if word not in {"slower", "faster"}:
+def relative(figure: Figure) -> bool:
+    """``20 km/h slower than the ego``: from the speed of the other."""
+    text, by = figure.text, figure.quantity.exact
+    word = text.low(figure.j, figure.j + 1).strip()
+    who = next((e for e in figure.actors if e.speed is None), None)
+    if word not in {"slower", "faster"} or who is None:
         return False
-    scene = text.scene_at(number.i, number.j)
-    who = [e for e in (scene.actors if scene else []) if e.speed is None]
-    near = [e for m in text.mentions if m.i < number.i for e in m.entities]
-    other = counterpart(who[0], context, near) if who else None
-    if not who or other is None or other.speed is None or who[0].speed is not None:
+    other = text.counterpart(who, text.spoken_of(0, figure.i))
+    if other is None or other.speed is None:
         return False
-    sign, by = (1 if word == "faster" else -1), number.quantity.exact
+    sign = 1 if word == "faster" else -1
     low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
-    who[0].speed = Interval(low=low, high=high)
-    who[0].speed_basis = Basis(number.i, number.j, f"so much {word} than the other")
+    who.speed = Interval(low=low, high=high)
+    who.speed_basis = Basis(figure.i, figure.j, f"so much {word} than the other")
     return True

@@ -1,0 +1,290 @@
+"""A number as a clause: in which part of the text it stands, whose it is, what follows it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import cached_property
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import AmountFrame, Numbers, words
+from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.semantics.context import Clause
+from scegen.understanding.words.quantities import Quantity
+
+_PARENTHESIS = 2
+_UNTIL = frozenset({"until", "till"})
+_SKIPPED = frozenset({"aux", "manner", "unknown", "possessive", "(", ":"})
+_OWNS = (["'s"], ["'"], ["("])
+"""``the ego's 60 km/h``, ``a van (45 km/h)``."""
+
+
+class Figure:
+    """A number with what it is said of.
+
+    Args:
+        quantity: the number.
+        numbers: the numbers of the text.
+        text: the text.
+    """
+
+    def __init__(self, quantity: Quantity, numbers: Numbers, text: Telling) -> None:
+        self.quantity, self.text = quantity, text
+        self.i, self.j = quantity.i, quantity.j
+        self.start, self.end = text.bounds(self.i)
+        verb = self.verb
+        told = (verb.name, None if verb.perfect else verb.i) if verb is not None else ()
+        measured = numbers.measured(quantity, *told)
+        self.around, self.frame = measured.around, measured.frame
+        sized = self.frame.role in {"long", "wide"} or (self.role == "other" and self.frame.next)
+        if self.frame.dimension == "length" and not sized and self.inside is not None:
+            self.frame = AmountFrame("length", "long")  # "a 12 m bus": how large it is
+
+    @property
+    def role(self) -> str:
+        """What it measures, as the frames have it."""
+        return self.frame.role
+
+    @property
+    def amount(self) -> Amount:
+        """Its value with its words."""
+        return Amount(self.quantity.value, Basis(self.i, self.j, self.quantity.note))
+
+    @property
+    def exactly(self) -> Amount:
+        """The number itself, without what "up to" or "about" make of it."""
+        return Amount(self.quantity.exact, Basis(self.i, self.j))
+
+    def note(self, instead: str | None = None) -> None:
+        """Reports that no field holds it."""
+        instead = instead or self.frame.instead
+        left_out = instead or "a measure that no rule could attach; left out"
+        self.text.draft.note(self.i, self.j, left_out)
+
+    @cached_property
+    def scene(self) -> Clause | None:
+        """The clause in which it stands."""
+        for scene in self.text.scenes:
+            if any((m.i, m.j) == (self.i, self.j) for m in scene.event.mods):
+                return scene
+        here = self.text.within(self.start, self.end)
+        here = [s for s in here if s.event.name not in {"inert", "match"}]
+        before = [s for s in here if s.event.i < self.i]
+        return before[-1] if before else next(iter(here), None)
+
+    @property
+    def does(self) -> str:
+        """What happens in its clause, as the lexicon calls it."""
+        return self.scene.event.name if self.scene is not None else ""
+
+    @property
+    def actors(self) -> list[Entity]:
+        """Who acts in its clause."""
+        return self.scene.actors if self.scene is not None else []
+
+    @cached_property
+    def verb(self) -> Event | None:
+        """What happens in its clause; None where it only is somewhere."""
+        scene, clause = self.scene, self.clause
+        if clause is not None and clause[2] in _UNTIL:  # "brakes until it does 30 km/h"
+            main = self.text.within(self.start, clause[0])
+            inside = self.text.within(clause[0], self.i)
+            told = [s for s in inside if s.event.name != "move"] or main
+            return told[-1].event if told else None
+        if scene is None or clause is None or clause[0] <= scene.event.i:
+            return scene.event if scene is not None else None
+        own = any((m.i, m.j) == (self.i, self.j) for m in scene.event.mods)
+        return scene.event if own else None
+
+    @cached_property
+    def clause(self) -> tuple[int, int, str] | None:
+        """The clause that sets something off in which it stands: begin, end, opening words."""
+        return self.clause_of(self.i)
+
+    def clause_of(self, i: int) -> tuple[int, int, str] | None:
+        """The same of another token."""
+        start, stop = self.text.bounds(i)
+        opened = [c for c in self.text.subs if start <= c.i <= i]
+        if not opened:
+            return None
+        begin, tokens = opened[-1].i, self.text.tokens
+        if sum(t.low == "," for t in tokens[begin:i]) not in {0, _PARENTHESIS}:
+            return None  # "when the ego, at 40 km/h, is 20 m away"
+        ends = (k for k in range(i, stop) if tokens[k].low == "," or self._and_then(k))
+        return begin, next(ends, stop), self.text.low(begin, opened[-1].j).strip()
+
+    def _and_then(self, k: int) -> bool:
+        return self.text.low(k, k + 2) == " and then "
+
+    @cached_property
+    def inside(self) -> Mention | Thing | None:
+        """``a 12 m bus``: somebody or something in whose phrase it stands."""
+        return self.phrase_around(self.i)
+
+    def phrase_around(self, i: int) -> Mention | Thing | None:
+        """The same of another token."""
+        phrases = [c for c in self.text.chunks if isinstance(c, Mention | Thing) and has_a_size(c)]
+        return next((p for p in phrases if p.head is not None and p.i <= i < p.head.i), None)
+
+    @cached_property
+    def adjacent(self) -> list[Entity]:
+        """Who is named right before it, forms of "to be" and adverbs skipped."""
+        return self.named_before(self.i)
+
+    def named_before(self, i: int) -> list[Entity]:
+        """The same of another token."""
+        for chunk in reversed(self.text.chunks):
+            if chunk.j > i:
+                continue
+            if chunk.j <= self.start:
+                return []
+            if isinstance(chunk, Mention):
+                owns = self.text.low(chunk.j, i).split() in _OWNS
+                return list(chunk.entities) if owns or not chunk.possessor else []
+            if not isinstance(chunk, Word) or not {chunk.cat, chunk.value} & _SKIPPED:
+                return []
+        return []
+
+    @cached_property
+    def own_subject(self) -> list[Entity]:
+        """Whom a clause after "when", "while" … is about in which it stands."""
+        opened = [c for c in self.text.subs if self.start <= c.i <= self.i]
+        free = self._free(opened[-1].i + 1) if opened else []
+        return list(free[0].entities) if free else []
+
+    def _free(self, start: int) -> list[Mention]:
+        """Who is named before it and in no phrase of place, and only owns nothing."""
+        named = [m for m in self.text.mentions if start <= m.i < self.i and m.entities]
+        return [m for m in named if m.prep is None and not m.possessor]
+
+    @cached_property
+    def said_of(self) -> Entity | None:
+        """Whom a clause is about that says how far off one is: "a van that is still 60 m away"."""
+        words_ = (c for c in self.text.chunks if isinstance(c, Word) and self.start <= c.i < self.i)
+        opened = [c for c in words_ if c.cat in {"rel", "sub"}]
+        who = self.own_subject if opened else []
+        if opened and opened[-1].cat == "rel":
+            mentions = self.text.mentions
+            named = [m for m in mentions if m.i < opened[-1].i and not m.possessor]
+            who = named[-1].entities if named else []
+        return next(iter(who), None)
+
+    @cached_property
+    def subject(self) -> list[Entity]:
+        """Who the sentence is about up to it: the subject of its last verb, or its first noun."""
+        own = self.adjacent or self._owner()
+        if own:
+            return own
+        before = [s for s in self.text.within(self.start, self.i) if s.actors]
+        free = self._free(self.start)
+        last = before[-1] if before else None
+        if last is not None:
+            later = [m for m in free if m.i > last.event.i and m is not last.event.object]
+            return list(later[-1].entities if later else last.actors)
+        named = [m for m in self.text.mentions if self.start <= m.i < self.i and m.entities]
+        return list((free or named)[-1].entities) if named else []
+
+    def _owner(self) -> list[Entity]:
+        """``its speed is 50 km/h``, ``my speed``: whose a measure is that opens a sentence."""
+        start, mentions = self.start, self.text.mentions
+        word = self.text.tokens[start].low
+        if word not in words()["whose"] or any(start < m.i < self.i for m in mentions):
+            return []
+        if any(s.actors for s in self.text.within(start, self.i)):
+            return []
+        if word in {"my", "our"}:
+            return [e for m in mentions for e in m.entities if e.ego][:1]
+        before = [m for m in mentions if m.i < start and m.entities and not m.possessor]
+        opening = self.text.bounds(start - 2)[0] if start > 1 else start
+        said = [m for m in before if m.i >= opening and m.prep is None]
+        return list((said or before)[0 if said else -1].entities) if before else []
+
+    @cached_property
+    def part(self) -> tuple[int, list[Entity]]:
+        """Where the part of a sentence begins in which it stands, and who it is about.
+
+        A comma or conjunction begins a part if it has a subject of its own.
+        """
+        for k in range(self.i - 1, self.start - 1, -1):
+            if k > self.start and self.text.tokens[k - 1].low not in words()["joints"]:
+                continue
+            named = (m for m in self.text.mentions if k <= m.i < self.i and m.prep is None)
+            free = [m for m in named if m.entities]
+            if free and not free[0].possessor:
+                return k, list(free[0].entities)
+        return self.start, []
+
+    def likewise(self, kinds: Collection[ActKind]) -> Doing | None:
+        """``A brakes with 4 m/s², B 1 s later``: B does the same, without a verb."""
+        begin, who = self.part
+        text, (start, end) = self.text, (self.start, self.end)
+        joints = (k for k in range(self.i, end) if text.tokens[k].low in words()["joints"])
+        elided = bool(who) and any(c.actors for c in text.within(start, begin))
+        if not elided or text.within(begin, next(joints, end)):
+            return None
+        told = text.acts(start, begin, kinds)
+        if not told or told[-1].entity in who:
+            return None
+        made = [text.same(told[-1], e, self.i, self.amount.basis) for e in who]
+        return made[0]
+
+    @cached_property
+    def after(self) -> tuple[Word, NounPhrase | None] | None:
+        """A phrase of place right after it: "ahead of the ego", "from the junction"."""
+        chunks = self.text.chunks
+        k = next((k for k, c in enumerate(chunks) if c.i >= self.j), len(chunks))
+        while k < len(chunks) and getattr(chunks[k], "value", "") in {"(", ")"}:
+            k += 1  # "26.7 m (1.6 s) behind a car"
+        k += self._shared(k)
+        word = chunks[k] if k < len(chunks) else None
+        if not isinstance(word, Word):
+            return None
+        before = word.cat == "sub" and self.text.low(word.i, word.j) == " before "
+        before = before or self.text.tokens[word.i].low in {"short", "away", "distant"}
+        if word.cat not in {"locus", "prep"} and not before:
+            return word, None
+        for chunk in chunks[k + 1 : k + 5]:
+            if isinstance(chunk, Mention | Place | Thing):
+                return word, chunk
+            if isinstance(chunk, Event) or chunk.cat == "conj" or chunk.value in {",", ";", "."}:
+                break  # "80 m ahead and a car …": ahead of nobody that is named
+        return word, None
+
+    def _shared(self, k: int) -> int:
+        """``a van 60 m and a bus 75 m ahead of the ego``: the phrase after both holds for each."""
+        joint, *rest = [*self.text.chunks[k : k + 4], None, None]
+        named = isinstance(rest[0], Mention)
+        measure, locus = (*rest[named:], None, None)[:2]
+        both = isinstance(joint, Word) and joint.value in {"and", "or"}
+        told = isinstance(measure, Word) and measure.cat == "quantity"
+        placed = isinstance(locus, Word) and locus.cat == "locus"
+        return 2 + named if both and told and placed else 0
+
+    @property
+    def noun(self) -> NounPhrase | None:
+        """The noun of that phrase."""
+        return self.after[1] if self.after is not None else None
+
+    @property
+    def led_by(self) -> str:
+        """The word that opens that phrase."""
+        return self.text.tokens[self.after[0].i].low if self.after is not None else ""
+
+    def behind_or_ahead(self, one: Entity, other: Entity) -> None:
+        """``15 m behind``: who is said to be there, if no place of the two is said."""
+        way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
+        said = next((a for w, a in way.items() if self.around.after.startswith(w)), None)
+        vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
+        sideways = {Maneuver.CROSS, Maneuver.LANE_CHANGE} & (one.maneuvers | other.maneuvers)
+        if said is not None and vehicles and not sideways and not self.text.stand(one, other):
+            self.text.draft.place(one, other, {said}, self.amount.basis)
+
+
+def has_a_size(noun: Mention | Thing) -> bool:
+    """Whether it is somebody who takes part, or a thing on or beside the road."""
+    if isinstance(noun, Mention):
+        return bool(noun.entities)
+    return noun.head is not None and "thing" in noun.head.data

@@ -1,0 +1,101 @@
+"""When acts happen without a number: "then", "as soon as", and what one does in turn."""
+
+from __future__ import annotations
+
+from scegen.scenario.acts import ActKind
+from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.amounts.timing import endless, since_green, told_in
+from scegen.understanding.chunks import Word
+from scegen.understanding.draft import Basis
+from scegen.understanding.frames import words
+from scegen.understanding.happenings import Doing, Trigger
+from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
+
+
+def order(text: Telling) -> None:
+    """Says what sets acts off that no number delays."""
+    acts = text.found.acts
+    _clauses(text)
+    for doing in acts:
+        since_green(doing, text)
+    for doing in acts:  # "both brake when they are 80 m apart"
+        alike = [a for a in acts if a.i == doing.i and a.kind is doing.kind and a.when]
+        doing.when = doing.when or (alike[0].when if alike else None)
+    acts = sorted(acts, key=lambda a: _moment(a, text))
+    for n, (doing, before) in enumerate(zip(acts[1:], acts, strict=False), start=1):
+        awaited = before.when is not None and before.when.act is doing
+        if doing.when is not None or doing.i == before.i or awaited:
+            continue
+        phrase = _then(before, doing, text)
+        basis = Basis(*phrase) if phrase is not None else doing.basis
+        own = before.entity is doing.entity
+        mine = [a for a in acts[:n] if a.entity is doing.entity and a.i != doing.i]
+        told = before.always or bool(before.amounts) or doing.always
+        if phrase is not None and (told or not own):
+            doing.when = Trigger("after", basis, act=before)
+        elif doing.forced and before.always and not own:
+            basis = Basis(basis.i, basis.j, "what one has to do answers what the other does")
+            doing.when = Trigger("after", basis, act=before, since="begin")
+        elif mine and mine[-1].always and doing.always:
+            reason = "what one does in turn happens in the order of the text"
+            doing.when = Trigger("after", Basis(basis.i, basis.j, reason), act=mine[-1])
+
+
+def _moment(doing: Doing, text: Telling) -> int:
+    """``before it brakes, it swerves``: the first clause comes last."""
+    start, stop = text.bounds(doing.i)
+    opens = next((c for c in text.chunks if c.i == start), None)
+    if not isinstance(opens, Word) or text.tokens[start].low != "before":
+        return doing.i
+    return stop if doing.i < _end(opens, start, stop, text) else doing.i
+
+
+def _then(before: Doing, doing: Doing, text: Telling) -> tuple[int, int] | None:
+    start = max(before.basis.j or before.i, text.bounds(doing.i)[0])
+    span = text.find("then", start, doing.i)
+    return span if span is not None and text.tokens[span[0]].low != "before" else None
+
+
+def _end(opens: Word, start: int, stop: int, text: Telling) -> int:
+    """At the comma, or where the sentence goes on without one: "once it stands the ego …"."""
+    comma = next((k for k in range(opens.j, stop) if text.tokens[k].low == ","), None)
+    if comma is not None or opens.i > start:
+        return stop if comma is None else comma
+    told = [i for i, _ in told_in(text, opens.j, stop)]
+    return told[1] if len(told) > 1 else stop
+
+
+def _clauses(text: Telling) -> None:
+    """``as soon as the lead brakes, the ego changes lanes``."""
+    for chunk in text.subs:
+        opening = text.low(chunk.i, chunk.j).strip()
+        because = opening in {"because", "since"}
+        if not because and (opening not in words()["triggers"] or opening in {"if", "until"}):
+            continue
+        start, stop = text.bounds(chunk.i)
+        if chunk.j >= stop or quantity_at(text.tokens, chunk.j) is not None:
+            continue  # "after 2 s"
+        end = _end(chunk, start, stop, text)
+        inside = [a for a in text.found.acts if any(chunk.j <= i < end for i in a.places)]
+        outside = [a for a in text.acts(start, stop) if a not in inside]
+        main = _main(chunk, start, end, outside, text)
+        if not inside or main is None or main.when is not None:
+            continue
+        if opening == "when" and not main.always:
+            continue  # "passes a bus when a child runs out": what goes on meanwhile
+        first = inside[0]
+        over = any(c.event.perfect for c in text.within(chunk.j, end))
+        over = over or any(r.i in first.told for r in first.entity.rests)  # "when it has stopped"
+        begun = (because or opening in words()["while_begun"]) and not over
+        steps = first.kind is ActKind.CROSS and endless(first, text)
+        since = "begin" if steps or begun else "end"
+        main.when = Trigger("after", Basis(chunk.i, chunk.j), act=first, since=since)
+
+
+def _main(chunk: Word, start: int, end: int, outside: list[Doing], text: Telling) -> Doing | None:
+    """What a clause sets off: the act before it, else the one that follows."""
+    opens = chunk.i - (2 if ends_a_quantity(text.tokens, chunk.i) else 0)
+    joined = text.low(max(start, opens - 2), opens).replace(",", " ").split()
+    put_between = joined[-1:] in (["and"], ["but"])  # "brakes and, once it stands, turns"
+    front = [a for a in outside if a.i < chunk.i and not put_between]
+    return next((a for a in (*front[-1:], *outside) if a in front or a.i >= end), None)

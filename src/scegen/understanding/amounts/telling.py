@@ -1,0 +1,137 @@
+"""A text as all who read amounts see it: its sentences, who is spoken of, what is found so far."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Collection
+
+from scegen.scenario.acts import ActKind
+from scegen.scenario.vocabulary import Approach
+from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Word
+from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.frames import words
+from scegen.understanding.happenings import Doing, Happenings
+from scegen.understanding.semantics.context import Clause, Context
+
+ANY: frozenset[ActKind] = frozenset(ActKind)
+_ENDS = frozenset({".", ";", "!", "?", "\n"})
+
+
+class Telling:
+    """A text with its clauses, mentions resolved, and what it tells of.
+
+    Args:
+        chunks: its chunks.
+        scenes: what happens, in the order of the text.
+        context: the scenario in the making.
+    """
+
+    def __init__(self, chunks: list[Chunk], scenes: list[Clause], context: Context) -> None:
+        self.tokens = context.tokens
+        self.chunks = chunks
+        self.scenes = scenes
+        self.context = context
+        self.draft = context.draft
+        self.mentions = [c for c in chunks if isinstance(c, Mention)]
+        self.subs = [c for c in chunks if isinstance(c, Word) and c.cat == "sub"]
+        self.found = Happenings()
+        self._marks = [k for k, token in enumerate(self.tokens) if token.low in _ENDS]
+        self._said: dict[str, list[str]] = {}
+
+    @property
+    def ego(self) -> Entity | None:
+        """The ego, if the text names one."""
+        return next((e for e in self.draft.entities if e.ego), None)
+
+    def bounds(self, i: int) -> tuple[int, int]:
+        """Where the sentence of a token begins and ends."""
+        k = bisect_left(self._marks, i)
+        start = self._marks[k - 1] + 1 if k else 0
+        return start, self._marks[k] if k < len(self._marks) else len(self.tokens)
+
+    def within(self, start: int, end: int) -> list[Clause]:
+        """What happens between two tokens, participles before nouns left out."""
+        return [s for s in self.scenes if start <= s.event.i < end and s.event.premod_of is None]
+
+    def acts(self, start: int, end: int, kinds: Collection[ActKind] = ANY) -> list[Doing]:
+        """The acts of some kinds that are first told of between two tokens."""
+        return [a for a in self.found.acts if start <= a.i < end and a.kind in kinds]
+
+    def spoken_of(self, start: int, end: int) -> list[Entity]:
+        """Who is named between two tokens, in the order of the text."""
+        return [e for m in self.mentions if start <= m.i < end for e in m.entities]
+
+    def low(self, i: int, j: int) -> str:
+        """The words of some tokens, with a blank at either end."""
+        return f" {' '.join([t.low for t in self.tokens[max(0, i) : j]])} "
+
+    def find(self, name: str, start: int, end: int) -> tuple[int, int] | None:
+        """Where the first phrase of a list stands whole between two tokens."""
+        if name not in self._said:
+            text = self.low(0, len(self.tokens))
+            self._said[name] = [p for p in words()[name] if p in text and f" {p} " in text]
+        phrases = self._said[name]
+        text = self.low(start, end) if phrases else ""
+        for phrase in phrases:
+            at = text.find(f" {phrase} ")
+            if at >= 0:
+                first = max(0, start) + text[:at].count(" ")
+                return first, first + phrase.count(" ") + 1
+        return None
+
+    def named(self, noun: NounPhrase | None) -> list[Entity]:
+        """Whom a noun means, or whose part it is ("the ego's front")."""
+        if isinstance(noun, Mention) and noun.entities and not noun.possessor:
+            return list(noun.entities)
+        owner = noun if isinstance(noun, Mention) else getattr(noun, "owner", None)
+        return list(owner.entities) if owner is not None else []
+
+    def add(self, doing: Doing) -> Doing:
+        """One more act, at its place in the order of the text."""
+        self.found.acts = sorted([*self.found.acts, doing], key=lambda a: a.i)
+        return doing
+
+    def same(self, model: Doing, entity: Entity, i: int, basis: Basis) -> Doing:
+        """What somebody else does, done by this one too."""
+        return self.add(Doing(model.kind, entity, basis, i, always=model.always))
+
+    def stand(self, one: Entity, other: Entity) -> list[tuple[Entity, set[Approach]]]:
+        """What is said of where one of two is, seen from the other."""
+        pair, ego = {one, other}, self.ego
+        said = self.draft.placements
+        return [(p.entity, p.approaches) for p in said if {p.entity, p.reference or ego} == pair]
+
+    def in_file(self, one: Entity, other: Entity) -> tuple[Entity, Entity]:
+        """Two as follower and leader: a headway is that of the one behind."""
+        for entity, approaches in self.stand(one, other):
+            if approaches in ({Approach.AHEAD}, {Approach.BEHIND}):
+                rest = other if entity is one else one
+                return (rest, entity) if approaches == {Approach.AHEAD} else (entity, rest)
+        return (one, other) if one.ego or not other.ego else (other, one)
+
+    def counterpart(self, entity: Entity, near: list[Entity]) -> Entity | None:
+        """The other of two: for everybody the ego; for the ego who is ahead, or the only other.
+
+        Args:
+            entity: one of them.
+            near: who is spoken of around, the nearest last.
+        """
+        ego = self.ego
+        if entity is not ego and ego is not None:
+            return ego
+        others = [e for e in self.draft.entities if e is not entity]
+        named = [e for e in reversed(near) if e in others]
+        placed = self.context.placed
+        ahead = [e for e in others if placed(e, Approach.AHEAD) or "ahead" in e.dirs | e.loci]
+        moving = [e for e in ahead if e.stands is None and not e.parked]
+        for choice in (
+            [e for e in named if e in moving],
+            [e for e in named if e in ahead],
+            named,
+            moving,
+            ahead,
+            [e for e in others if not e.parked],
+        ):
+            if choice:
+                return choice[0]
+        return others[0] if len(others) == 1 else None
