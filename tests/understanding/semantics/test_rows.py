@@ -11,6 +11,7 @@ import scegen.understanding
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import BodySide, HazardKind, Maneuver
 from scegen.understanding import read
+from scegen.understanding.amounts.fields import rows as figures
 from scegen.understanding.lexicon import load
 from scegen.understanding.semantics.conditions import events
 from scegen.understanding.semantics.rows import _row, families
@@ -39,6 +40,13 @@ def verbs(node):
 
 def test_families_that_rows_lead_to_exist():
     assert {f for _, row in rows() for f in row.get("then", ())} <= families().keys()
+
+
+def test_every_measure_that_has_a_field_has_rows():
+    data = yaml.safe_load((FRAMES / "amounts.yaml").read_text(encoding="utf-8"))
+    of_the_road = {"limit", "friction", "sight", "radius"}
+    told = {row["role"] for row in data if row["dimension"] != "contact"} - of_the_road - {"other"}
+    assert {f"figures.{role}" for role in told} == figures().keys()
 
 
 def test_every_family_is_reached():

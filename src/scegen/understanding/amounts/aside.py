@@ -30,7 +30,7 @@ def within_the_lane(text: Telling) -> None:
 def off_its_lane(figure: Figure) -> bool:
     """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""
     text, who = figure.text, figure.subject
-    around = f"{figure.around.before}{figure.around.after}"
+    around = f"{figure.words_around.before}{figure.words_around.after}"
     said = any(f" {p} " in around for p in words()["lane_centre"])
     if not said or not any(e.ego or text.context.oncoming(e) for e in who):
         return False

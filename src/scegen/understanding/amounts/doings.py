@@ -2,71 +2,58 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
-
-from scegen.scenario.acts import FAR, LASTING, ActKind
+from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.draft import Basis
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
-from scegen.understanding.lexicon import word_list
 
-_ALONG = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF})
-_ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
-_GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
-FIELDS: dict[str, tuple[str, frozenset[ActKind]]] = {
-    "rate": ("rate_mps2", _ALONG),
-    "speed_after": ("target_speed_mps", _ALONG),
-    "speed_change": ("target_speed_mps", _ALONG),
-    "duration": ("duration_s", LASTING),
-    "distance": ("distance_m", FAR),
-    "lateral_speed": ("lateral_mps", _ASIDE),
-    "lateral_move": ("lateral_m", _ASIDE),
-}
-"""Role of a number -> field of an act, and which acts have it."""
+_PLAIN = frozenset({"duration", "distance", "lateral_speed", "lateral_move"})
 _SIDE_REACH = 4
 
 
-def done(figure: Figure) -> bool:
-    """One number; whether an act takes it."""
-    event, lasts = figure.verb, figure.role == "duration"
-    if lasts and event is not None and event.name == "match":
-        return _until_the_next(figure)  # "brakes to 60 km/h and holds that for 4 s": no braking
-    kinds = FIELDS[figure.role][1]
-    doing = (_rests(figure) if lasts else None) or figure.likewise(kinds)
-    doing = doing or (_lasting(figure, kinds) if lasts else _act(figure, kinds))
-    if doing is None and lasts:
-        taken = any(figure.around.preceded(w) for w in word_list("taking_time"))
-        return not taken and _until_the_next(figure)
-    doing = doing or _made(figure)
-    return doing is not None and _give(doing, figure)
+def fill(figure: Figure, field: str, kinds: frozenset[ActKind]) -> bool:
+    """A field of an act of some kinds; whether there is one."""
+    find = _lasting if figure.role == "duration" else _act
+    doing = figure.likewise(kinds) or find(figure, field, kinds)
+    return doing is not None and _give(doing, figure, field)
 
 
-def _rests(figure: Figure) -> Doing | None:
+def made(figure: Figure, kind: ActKind, field: str) -> bool:
+    """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
+    who, event = figure.subject, figure.verb
+    if not who:
+        return False
+    told = [event.i] if event is not None and event.i < figure.i else []
+    doing = Doing(kind, who[0], figure.amount.basis, figure.i, told=told)
+    return _give(figure.text.add(doing), figure, field)
+
+
+def rests(figure: Figure) -> bool:
     """``stops and stands there for 8 s``: how long one is at rest, not how it gets there."""
     event, text = figure.verb, figure.text
-    taken = any(figure.around.preceded(w) for w in word_list("getting_there"))
-    if taken or event is None or event.name not in {"wait", "stop"}:
-        return None
     who = [e for e in figure.actors if e.is_vehicle]
     who = who or [e for e in figure.subject if e.is_vehicle]
-    if not who:
-        return None
+    if event is None or not who:
+        return False
     own = [a for a in text.acts(figure.start, event.i + 1) if a.entity is who[0]]
-    if own and own[-1].kind is ActKind.STOP and not own[-1].amounts:
-        own[-1].kind, own[-1].always = ActKind.WAIT, True
-        own[-1].told.append(event.i)
-        return own[-1]
-    return text.add(Doing(ActKind.WAIT, who[0], Basis(event.i, event.j), event.i))
+    doing = own[-1] if own else None
+    if doing is None or doing.kind is not ActKind.STOP or doing.amounts:
+        doing = text.add(Doing(ActKind.WAIT, who[0], Basis(event.i, event.j), event.i))
+    else:
+        doing.kind, doing.always = ActKind.WAIT, True
+        doing.told.append(event.i)
+    return _give(doing, figure, "duration_s")
 
 
-def _give(doing: Doing, figure: Figure) -> bool:
+def _give(doing: Doing, figure: Figure, name: str) -> bool:
     """Gives a number to a field of an act, and of those who do the same there."""
-    role, name = figure.role, FIELDS[figure.role][0]
-    plain = role.startswith("lateral") or role in {"duration", "distance"}
-    plain = plain or figure.around.before.endswith(" up to ")  # where it ends, no bound
+    role = figure.role
+    plain = role in _PLAIN or figure.words_around.before.endswith(
+        " up to "
+    )  # where it ends, no bound
     amount: Amount | None = figure.exactly if plain else figure.amount
     if role == "rate" and doing.kind is ActKind.STOP:
         doing.kind = ActKind.BRAKE
@@ -83,11 +70,11 @@ def _give(doing: Doing, figure: Figure) -> bool:
     return True
 
 
-def _lasting(figure: Figure, kinds: Collection[ActKind]) -> Doing | None:
+def _lasting(figure: Figure, field: str, kinds: frozenset[ActKind]) -> Doing | None:
     """The act that takes so long: that of its verb, that a noun names, or what one does there."""
     event = figure.verb
     if event is None:
-        return _act(figure, kinds)
+        return _act(figure, field, kinds)
     text, scenes = figure.text, figure.text.scenes
     near = {e.i for e in (event, *event.children, *([event.parent] if event.parent else []))}
     here = text.acts(figure.start, figure.end, kinds)
@@ -101,9 +88,9 @@ def _lasting(figure: Figure, kinds: Collection[ActKind]) -> Doing | None:
     return own[-1] if own else None
 
 
-def _act(figure: Figure, kinds: Collection[ActKind]) -> Doing | None:
+def _act(figure: Figure, name: str, kinds: frozenset[ActKind]) -> Doing | None:
     """The act of a number: the last before it in its sentence, else the next, else the last."""
-    text, name = figure.text, FIELDS[figure.role][0]
+    text = figure.text
     if _unread(figure, kinds):
         return None
     here = text.acts(figure.start, figure.end, kinds)
@@ -120,28 +107,13 @@ def _act(figure: Figure, kinds: Collection[ActKind]) -> Doing | None:
     return same[-1] if same else None
 
 
-def _unread(figure: Figure, kinds: Collection[ActKind]) -> bool:
+def _unread(figure: Figure, kinds: frozenset[ActKind]) -> bool:
     """``pulls away at 1 m/s² and then stops``: said of a doing that is no act yet."""
     event = figure.verb
     if event is None or event.i >= figure.i or event.name == "move" or event.nominal:
         return False
     known = any(event.i in a.places for a in figure.text.found.acts)
     return not known and frames().get(event.name) in kinds
-
-
-def _made(figure: Figure) -> Doing | None:
-    """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
-    who, event = figure.subject, figure.verb
-    kind = ActKind.SWERVE if figure.role == "lateral_move" else None
-    if figure.role == "rate":
-        around = f"{figure.around.before}{' '.join(figure.around.after.split()[:1])}"
-        gains = event is not None and event.name != "move" and frames().get(event.name) in _GAINING
-        gains = gains or any(w in around for w in ("accelerat", " start", " sets "))
-        kind = ActKind.ACCELERATE if gains else ActKind.BRAKE
-    if kind is None or not who:
-        return None
-    told = [event.i] if event is not None and event.i < figure.i else []
-    return figure.text.add(Doing(kind, who[0], figure.amount.basis, figure.i, told=told))
 
 
 def _changed(doing: Doing, figure: Figure) -> Amount | None:
@@ -172,7 +144,7 @@ def _side(doing: Doing, figure: Figure) -> None:
             return
 
 
-def _until_the_next(figure: Figure) -> bool:
+def until_the_next(figure: Figure) -> bool:
     """``holds it for 5 s and then slows``: how long until the next act."""
     own = [a for a in figure.text.found.acts if a.entity in figure.subject]
     later = [a for a in own if a.i > figure.i]

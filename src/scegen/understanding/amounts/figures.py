@@ -6,15 +6,17 @@ from collections.abc import Collection
 from functools import cached_property
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import AmountFrame, Numbers, words
 from scegen.understanding.happenings import Amount, Doing
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import Quantity
 
+_MEASURES = {measure.value.rpartition("_")[0]: measure for measure in Measure}
 _PARENTHESIS = 2
 _UNTIL = frozenset({"until", "till"})
 _SKIPPED = frozenset({"aux", "manner", "unknown", "possessive", "(", ":"})
@@ -22,8 +24,10 @@ _OWNS = (["'s"], ["'"], ["("])
 """``the ego's 60 km/h``, ``a van (45 km/h)``."""
 
 
-class Figure:
-    """A number with what it is said of.
+class Figure(Clause):
+    """A number as a clause: its role is its verb, on which it depends is what happens there.
+
+    Who acts is who acts there; the phrase of place after it is its own.
 
     Args:
         quantity: the number.
@@ -35,18 +39,21 @@ class Figure:
         self.quantity, self.text = quantity, text
         self.i, self.j = quantity.i, quantity.j
         self.start, self.end = text.bounds(self.i)
-        verb = self.verb
+        verb, scene = self.verb, self.scene
         told = (verb.name, None if verb.perfect else verb.i) if verb is not None else ()
         measured = numbers.measured(quantity, *told)
-        self.around, self.frame = measured.around, measured.frame
-        sized = self.frame.role in {"long", "wide"} or (self.role == "other" and self.frame.next)
+        self.words_around, self.frame = measured.around, measured.frame
+        sized = self.frame.role in {"long", "wide"} or (
+            self.frame.role == "other" and self.frame.next
+        )
         if self.frame.dimension == "length" and not sized and self.inside is not None:
             self.frame = AmountFrame("length", "long")  # "a 12 m bus": how large it is
-
-    @property
-    def role(self) -> str:
-        """What it measures, as the frames have it."""
-        return self.frame.role
+        self.role = self.frame.role
+        event = Event(self.role, self.i, self.j, "", parent=verb)
+        event.pps = [Prep(*self.after)] if self.after is not None else []
+        who, whom = (scene.actors, scene.targets) if scene is not None else ([], [])
+        opened = self.clause[2] if self.clause is not None else ""
+        super().__init__(event, who, whom, {}, self.words_around, opened)
 
     @property
     def amount(self) -> Amount:
@@ -76,14 +83,14 @@ class Figure:
         return before[-1] if before else next(iter(here), None)
 
     @property
-    def does(self) -> str:
-        """What happens in its clause, as the lexicon calls it."""
-        return self.scene.event.name if self.scene is not None else ""
+    def measure(self) -> Measure:
+        """What it measures between two."""
+        return _MEASURES[self.role]
 
     @property
-    def actors(self) -> list[Entity]:
-        """Who acts in its clause."""
-        return self.scene.actors if self.scene is not None else []
+    def does(self) -> str:
+        """What happens in its clause, as the lexicon calls it."""
+        return self.verb.name if self.verb is not None else ""
 
     @cached_property
     def verb(self) -> Event | None:
@@ -276,7 +283,7 @@ class Figure:
     def behind_or_ahead(self, one: Entity, other: Entity) -> None:
         """``15 m behind``: who is said to be there, if no place of the two is said."""
         way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
-        said = next((a for w, a in way.items() if self.around.after.startswith(w)), None)
+        said = next((a for w, a in way.items() if self.words_around.after.startswith(w)), None)
         vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
         sideways = {Maneuver.CROSS, Maneuver.LANE_CHANGE} & (one.maneuvers | other.maneuvers)
         if said is not None and vehicles and not sideways and not self.text.stand(one, other):

@@ -45,7 +45,7 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
     pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
     here_into = [a for a in here if a.kind in _INTO] + pulls_out
-    if not here_into and (measure is Measure.TTC_S or figure.around.closes("at_that")):
+    if not here_into and (measure is Measure.TTC_S or figure.words_around.closes("at_that")):
         # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
         here_into = [a for a in here if told & a.places]
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)

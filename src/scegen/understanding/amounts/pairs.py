@@ -17,7 +17,7 @@ _BRACKET = 3
 
 def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
     """``two cars drive ahead of the ego with 20 m between each``: from one to the next."""
-    if not figure.around.opens("in_a_row"):
+    if not figure.words_around.opens("in_a_row"):
         return []
     text = figure.text
     own = {id(c.owner) for c in text.chunks if isinstance(c, Place)}  # "in the ego's lane"
@@ -48,7 +48,7 @@ def _in_one_file(members: list[Entity], text: Telling) -> bool:
 def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     """Who lies how far from whom."""
     text, noun, subject = figure.text, figure.noun, figure.subject
-    if " the next " in f"{' '.join(figure.around.after.split()[:4])} ":
+    if " the next " in f"{' '.join(figure.words_around.after.split()[:4])} ":
         return None  # "each 3 m clear of the next"
     own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
     named = text.named(noun) if not own else []
@@ -62,7 +62,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     if pronoun and named == subject:
         named = []  # "and the ego, 15 m behind it": not behind itself
     pairs = [m.entities for m in before if len(m.entities) == _PAIR]
-    if figure.around.opens("between_two") and pairs:
+    if figure.words_around.opens("between_two") and pairs:
         return pairs[-1][0], pairs[-1][1]
     bracketed = _bracketed(figure)
     if bracketed is not None and subject and bracketed not in subject:

@@ -11,49 +11,25 @@ from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.moments import moment, since
 from scegen.understanding.amounts.pairs import pair_of, row_of
-from scegen.understanding.amounts.releasing import JUNCTION, ends_up, from_elsewhere, sets_off
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
-from scegen.understanding.lexicon import word_list
 
-MEASURES = {
-    "gap": Measure.GAP_M,
-    "headway": Measure.HEADWAY_S,
-    "ttc": Measure.TTC_S,
-    "lateral_gap": Measure.LATERAL_GAP_M,
-    "lateral_offset": Measure.LATERAL_OFFSET_M,
-    "overlap": Measure.OVERLAP_PERCENT,
-}
+_SOON = 14
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _TWO_LANES = 7
-_PLACES = JUNCTION | {"crosswalk", "bus_stop", "parking", "exit", "ramp"}
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
 
 
-def spaced(figure: Figure) -> bool:
-    """One number that lies between two; whether a place was found for it."""
-    measure, spacings = MEASURES[figure.role], figure.text.found.spacings
-    if measure in LENGTHWISE and sets_off(figure, measure):
-        return True
-    so_far = isinstance(figure.noun, Place) and figure.noun.kind in _PLACES
-    if so_far or from_elsewhere(figure):
-        return False  # so far from the junction: between no two
-    if _where_it_stops(figure):
-        return _at_rest(figure, measure)
-    if ends_up(figure):
-        return False
-    if measure is Measure.GAP_M and _to_a_thing(figure):
-        return True
-    if measure is Measure.LATERAL_OFFSET_M and aside.off_its_lane(figure):
-        return True
-    row = row_of(figure)
+def apart(figure: Figure) -> bool:
+    """So far lies between two, or from one of a row to the next."""
+    spacings, row = figure.text.found.spacings, row_of(figure)
     pair = row[-1] if row else pair_of(figure)
-    if pair is None:
+    if pair is None or _ends_up(figure):
         return False
-    measure = _sideways(measure, figure, *pair)
+    measure = _sideways(figure, *pair)
     at = moment(figure, measure, *pair)
     if row:
         spacings += [Apart(measure, a, b, figure.amount, at) for a, b in row]
@@ -79,7 +55,14 @@ def _past_all(told: Apart, figure: Figure) -> list[Apart]:
     ]
 
 
-def _at_rest(figure: Figure, measure: Measure) -> bool:
+def _ends_up(figure: Figure) -> bool:
+    """``drifts until only 0.3 m remain``: how far apart they end up."""
+    if figure.clause is None or figure.opened not in {"until", "till"}:
+        return False
+    return not figure.text.acts(figure.clause[1], figure.clause[1] + _SOON)
+
+
+def at_rest(figure: Figure) -> bool:
     """``stops 3 m behind the truck``: how far apart they are once it stands."""
     pair, text = pair_of(figure), figure.text
     stops = [a for a in text.acts(figure.start, figure.i) if a.entity in (pair or ())]
@@ -87,13 +70,14 @@ def _at_rest(figure: Figure, measure: Measure) -> bool:
     if pair is None or not stops:
         return False
     amount = _with_place(figure)
-    text.found.spacings.append(Apart(measure, *pair, amount, stops[-1], since="end"))
+    text.found.spacings.append(Apart(figure.measure, *pair, amount, stops[-1], since="end"))
     return True
 
 
-def _sideways(measure: Measure, figure: Figure, one: Entity, other: Entity) -> Measure:
+def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     """``passes the parked van at 1 m``, ``drives beside it, 1 m away``: from side to side."""
-    if measure is not Measure.GAP_M or figure.around.opens("along"):
+    measure = figure.measure
+    if measure is not Measure.GAP_M or figure.words_around.opens("along"):
         return measure
     far = figure.quantity.exact.high
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}
@@ -127,7 +111,7 @@ def _between(
     return Apart(measure, entity, reference, amount, at, side, since(text, at, one, other))
 
 
-def _to_a_thing(figure: Figure) -> bool:
+def to_a_thing(figure: Figure) -> bool:
     """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
     text = figure.text
     here = [x for x in text.found.items if figure.start <= (x.basis.i or 0) < figure.end]
@@ -150,17 +134,6 @@ def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amoun
     if not (placed or meets or sideways or entity.parked or entity.heading):
         reason = "a gap along the road is one to who is ahead"
         draft.place(entity, None, {Approach.AHEAD}, Basis(amount.basis.i, amount.basis.j, reason))
-
-
-def _where_it_stops(figure: Figure) -> bool:
-    """``stops 1 m before the pedestrian``, ``comes to rest 5 m behind it``: how they end up."""
-    before, scene = figure.text.low(figure.i - 2, figure.i).split(), figure.scene
-    rests = before[-1:] and before[-1] in word_list("at_rest") and before[0] != "from"
-    if not (rests or figure.does == "stop") or not figure.actors:
-        return False
-    right_behind = rests or (scene is not None and scene.event.j == figure.i)
-    way = "short_of_or_behind" if right_behind else "short_of"
-    return not any(e.still for e in figure.actors) and figure.around.opens(way)
 
 
 def _with_place(figure: Figure) -> Amount:

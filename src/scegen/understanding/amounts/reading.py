@@ -2,42 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts import aside, struck
 from scegen.understanding.amounts.acting import read_acts
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart
 from scegen.understanding.amounts.clauses import clauses_of
-from scegen.understanding.amounts.doings import FIELDS, done
+from scegen.understanding.amounts.fields import place, says_how
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.items import read_items
 from scegen.understanding.amounts.letting_by import go_on
 from scegen.understanding.amounts.ordering import order
-from scegen.understanding.amounts.outcomes import impact, read_outcome
-from scegen.understanding.amounts.placed import MEASURES, spaced
-from scegen.understanding.amounts.releasing import driven
-from scegen.understanding.amounts.sizes import SIZES, sized
-from scegen.understanding.amounts.speeds import held, relative
+from scegen.understanding.amounts.outcomes import read_outcome
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.amounts.timing import delayed
 from scegen.understanding.chunks import Chunk
 from scegen.understanding.frames import Numbers
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
-
-_TAKERS: dict[str, Callable[[Figure], bool]] = {
-    "speed": held,
-    **dict.fromkeys(FIELDS, done),
-    **dict.fromkeys(MEASURES, spaced),
-    **dict.fromkeys(SIZES, sized),
-    "driven": driven,
-    "delay": delayed,
-    "impact": impact,
-    "relative_speed": relative,
-}
-"""Role of a number -> what gives it its place, if there is one."""
 
 
 def read_amounts(
@@ -55,13 +36,11 @@ def read_amounts(
     read_acts(text)
     read_outcome(text)
     figures = [Figure(q, numbers, text) for q in numbers.quantities]
-    speeds = [f for f in figures if f.role == "speed"]
-    of_acts = [f for f in figures if f.role in FIELDS]
-    _place(speeds)
+    _place([f for f in figures if f.role == "speed"])
     as_fast(text)
     read_items(text)
-    _place(of_acts)
-    _place([f for f in figures if f not in speeds and f not in of_acts])
+    figures.sort(key=lambda figure: not says_how(figure.role))
+    _place([f for f in figures if f.role != "speed"])
     aside.within_the_lane(text)
     struck.settle(text)
     order(text)
@@ -75,8 +54,7 @@ def read_amounts(
 
 def _place(figures: list[Figure]) -> None:
     for figure in figures:
-        take = _TAKERS.get(figure.role)
-        if take is None or not take(figure):
+        if not place(figure):
             figure.note()
 
 

@@ -14,20 +14,10 @@ from scegen.understanding.happenings import Doing, Trigger
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _LINES = JUNCTION | {"crosswalk"}
-_SOON = 14
-_ASIDE = frozenset({"side", "flank", "direction", "lane", "front"})
 _RESTING = frozenset({"wait", "stop", "park"})
 
 
-def ends_up(figure: Figure) -> bool:
-    """``drifts until only 0.3 m remain``: how far apart they end up."""
-    clause = figure.clause
-    if clause is None or clause[2] not in {"until", "till"}:
-        return False
-    return not figure.text.acts(clause[1], clause[1] + _SOON)
-
-
-def sets_off(figure: Figure, measure: Measure) -> bool:
+def sets_off(figure: Figure) -> bool:
     """``when the gap is 20 m``, ``50 m before the junction``: what sets an act off."""
     noun, word, clause = figure.noun, figure.led_by, figure.clause
     opened = clause is not None and clause[2] in words()["triggers"]
@@ -36,7 +26,7 @@ def sets_off(figure: Figure, measure: Measure) -> bool:
     short = word in words()["short"]
     told = short or word == "to"
     line = noun if isinstance(noun, Place) and noun.kind in _LINES and told else None
-    thing = _thing(figure) if short and measure is Measure.GAP_M else None
+    thing = _thing(figure) if short and figure.measure is Measure.GAP_M else None
     when = clause if opened else None
     if thing is not None:
         return _before_a_thing(figure, thing, when)
@@ -51,7 +41,7 @@ def sets_off(figure: Figure, measure: Measure) -> bool:
     if any(a.entity is subject for a in acts):
         return False  # "when the truck moves over 30 m in front of it"
     if line is None or not (line.kind in JUNCTION or figure.text.context.junction.crossing):
-        return _comes_down(figure, measure, doing, subject, line)
+        return _comes_down(figure, doing, subject, line)
     subject = subject if opened else figure.said_of or subject
     moved = subject if subject is not doing.entity else None
     if moved is not None and _waits(figure, moved):
@@ -60,9 +50,7 @@ def sets_off(figure: Figure, measure: Measure) -> bool:
     return True
 
 
-def _comes_down(
-    figure: Figure, measure: Measure, doing: Doing, subject: Entity, line: Place | None
-) -> bool:
+def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | None) -> bool:
     """Between whom a measure comes down to a value that sets something off."""
     text, noun = figure.text, figure.noun
     own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
@@ -75,28 +63,20 @@ def _comes_down(
     other = named[0] if named else doing.entity if subject is not doing.entity else doing.into
     near = [e for e in text.spoken_of(0, figure.i) if e is not subject]
     other = other or text.counterpart(subject, near)
-    if other is None or other is subject or (line is None and from_elsewhere(figure)):
+    if other is None or other is subject:
         return False
     figure.behind_or_ahead(subject, other)
-    if measure is not Measure.GAP_M:
+    if figure.measure is not Measure.GAP_M:
         subject, other = text.in_file(subject, other)
     doing.when = Trigger(
         "measure",
         figure.amount.basis,
         figure.amount,
-        measure=measure,
+        measure=figure.measure,
         entity=subject,
         reference=other,
     )
     return True
-
-
-def from_elsewhere(figure: Figure) -> bool:
-    """``40 m from the line``, ``40 m before the bridge``: from nobody who takes part."""
-    noun = figure.noun
-    if figure.quantity.dimension != "length" or figure.led_by not in {"from", "before"}:
-        return False
-    return isinstance(noun, Place) and noun.kind not in _ASIDE and noun.owner is None
 
 
 def _waits(figure: Figure, entity: Entity) -> bool:

@@ -12,14 +12,12 @@ from scegen.understanding.draft import Entity
 from scegen.understanding.happenings import Item
 from scegen.understanding.lexicon import word_list
 
-SIZES = {"long": "length_m", "wide": "width_m"}
-"""Role of a number -> field of a participant or an object."""
 _LIMITS = {"length_m": LENGTHS_M, "width_m": WIDTHS_M}
 
 
-def sized(figure: Figure) -> bool:
-    """Gives a number to the one whose size it is; whether there is one."""
-    noun, field = _named_beside(figure), SIZES[figure.role]
+def sized(figure: Figure, field: str) -> bool:
+    """Gives a number to a field of the one whose size it is; whether there is one."""
+    noun = _named_beside(figure)
     if noun is None:
         return False
     items = figure.text.found.items

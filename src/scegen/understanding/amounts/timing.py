@@ -19,11 +19,6 @@ _ENDING = frozenset({"target_speed_mps", "duration_s", "distance_m"})
 def delayed(figure: Figure) -> bool:
     """``after 3 s``, ``2 s later``, ``1 s after the van has cut in``."""
     since = _since(figure)
-    if since == "before":
-        return _earlier(figure)
-    if since == "after" and (waiting := _at_green(figure)) is not None:
-        waiting.green_delay = waiting.green_delay or figure.exactly
-        return True
     doing = figure.likewise(ANY) or _act(figure) or _comes_in(figure)
     if doing is None or doing.when is not None:
         return False
@@ -48,16 +43,19 @@ def _waiting(text: Telling) -> list[Entity]:
     return [e for e in text.draft.entities if e.light and e.light[0] is AtLight.WAITS]
 
 
-def _at_green(figure: Figure) -> Entity | None:
+def at_green(figure: Figure) -> bool:
     """``sets off 0.8 s after the light has turned green``: who waits for that."""
     text, j = figure.text, figure.j
     ends = [k for k in range(j, figure.end) if text.tokens[k].low in {",", "and"}]
     if " green " not in text.low(j, min([*ends[:1], j + _GREEN_REACH, figure.end])):
-        return None
+        return False
     doing = _act(figure)
     who = [doing.entity] if doing is not None else figure.subject
     waits = _waiting(text)
-    return next(iter([e for e in waits if e in who] or ([] if who else waits)), None)
+    for entity in ([e for e in waits if e in who] if who else waits)[:1]:
+        entity.green_delay = entity.green_delay or figure.exactly
+        return True
+    return False
 
 
 def since_green(doing: Doing, text: Telling) -> None:
@@ -69,7 +67,7 @@ def since_green(doing: Doing, text: Telling) -> None:
         entity.green_delay, doing.when = entity.green_delay or when.amount, None
 
 
-def _earlier(figure: Figure) -> bool:
+def earlier(figure: Figure) -> bool:
     """``the van enters 1.5 s before the ego gets there``: the other's act comes later."""
     text = figure.text
     told = text.acts(figure.start, figure.i)

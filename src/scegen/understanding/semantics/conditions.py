@@ -8,6 +8,8 @@
   the verb or a preposition; ``mod``: before or after it; ``ends``; ``said``: all its lemmas;
   where a list of the lexicon stands for words, it is called ``@NAME``;
 * ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``how VALUE…``: manner;
+* of a number: ``opens LIST``, ``closes LIST``: so begins what stands behind it, ends what stands
+  before; ``led WORD…``: one of them leads up to it; ``opened WORD…``: its part of the sentence;
 * ``least|below FIELD NUMBER``: a number says that of it, or every one does (SI units);
 * ``control``, ``junction``; ``danger KIND…``: there is one; or a word of `FACTS`.
 
@@ -47,6 +49,9 @@ FACTS: dict[str, Test] = {
     "directed": lambda clause, _: bool(clause.event.dirs),
     "at_a_speed": lambda clause, _: any(
         (m.cat, m.value) == ("quantity", "speed") for m in clause.event.mods
+    ),
+    "right_after": lambda clause, _: (
+        clause.event.parent is not None and clause.event.parent.j == clause.event.i
     ),
     "verbless": lambda clause, _: not clause.event.name,
     "crossing": lambda _, context: context.junction.crossing,
@@ -236,6 +241,24 @@ def _below(rest: str) -> Test:
     )
 
 
+def _opens(rest: str) -> Test:
+    return lambda clause, _: clause.around is not None and clause.around.opens(rest)
+
+
+def _closes(rest: str) -> Test:
+    return lambda clause, _: clause.around is not None and clause.around.closes(rest)
+
+
+def _led(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, _: clause.around is not None and any(map(clause.around.preceded, words))
+
+
+def _opened(rest: str) -> Test:
+    words = _words(rest)
+    return lambda clause, _: clause.opened in words
+
+
 def _some(rest: str) -> Test:
     find = who(rest)
     return lambda clause, context: bool(find(clause, context))
@@ -270,6 +293,7 @@ _KINDS: dict[str, Callable[[str], Test]] = {
     "form": _form, "ends": _ends, "link": _link, "control": _control, "junction": _junction,
     "danger": _danger, "before": _before, "next": _next, "soon": _soon, "said": _said,
     "via": _via, "over": _over, "least": _least, "below": _below,
+    "opens": _opens, "closes": _closes, "led": _led, "opened": _opened,
     "some": _some, "one": _one, "any": _any, "all": _all, "no": _no,
 }  # fmt: skip
 

@@ -9,6 +9,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.frames.windows import Window
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.words.tokens import Token
@@ -26,12 +27,16 @@ class Clause:
         actors: who acts, after passives are turned round.
         targets: whom it is done to.
         amounts: what numbers say of it, by the field (SI units); None where one is not told.
+        around: the words around the number that it is, if it is one.
+        opened: what opens the part of the sentence in which that number stands ("when", "until").
     """
 
     event: Event
     actors: list[Entity]
     targets: list[Entity]
     amounts: dict[str, list[Interval | None]] = field(default_factory=dict)
+    around: Window | None = None
+    opened: str = ""
 
     @property
     def drivers(self) -> list[Entity]:

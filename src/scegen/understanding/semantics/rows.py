@@ -19,10 +19,11 @@ follows. With ``also`` the next rows are asked as well. The keys:
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, TypeAlias
 
 from scegen.scenario.parsing import parse
 from scegen.understanding.semantics.conditions import Test, condition
@@ -39,6 +40,7 @@ _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place
 
 _PLAIN = ("negated", "passive", "nominal", "phrases")
 """What a row may ask of an event that is known before any other condition is tried."""
+Effects: TypeAlias = Callable[[dict[str, Any]], Iterable[Effect]]
 _PATH = re.compile(r"path (?!\^)")
 
 
@@ -63,8 +65,10 @@ def _then(family: str) -> Effect:
     return effect
 
 
-def _row(row: dict[str, Any], where: str) -> Row:
-    unknown = sorted(row.keys() - _KEYS)
+def _row(
+    row: dict[str, Any], where: str, effects: Effects = effects_of, keys: frozenset[str] = _KEYS
+) -> Row:
+    unknown = sorted(row.keys() - keys)
     if unknown:
         raise KeyError(f"{where}: {unknown[0]!r} is no part of a row")
     try:
@@ -81,8 +85,8 @@ def _row(row: dict[str, Any], where: str) -> Row:
         by = row.get("by", "drivers")
         if "hazard" in row and not by.startswith("maybe "):
             tests.append(condition(f"some {by}"))
-        effects = (*effects_of(row), *map(_then, row.get("then", ())))
-        return Row(events, plain, tuple(tests), effects, bool(row.get("also")))
+        does = (*effects(row), *map(_then, row.get("then", ())))
+        return Row(events, plain, tuple(tests), does, bool(row.get("also")))
     except KeyError as error:
         raise KeyError(f"{where}: {error} in {row}") from error
 
@@ -96,11 +100,26 @@ def families() -> dict[str, tuple[Row, ...]]:
     """
     found: dict[str, tuple[Row, ...]] = {}
     for name in _FILES:
-        path = files("scegen.understanding.frames").joinpath(f"{name}.yaml")
-        data: Any = parse(path.read_text(encoding="utf-8"), where=f"{name}.yaml")
-        for events, rows in data.items():
-            made = tuple(_row(row, f"{name}.yaml, {events}") for row in rows)
-            found.update((f"{name}.{event.strip()}", made) for event in events.split(","))
+        found |= read_rows(name)
+    return found
+
+
+def read_rows(
+    name: str, effects: Effects = effects_of, keys: frozenset[str] = _KEYS
+) -> dict[str, tuple[Row, ...]]:
+    """The rows of a file by family, as ``dangers.brake``.
+
+    Args:
+        name: of the file.
+        effects: what a row does.
+        keys: what a row may have.
+    """
+    found: dict[str, tuple[Row, ...]] = {}
+    path = files("scegen.understanding.frames").joinpath(f"{name}.yaml")
+    data: Any = parse(path.read_text(encoding="utf-8"), where=f"{name}.yaml")
+    for events, rows in data.items():
+        made = tuple(_row(row, f"{name}.yaml, {events}", effects, keys) for row in rows)
+        found.update((f"{name}.{event.strip()}", made) for event in events.split(","))
     return found
 
 
