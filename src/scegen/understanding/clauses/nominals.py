@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach, place_in_front
+from scegen.understanding.clauses.beside import side_of_place
 from scegen.understanding.clauses.joining import joins
 from scegen.understanding.clauses.phrases import (
     also_from,
@@ -17,8 +18,6 @@ from scegen.understanding.clauses.phrases import (
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import finite_follows
 
-_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
-_LEADING = frozenset({"in", "into", "to", "for"})
 _SMALL = frozenset({"prep", "manner"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
 _TURNS = frozenset({"turn", "u_turn"})
@@ -206,37 +205,6 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     return True
 
 
-def _side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
-    """``a driveway on the right``, ``the lane to its right``: the side at which it lies."""
-    place = chunks[k - 2] if k > 1 else None
-    if not isinstance(noun, Place) or noun.kind != "side":
-        return False
-    behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
-    if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
-        place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
-        return True  # "from behind a hedge on the right"
-    if not isinstance(place, Place):
-        return False
-    if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
-        return False
-    place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
-    place.j = noun.j
-    return True
-
-
-def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
-    """``in the lane to the right of the bus``: no movement to the right."""
-    along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
-    within = along and (lane.prep is None or lane.prep.value in _LEADING)
-    if not within or not set(side.dirs) & {"left", "right"}:
-        return False
-    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
-    if owned and isinstance(who, Mention):
-        lane.beside = who
-    return owned or any(m.cat == "possessive" for m in side.mods)
-
-
 def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
     """A place or thing: what a preposition or verb governs.
 
@@ -259,7 +227,7 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
             state.topic = noun  # "the right part of the ego's front strikes …"
         state.prep.target = noun
         noun.prep = state.prep.word
-        if not _side_of_place(noun, k, chunks):
+        if not side_of_place(noun, k, chunks):
             attach(state.prep, state)
         state.prep = None
         return

@@ -47,13 +47,14 @@ def _comes_to_rest(entities: list[Entity], basis: Basis) -> list[Entity]:
 def stand(clause: Clause, context: Context) -> None:
     """``a van stands in the lane``, ``a bus has stopped``: from the start, and all the time."""
     event = clause.event
-    if event.negated or event.modal or event.nominal or _until(event, context):
+    stays = _never_moves(event, context)
+    if event.modal or event.nominal or (event.negated and not stays) or _until(event, context):
         return
     if event.name in _STARTING and (_from_rest(event, context) or _first_goes(clause, context)):
         _until_it_goes(clause)
         return
     lemma = event.lemma
-    stands = _stands(event, context)
+    stands = stays or _stands(event, context)
     places = [p for p in clause.places() if p.prep is None or p.prep.value != "with"]  # its lights
     in_lane = any(p.kind in _IN_LANE for p in places)
     in_lane = in_lane and lemma not in word_list("standing")
@@ -107,6 +108,14 @@ def _until_it_goes(clause: Clause) -> None:
 def _stands(event: Event, context: Context) -> bool:
     at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
     return at_rest or (event.name == "stop" and _over(event, context))
+
+
+def _never_moves(event: Event, context: Context) -> bool:
+    """``does not move``: not for a while, to nowhere, and before no light."""
+    said = event.name == "move" and event.lemma in word_list("budging") and event.negated
+    away = event.dirs or any(p.value in {"into", "to", "from"} for p in event.pps)
+    timed = any((m.cat, m.value) == ("quantity", "time") for m in event.mods)
+    return said and not (away or timed or context.junction.crossing)
 
 
 def _from_rest(event: Event, context: Context) -> bool:

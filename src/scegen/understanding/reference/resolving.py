@@ -81,6 +81,9 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
     for who in event.subject if isinstance(known, Mention) else []:
         if who.pronoun and known is not None and known.i < who.i:
             found.unlike[id(who)].append(known)  # "the van it is following": "it" is not the van
+    for part in [known, *(p.target for p in event.pps)] if event.name == "collide" else []:
+        if isinstance(part, Place) and part.owner is not None:
+            found.unlike[id(part.owner)] += event.subject  # "a van hits its rear": not the van's
     for prep in event.pps:
         by = prep.target
         if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):

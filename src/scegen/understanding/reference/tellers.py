@@ -11,7 +11,7 @@ from scegen.understanding.reference.describing import ONLY_VEHICLES
 from scegen.understanding.reference.reference import tells
 from scegen.understanding.words.tokens import Token
 
-_KERBS = frozenset({"sidewalk", "crosswalk"})
+_STEPS = frozenset({"walk", "cross", "appear"})
 _RIDDEN = frozenset({"bicycle", "motorcycle"})
 _WAITS = frozenset({"wait", "stop"})
 _REACH = 3
@@ -70,18 +70,15 @@ def _owns(tokens: list[Token], things: str, *, others: bool) -> bool:
 
 def _afoot(event: Event, tokens: list[Token]) -> bool:
     """``I stepped out``, ``I was waiting on the pavement``, ``pushing the pram, I …``."""
-    if event.name == "walk" and not _lemma(event, "running"):
-        return True
-    if _lemma(event, "stepping") and event.name in {"cross", "appear"}:
+    if event.name in _STEPS and _lemma(event, "stepping"):
         return True
     what = event.object
-    if what is not None and event.lemma == "push":
-        return tokens[what.j - 1].forms[-1][0] in word_list("of_walkers")
+    if event.lemma == "push":
+        last = tokens[what.j - 1].forms[-1][0] if what is not None else ""
+        return event.name == "walk" or last in word_list("of_walkers")
     places = [what, *(p.target for p in event.pps)]
-    kinds = {p.kind for p in places if isinstance(p, Place)}
-    return bool(kinds & _KERBS if event.name == "walk" else kinds & {"sidewalk"}) and (
-        event.name in _WAITS | {"walk"}
-    )
+    waits = event.name in _WAITS
+    return waits and any(isinstance(p, Place) and p.kind == "sidewalk" for p in places)
 
 
 def _on_foot(mention: Mention, tokens: list[Token]) -> bool:

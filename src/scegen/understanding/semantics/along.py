@@ -63,7 +63,8 @@ def _lengthwise(prep: Prep, context: Context) -> bool:
     if not isinstance(place, Place):
         return False
     along = context.tokens[prep.word.i].low in word_list("lengthwise") and place.kind in _WAYS
-    same = place.kind == "direction" and "same" in place.dirs
+    same = place.kind == "direction" and prep.value == "in"  # "in the direction of travel"
+    same = same or (prep.value == "with" and "rear" in place.dirs)  # "with its back to the ego"
     edge = place.kind in {"side", "shoulder"} and prep.value == "in" and not place.dirs
     return along or same or edge
 

@@ -22,8 +22,17 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
-from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics import along, doing, lanes, met, owed, patterns, seen, ways
+from scegen.understanding.semantics import (
+    along,
+    doing,
+    lanes,
+    met,
+    of_numbers,
+    owed,
+    patterns,
+    seen,
+    ways,
+)
 from scegen.understanding.semantics.contact import goal_of_contact
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rewriting import passes_round
@@ -112,29 +121,24 @@ def _goal(rest: str) -> Test:
     return lambda clause, c: test(lanes.into_lane(clause.event), c)
 
 
-def _words(rest: str) -> frozenset[str]:
-    """Words, or those of a list of the lexicon ("@gently")."""
-    return word_list(rest[1:]) if rest.startswith("@") else frozenset(rest.split())
-
-
 def _ends(rest: str) -> Test:
     return lambda clause, c: c.tokens[clause.event.j - 1].low == rest
 
 
 def _before(rest: str) -> Test:
-    words = _words(rest)
+    words = patterns.listed(rest)
     return lambda clause, c: clause.event.i > 0 and c.tokens[clause.event.i - 1].low in words
 
 
 def _next(rest: str) -> Test:
-    words = _words(rest)
+    words = patterns.listed(rest)
     return lambda clause, c: (
         not words.isdisjoint([t.low for t in c.tokens[clause.event.j : clause.event.j + 1]])
     )
 
 
 def _soon(rest: str) -> Test:
-    words = _words(rest)
+    words = patterns.listed(rest)
     return lambda clause, c: (
         not words.isdisjoint([t.low for t in c.tokens[clause.event.j : clause.event.j + _SOON]])
     )
@@ -148,7 +152,7 @@ def _said(rest: str) -> Test:
 
 
 def _via(rest: str) -> Test:
-    words, own = _words(rest), _own(rest)
+    words, own = patterns.listed(rest), _own(rest)
     return lambda clause, c: (
         own(clause, c) or any(c.tokens[p.word.i].low in words for p in clause.event.pps)
     )
@@ -165,27 +169,27 @@ def _how(rest: str) -> Test:
 
 
 def _own(rest: str) -> Test:
-    words = _words(rest)
+    words = patterns.listed(rest)
     return lambda clause, c: (
         not words.isdisjoint([t.low for t in c.tokens[clause.event.i : clause.event.j]])
     )
 
 
 def _mod(rest: str) -> Test:
-    words = _words(rest)
+    words = patterns.listed(rest)
     return lambda clause, c: (
         not words.isdisjoint([c.tokens[m.j - 1].low for m in clause.event.mods])
     )
 
 
 def _lemma(rest: str) -> Test:
-    words = _words(rest)
+    words = patterns.listed(rest)
     return lambda clause, _: clause.event.lemma in words
 
 
 def events(rest: str) -> frozenset[str]:
     """Events by name, and those of a list of the lexicon ("@steady")."""
-    return frozenset().union(*map(_words, rest.split()))
+    return frozenset().union(*map(patterns.listed, rest.split()))
 
 
 def _event(rest: str) -> Test:
@@ -226,39 +230,6 @@ def _danger(rest: str) -> Test:
     return lambda _, context: any(d.kind in kinds for d in context.draft.dangers)
 
 
-def _least(rest: str) -> Test:
-    name, value = rest.split()
-    return lambda clause, _: any(
-        v is not None and v.low >= float(value) for v in clause.amounts.get(name, ())
-    )
-
-
-def _below(rest: str) -> Test:
-    name, value = rest.split()
-    return lambda clause, _: (
-        name in clause.amounts
-        and all(v is not None and v.high < float(value) for v in clause.amounts[name])
-    )
-
-
-def _opens(rest: str) -> Test:
-    return lambda clause, _: clause.around is not None and clause.around.opens(rest)
-
-
-def _closes(rest: str) -> Test:
-    return lambda clause, _: clause.around is not None and clause.around.closes(rest)
-
-
-def _led(rest: str) -> Test:
-    words = _words(rest)
-    return lambda clause, _: clause.around is not None and any(map(clause.around.preceded, words))
-
-
-def _opened(rest: str) -> Test:
-    words = _words(rest)
-    return lambda clause, _: clause.opened in words
-
-
 def _some(rest: str) -> Test:
     find = who(rest)
     return lambda clause, context: bool(find(clause, context))
@@ -292,8 +263,7 @@ _KINDS: dict[str, Callable[[str], Test]] = {
     "mod": _mod, "lemma": _lemma, "event": _event, "parent": _parent, "child": _child,
     "form": _form, "ends": _ends, "link": _link, "control": _control, "junction": _junction,
     "danger": _danger, "before": _before, "next": _next, "soon": _soon, "said": _said,
-    "via": _via, "over": _over, "least": _least, "below": _below,
-    "opens": _opens, "closes": _closes, "led": _led, "opened": _opened,
+    "via": _via, "over": _over, **of_numbers.KINDS,
     "some": _some, "one": _one, "any": _any, "all": _all, "no": _no,
 }  # fmt: skip
 

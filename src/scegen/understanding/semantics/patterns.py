@@ -231,3 +231,8 @@ def people(found: list[Prep]) -> list[Entity]:
 def end(found: Prep) -> int:
     """The index after the last token of a phrase."""
     return found.target.j if isinstance(found.target, NounPhrase | Event) else found.word.j
+
+
+def listed(rest: str) -> frozenset[str]:
+    """Words, or those of a list of the lexicon ("@gently")."""
+    return word_list(rest[1:]) if rest.startswith("@") else frozenset(rest.split())

@@ -6,6 +6,7 @@ from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.ahead import noun_follows
 from scegen.understanding.words.measures import names_a_measure
 from scegen.understanding.words.nominal import ORDINALS
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.sidewords import left_or_gone
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
@@ -46,12 +47,24 @@ def _clause_follows(tokens: list[Token], j: int) -> bool:
         if following is None:
             j += 1
             continue
-        if following.has("aux") or (following.has("verb") and following.form in {"s", "ed"}):
+        verbal = following.has("verb") and following.form in {"s", "ed"}
+        if following.has("aux") or (verbal and not following.has("dir")):  # "from the left"
             return not following.has("actor")
         if following.has("sub", "conj"):
             return False
         j = following.j
     return False
+
+
+def _single_one(tokens: list[Token], j: int) -> bool:
+    """``ego and preceding car``: one of several would have an article, or a name, as an object."""
+    following = longest_match(tokens, j)
+    if following is None or not following.only("actor") or following.form != "base":
+        return False
+    mass = "mass" in following.get("actor").data
+    after = tokens[following.j] if following.j < len(tokens) else None
+    named = after is not None and after.kind in {"label", "number"}
+    return not mass and (not named or quantity_at(tokens, following.j) is not None)
 
 
 def is_adverb(token: Token) -> bool:
@@ -82,7 +95,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub", "punct"} and match.has("dir"):
         # "turning left and following vehicle B": without an article it is no adjective
-        attributive = _clause_follows(tokens, match.j)
+        attributive = _clause_follows(tokens, match.j) or _single_one(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         shaped = before in {"shape", "control", "det"} and not attributive
         return (match.get("place") if shaped else _without_place(match, attributive)), attributive

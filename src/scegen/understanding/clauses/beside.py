@@ -1,0 +1,63 @@
+"""On which side a place lies: said right after it."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Place, Thing, Word
+
+_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
+_LEADING = frozenset({"in", "into", "to", "for"})
+_ROADS = frozenset({"road", "leg", "junction"})
+_ROADS_FROM, _ASIDE = frozenset({"from", "out"}), frozenset({"in", "to"})
+
+
+def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies.
+
+    Args:
+        noun: what may be a side.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+
+    Returns:
+        Whether it is the side of the place before it.
+    """
+    place = chunks[k - 2] if k > 1 else None
+    if not isinstance(noun, Place) or noun.kind != "side":
+        return False
+    behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
+    if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
+        place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+        return True  # "from behind a hedge on the right"
+    if not isinstance(place, Place):
+        return False
+    if place.kind not in _BESIDE_THE_ROAD and not (
+        _lane_beside(place, noun, k, chunks) or _road_beside(place, noun)
+    ):
+        return False
+    place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+    place.j = noun.j
+    return True
+
+
+def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
+    within = along and (lane.prep is None or lane.prep.value in _LEADING)
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
+    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    there = lane.prep is not None and lane.prep.value == "in" and lane.kind == "lane"
+    there = there and side.prep is not None and side.prep.value in _ASIDE
+    there = there and lane.owner is None and not any(m.cat == "possessive" for m in lane.mods)
+    return owned or there or any(m.cat == "possessive" for m in side.mods)
+
+
+def _road_beside(road: Place, side: Place) -> bool:
+    """``from the street to our left``, ``out of the arm on the right``: which one it is."""
+    whence = road.prep is not None and road.prep.value in _ROADS_FROM
+    whence = whence and side.prep is not None and side.prep.value in _ASIDE
+    sided = bool(set(side.dirs) & {"left", "right"}) and not road.dirs
+    return road.kind in _ROADS and whence and sided
