@@ -62,8 +62,7 @@ def _others_wrong(scenario, wanted, chosen):
         fits = [
             p
             for p in left
-            if p.approaches
-            and _values(p.approaches) <= where
+            if (not where or (p.approaches and _values(p.approaches) <= where))
             and (not maneuvers or (p.maneuvers and _values(p.maneuvers) <= set(maneuvers)))
         ]
         if fits:
