@@ -46,3 +46,19 @@ def test_who_cycles_is_an_ego_on_a_bicycle(text):
 )
 def test_who_drives_is_no_walker(text):
     assert {(kind, role) for kind, role, *_ in people(text)} == {("car", "ego"), ("van", "other")}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego turned left at an intersection while I, on foot, was crossing the street.",
+        "I walked over the zebra crossing and the ego did not stop.",
+    ],
+)
+def test_who_walks_beside_an_ego_that_is_named_is_somebody_else(text):
+    assert {who[:2] for who in people(text)} == {("pedestrian", "other"), ("car", "ego")}
+
+
+def test_who_cycles_beside_an_ego_that_is_named_is_somebody_else():
+    text = "On my bike I was riding straight on when the ego turned left across my way."
+    assert {who[:2] for who in people(text)} == {("bicycle", "other"), ("car", "ego")}

@@ -9,14 +9,20 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.egos import ego_by_order, last_is_ego, of_both, the_ego
+from scegen.understanding.reference.egos import (
+    ego_by_order,
+    last_is_ego,
+    of_both,
+    the_ego,
+    the_teller,
+)
 from scegen.understanding.reference.groups import (
     Group,
     opened,
     vehicle_around,
 )
 from scegen.understanding.reference.known import Known
-from scegen.understanding.reference.mention_words import Reading, read_mention
+from scegen.understanding.reference.mention_words import Reading, mine, read_mention
 from scegen.understanding.reference.pronouns import Pronouns, picked
 from scegen.understanding.reference.ranks import with_the_ranked
 from scegen.understanding.reference.reference import (
@@ -167,9 +173,9 @@ class Discourse:
             ego_by_order(self._roster, mention)
             if mention.prep is None and (mention.joined is not None or not exclude):
                 last_is_ego(self._roster, mention)
-            ego = the_ego(self._roster, reading.kind, basis)
-            ego.named_by |= {"speaks"} if tells(mention) else set()
-            return [ego]
+            if tells(mention) or mine(mention, reading.kind):
+                return [the_teller(self._roster, reading.kind, basis)]
+            return [the_ego(self._roster, reading.kind, basis)]
         of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
         if reading.driver and isinstance(of_whom, Mention):
             return self.resolve(of_whom, subject=False, exclude=[])
@@ -197,9 +203,14 @@ class Discourse:
             self._roster.groups[-1].both = True
         return found
 
-    def told_by(self, kind: ParticipantKind | None) -> None:
-        """What the one who tells it goes by; None: a car, or what it says."""
-        self._roster.teller = kind or ParticipantKind.CAR
+    def told_by(self, kind: ParticipantKind | None, *, apart: bool) -> None:
+        """Who tells it.
+
+        Args:
+            kind: what it goes by; None: a car, or what it says.
+            apart: the vehicle under test is named besides.
+        """
+        self._roster.teller, self._roster.apart = kind or ParticipantKind.CAR, apart and bool(kind)
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road").
@@ -217,4 +228,4 @@ class Discourse:
             i: index of the first token of the words.
             j: index after the last one.
         """
-        return the_ego(self._roster, ParticipantKind.CAR, Basis(i, j))
+        return the_teller(self._roster, ParticipantKind.CAR, Basis(i, j))

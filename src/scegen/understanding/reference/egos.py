@@ -31,7 +31,27 @@ def the_ego(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
         basis: the words for it.
     """
     known = next((e for e in roster.draft.entities if e.ego), None)
-    return known or _take(roster.new(roster.teller if kind is ParticipantKind.CAR else kind, basis))
+    told = kind is ParticipantKind.CAR and not roster.apart
+    return known or _take(roster.new(roster.teller if told else kind, basis))
+
+
+def the_teller(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
+    """Who tells it: the ego, unless it walks or cycles beside one that is named.
+
+    Args:
+        roster: who is known.
+        kind: what it drives, if it is new and does not say itself what it goes by.
+        basis: the words for it.
+    """
+    if not roster.apart:
+        ego = the_ego(roster, kind, basis)
+        ego.named_by.add("speaks")
+        return ego
+    known = next((e for e in roster.draft.entities if "speaks" in e.named_by), None)
+    teller = known or roster.new(roster.teller, basis)
+    teller.claimed = True
+    teller.named_by.add("speaks")
+    return teller
 
 
 def last_is_ego(roster: Roster, mention: Mention) -> None:

@@ -85,15 +85,20 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         labels=labels | ({_name(mention.label, kind)} if mention.label else set()),
         dirs=set(mention.dirs),
         parked=parked,
-        ego=any(h.data.get("ego") for h in heads) or _mine(mention, kind),
+        ego=any(h.data.get("ego") for h in heads) or mine(mention, kind),
         driver=driver and not kinds,
         reason=reason,
         called=called(mention, tokens),
     )
 
 
-def _mine(mention: Mention, kind: ParticipantKind) -> bool:
-    """``my bike``, ``our old lorry``: whoever tells it drives it."""
+def mine(mention: Mention, kind: ParticipantKind) -> bool:
+    """``my bike``, ``our old lorry``: whoever tells it drives it.
+
+    Args:
+        mention: a mention with a noun.
+        kind: what the noun names.
+    """
     first = mention.mods[0] if mention.mods else None
     mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
     named = mention.head is not None and mention.head.value in KINDS

@@ -15,7 +15,7 @@ from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.ranks import rank
-from scegen.understanding.reference.tellers import teller_goes_by
+from scegen.understanding.reference.tellers import is_apart, teller_goes_by
 from scegen.understanding.words.tokens import Token
 
 _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
@@ -104,7 +104,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         discourse: the participants so far.
     """
     describe(chunks, events, discourse.tokens)
-    discourse.told_by(teller_goes_by(chunks, events, discourse.tokens))
+    discourse.told_by(teller_goes_by(chunks, events, discourse.tokens), apart=is_apart(chunks))
     mark_generic(chunks, events)
     rank(chunks, events, discourse.tokens)
     bonds = _bonds(chunks, events, discourse.tokens)

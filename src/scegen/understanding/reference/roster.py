@@ -31,6 +31,7 @@ class Roster:
         landmark: who others were placed by last.
         pair: the two of whom one was called "the former".
         teller: what the one who tells it goes by.
+        apart: that one is not the ego.
     """
 
     draft: Draft
@@ -42,6 +43,7 @@ class Roster:
     landmark: list[Entity] = field(default_factory=list)
     pair: list[Entity] = field(default_factory=list)
     teller: ParticipantKind = ParticipantKind.CAR
+    apart: bool = False
 
     def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
         """Remembers a mention.

@@ -8,12 +8,14 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.describing import ONLY_VEHICLES
+from scegen.understanding.reference.mention_words import mine
 from scegen.understanding.reference.reference import tells
 from scegen.understanding.words.tokens import Token
 
 _STEPS = frozenset({"walk", "cross", "appear"})
 _RIDDEN = frozenset({"bicycle", "motorcycle"})
 _WAITS = frozenset({"wait", "stop"})
+_MY = frozenset({"my", "our"})
 _REACH = 3
 """Within so many words after "my" stands what is mine."""
 
@@ -32,18 +34,26 @@ def teller_goes_by(
         How the teller moves; None if it drives, or nothing says so.
     """
     mentions = [c for c in chunks if isinstance(c, Mention)]
-    if any(m.is_ego and not tells(m) for m in mentions):
-        return None  # the vehicle under test is who tells it
     own = [e for e in events if any(_us(m) for m in e.subject) and not e.negated]
-    if any(e.drives for e in own):
+    my_car = any(m.is_ego and tokens[m.i].low in _MY for m in mentions)
+    if my_car or any(e.drives for e in own):
         return None
+    own_bike = any(mine(m, ParticipantKind.BICYCLE) and _is_bicycle(m) for m in mentions)
     ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
-    if any(_cycles(e) for e in own) or _owns(tokens, "of_cyclists", others=bool(ridden)):
+    if (
+        own_bike
+        or any(_cycles(e) for e in own)
+        or _owns(tokens, "of_cyclists", others=bool(ridden))
+    ):
         return ParticipantKind.BICYCLE
     if any(e.name in ONLY_VEHICLES for e in own):
         return None
     afoot = any(_afoot(e, tokens) for e in own) or any(_on_foot(m, tokens) for m in mentions)
     return ParticipantKind.PEDESTRIAN if afoot else None
+
+
+def _is_bicycle(mention: Mention) -> bool:
+    return any(h.value == "bicycle" for h in mention.heads)
 
 
 def _us(mention: Mention) -> bool:
@@ -63,8 +73,8 @@ def _cycles(event: Event) -> bool:
 
 def _owns(tokens: list[Token], things: str, *, others: bool) -> bool:
     """``my handlebar``; ``my elbow on the handlebar``, where nobody else rides."""
-    mine = {"my", "our"} if others else {"my", "our", "the"}
-    near = [tokens[k + 1 :][:_REACH] for k, t in enumerate(tokens) if t.low in mine]
+    whose = _MY if others else _MY | {"the"}
+    near = [tokens[k + 1 :][:_REACH] for k, t in enumerate(tokens) if t.low in whose]
     return any(token.forms[-1][0] in word_list(things) for after in near for token in after)
 
 
@@ -85,3 +95,8 @@ def _on_foot(mention: Mention, tokens: list[Token]) -> bool:
     """``I was on foot``."""
     after = [t.low for t in tokens[mention.j :][: _REACH + 1]]
     return tells(mention) and ("on", "foot") in pairwise(after)
+
+
+def is_apart(chunks: list[Chunk]) -> bool:
+    """``the ego turned left as I crossed on foot``: who tells it beside a vehicle under test."""
+    return any(isinstance(c, Mention) and c.is_ego and not tells(c) for c in chunks)
