@@ -63,3 +63,10 @@ def test_who_comes_over_from_the_lane_beside_touches_the_side_that_is_said(does)
     functional = read(text)
     assert functional.outcome.struck == "left"
     assert not made(functional).proof.missed
+
+
+def test_who_is_alone_hits_nobody_anywhere():
+    outcome = {"kind": "collision", "between": [], "struck": "front", "impact_percent": 25.0}
+    raised = made(said("straight", person("ego", maneuvers=["straight"]), outcome=outcome))
+    missed = {proof.id for proof in raised.proof.missed}
+    assert missed == {"outcome.kind", "outcome.struck", "outcome.impact_percent"}

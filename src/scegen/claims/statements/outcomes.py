@@ -104,16 +104,27 @@ def _touch(told: Told, outcome: Outcome, view: View) -> Judged:
     return Judged(margin, -margin, when)
 
 
-def _met(told: Told, outcome: Outcome, view: View) -> tuple[str, str]:
-    """The pair that touches first in most candidates, the ego first."""
+def _met(told: Told, outcome: Outcome, view: View) -> tuple[str, str] | None:
+    """The pair that touches first in most candidates, the ego first; None if it is alone."""
     pairs = pairs_of(told, outcome, view)
+    if not pairs:
+        return None
     hits = [np.isfinite(view.of_pair("contact_s", *pair)).sum() for pair in pairs]
     first, second = pairs[int(np.argmax(hits))]
     return (first, second) if first == told.ego else (second, first)
 
 
+def _nowhere(view: View) -> Judged:
+    """Of a contact that cannot be."""
+    never = np.full(view.count, np.nan)
+    return Judged(never, never, never)
+
+
 def _impact(told: Told, outcome: Outcome, wanted: Interval, view: View) -> Judged:
-    met = contact(view, *_met(told, outcome, view))
+    pair = _met(told, outcome, view)
+    if pair is None:
+        return _nowhere(view)
+    met = contact(view, *pair)
     aside = seen(met.first, met.second).y
     percent = 50.0 - 100.0 * aside / (2.0 * met.first.half_width)
     margin = np.where(met.happens, within(percent, wanted, PERCENT), np.nan)
@@ -125,7 +136,10 @@ def _struck(told: Told, outcome: Outcome, side: BodySide, view: View) -> Judged:
 
     The other reaches so far along that side that it is clear of the corners.
     """
-    met = contact(view, *_met(told, outcome, view))
+    pair = _met(told, outcome, view)
+    if pair is None:
+        return _nowhere(view)
+    met = contact(view, *pair)
     clear = dict(zip(_SIDES, free(met.first, met.second), strict=True))
     others: Floats = np.max([clear[other] for other in _SIDES if other is not side], axis=0)
     reaches = np.where(met.happens, clear[side] - others, np.nan)
