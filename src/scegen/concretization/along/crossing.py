@@ -5,13 +5,16 @@ from __future__ import annotations
 from itertools import chain
 from math import ceil
 
+import numpy as np
+
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import Walk, abreast_m
+from scegen.concretization.others import Walk, abreast_m, gained
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
+    BEHIND_KERB_M,
     OWES,
     aim_m,
     goes_far_m,
@@ -60,6 +63,12 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
     walk.setback_m = max(walk.gains_m + least, setback_m(walk, strip))
+    soon_s = _until_met_s(story, participant.id, meets, act)
+    if soon_s is not None:  # so near that the other does not come by first
+        way = float(gained(pace, walk.rate_mps2, np.array([soon_s]))[0][0]) - to_aim
+        nearest = max(strip, body.front_m + BEHIND_KERB_M)
+        if way > nearest or story.contact_wanted(participant.id, meets.id):
+            walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
     if said is not None:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
@@ -88,6 +97,15 @@ def _meets(story: Story, name: str) -> str:
     owing = (n for n in story.runners if name in story.endangered_by(n, OWES))
     suffering = (n for n in story.endangered_by(name) if n in story.runners)
     return next(chain(owing, suffering), story.ego.id)
+
+
+def _until_met_s(story: Story, name: str, meets: Runner, act: Act | None) -> float | None:
+    """How long the other takes to its line from when it sets off, where that is said."""
+    spacing = _spacing(story, name, meets.id, act)
+    if spacing is None or not spacing[2] or meets.speed_mps <= 0.0:
+        return None
+    measure, value, _ = spacing
+    return value / meets.speed_mps if measure is Measure.GAP_M else value
 
 
 def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float) -> None:

@@ -29,8 +29,9 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 _CLEAR_M = 6.0
 _LONG_BACK_S = 2.5
 _LOOK_S, _LONGEST_S, _PASSES_S = 0.05, 60.0, 4.0
-_STAYS_S = 1.0
-"""Who strays among those who come towards it is there for so long."""
+_CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
+"""Who strays has left the way of who comes so long before they are level: after this share of its
+change back."""
 _STILL_THERE = 0.35
 """The share of a change back after which one is still in the way of who brakes for it."""
 _FASTER_MPS = 6.0
@@ -52,17 +53,23 @@ def overtake(story: Story) -> None:
         if slow:
             _pass(story, act, story.runners[act.participant], slow)
         elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
-            # Just for those who come: into their lane; it is back later.
-            begins_s, hazard = story.begins_s[act.id], story.hazard_of(act)
-            out = Move(begins_s, LANE_CHANGE_S, 0, 0.0, act.id, hazard)
-            story.runners[act.participant].moves.append(out)
-            story.ends_s[act.id] = out.ends_s
+            _stray(story, act, story.runners[act.participant])
         elif not standings_beside(story):  # past one who is parked beside the lanes leads no change
             raise MotionInfeasibleError(
                 "nobody is ahead of it whom it could overtake",
                 where=act.participant,
                 hint="Let another vehicle be ahead of it, or let it drive straight on.",
             )
+
+
+def _stray(story: Story, act: Act, runner: Runner) -> None:
+    """Into the oncoming lane and back, where there is nobody to overtake: just for the oncoming."""
+    begins = story.begins_s[act.id]
+    hazard = story.hazard_of(act)
+    out = Move(begins, LANE_CHANGE_S, 0, 0.0, act.id, hazard)
+    back = Move(out.ends_s + 1.0, LANE_CHANGE_S, max(1, runner.lane), 0.0, act.id, hazard)
+    runner.moves += [out, back]
+    story.ends_s[act.id] = back.ends_s
 
 
 def _meet_after(story: Story) -> None:
@@ -256,22 +263,40 @@ def _when(true: Callable[[Array], Bools], from_s: float) -> float:
 
 
 def come_back(story: Story) -> None:
-    """Who strays into the lane of those who come towards it is back soon, and met as it is."""
+    """Who strays into the lane of those who come towards it is back as they meet."""
     for runner in story.runners.values():
-        last = runner.moves[-1] if runner.moves else None
-        met = [other for other in story.runners.values() if other.forward != runner.forward]
-        crash = any(story.contact_wanted(runner.id, other.id) for other in met)
-        if last is None or last.lane != 0 or crash:
+        astray = runner.moves and runner.moves[-1].lane == 0
+        if not astray:
             continue
+        last = runner.moves[-1]
+        meets = _meeting_s(story, runner, last.begins_s)
+        if meets is None:
+            continue
+        name, time_s = meets
+        if story.contact_wanted(runner.id, name):
+            continue
+        back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane, offset = max(1, runner.lane), 0.0
         if story.innermost:  # beyond a median, it dodges into the lane beside
             lane, beside = 0, round(abs(runner.offset_m) / runner.lane_width_m) + 1
             beside = beside if beside < story.lane_count else beside - 2
             offset = (1 if not runner.keeps_left else -1) * beside * runner.lane_width_m
-        back_s = last.ends_s + _STAYS_S
-        runner.moves.append(Move(back_s, last.lasts_s, lane, offset, last.act, last.hazard))
+        runner.moves.append(Move(back, last.lasts_s, lane, offset, last.act, last.hazard))
     _meet_after(story)
 
 
 def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bools:
     return gap_m(first.track(times_s)[0], second.track(times_s)[0]) <= within_m
+
+
+def _meeting_s(story: Story, runner: Runner, from_s: float) -> tuple[str, float] | None:
+    """Whom one meets first that comes towards it, and when they are level."""
+    found: list[tuple[float, str]] = []
+    for other in story.runners.values():
+        if other.forward == runner.forward:
+            continue
+        are_level = partial(_level, runner, other, 0.0)
+        moment = _when(are_level, from_s)
+        if are_level(np.array([moment]))[0]:
+            found.append((moment, other.id))
+    return (min(found)[1], min(found)[0]) if found else None
