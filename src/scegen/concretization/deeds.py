@@ -8,7 +8,7 @@ from itertools import takewhile
 
 from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.encounters import ahead_on_arm, happens_s_m, stops_for_walkers
+from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
 from scegen.concretization.moments import begins_s
 from scegen.concretization.profile import Profile, Sort, SpeedChange

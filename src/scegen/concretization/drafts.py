@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from scegen.concretization.courses import Course, course_of, turning_changes
+from scegen.concretization.courses import Course, course_of
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
@@ -14,6 +14,7 @@ from scegen.concretization.limits import (
     STOPS_FOR_S,
 )
 from scegen.concretization.profile import Sort, SpeedChange
+from scegen.concretization.turning import turning_changes
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import lay_towards
 from scegen.motion.polyline import LaidDrive

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.encounters import ahead_on_arm, same_arm
 from scegen.concretization.hazards.aside import come_into_lane
+from scegen.concretization.hazards.parties import ahead_on_arm, same_arm
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.passing import pass_drive
 from scegen.concretization.setup import Setup

@@ -12,8 +12,8 @@ from functools import cache, partial
 from itertools import combinations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.encounters import pairs, same_arm
 from scegen.concretization.hazards.aside import goes_outwards
+from scegen.concretization.hazards.parties import pairs, same_arm
 from scegen.concretization.meetings import ways_touch
 from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import NeedsLongerArms, Setup

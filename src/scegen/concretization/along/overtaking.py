@@ -72,13 +72,14 @@ def _stray(story: Story, act: Act, runner: Runner) -> None:
     story.ends_s[act.id] = back.ends_s
 
 
-def _meet_after(story: Story) -> None:
+def _meet_after(story: Story, strays: set[str]) -> None:
     """Who comes towards one in its lane meets it when it is back: just then, if that is a danger.
 
     Those whose place the text gives stay where they are.
     """
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
-    for stray in story.runners.values():
+    strays |= {act.participant for act in story.acts if story.goes_round(act)}
+    for stray in (r for r in story.runners.values() if r.id in strays):
         out = next((m for m in stray.moves if m.lane == 0), None)
         if out is None:
             continue
@@ -264,7 +265,8 @@ def _when(true: Callable[[Array], Bools], from_s: float) -> float:
 
 def come_back(story: Story) -> None:
     """Who strays into the lane of those who come towards it is back as they meet."""
-    for runner in story.runners.values():
+    strays: set[str] = set()
+    for runner in list(story.runners.values()):
         astray = runner.moves and runner.moves[-1].lane == 0
         if not astray:
             continue
@@ -282,7 +284,8 @@ def come_back(story: Story) -> None:
             beside = beside if beside < story.lane_count else beside - 2
             offset = (1 if not runner.keeps_left else -1) * beside * runner.lane_width_m
         runner.moves.append(Move(back, last.lasts_s, lane, offset, last.act, last.hazard))
-    _meet_after(story)
+        strays.add(runner.id)
+    _meet_after(story, strays)
 
 
 def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bools:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.encounters import culprits, same_arm, victims
+from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,

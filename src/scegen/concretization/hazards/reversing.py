@@ -18,7 +18,7 @@ from scegen.concretization.backing import (
     in_each_others_way,
 )
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.encounters import culprits, same_arm, victims
+from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.meetings import DANGER, Meeting
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
