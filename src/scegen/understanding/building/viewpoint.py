@@ -69,7 +69,9 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
     afoot = [e for e in draft.entities if not e.is_vehicle]
-    if len(afoot) == 1 and len(candidates) == len(movers) == 1 and not _said_where(draft, afoot[0]):
+    placed = {p.entity.index for p in draft.placements if p.reference is None}
+    pair = len(afoot) == len(candidates) == len(movers) == 1
+    if pair and afoot[0].index not in placed:
         for placement in draft.placements:
             facing = Approach.OPPOSITE in placement.approaches  # "an approaching taxi": to nobody
             if placement.entity is chosen and placement.reference is None and not facing:
@@ -111,10 +113,6 @@ def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
         p.entity is entity and p.reference is None and p.approaches == {approach}
         for p in draft.placements
     )
-
-
-def _said_where(draft: Draft, entity: Entity) -> bool:
-    return any(p.entity is entity and p.reference is None for p in draft.placements)
 
 
 def _met(draft: Draft, entity: Entity) -> bool:

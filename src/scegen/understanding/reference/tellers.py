@@ -40,11 +40,7 @@ def teller_goes_by(
         return None
     own_bike = any(mine(m, ParticipantKind.BICYCLE) and _is_bicycle(m) for m in mentions)
     ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
-    if (
-        own_bike
-        or any(_cycles(e) for e in own)
-        or _owns(tokens, "of_cyclists", others=bool(ridden))
-    ):
+    if own_bike or any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden)):
         return ParticipantKind.BICYCLE
     if any(e.name in ONLY_VEHICLES for e in own):
         return None
@@ -71,11 +67,11 @@ def _cycles(event: Event) -> bool:
     )
 
 
-def _owns(tokens: list[Token], things: str, *, others: bool) -> bool:
+def _rides(tokens: list[Token], *, others: bool) -> bool:
     """``my handlebar``; ``my elbow on the handlebar``, where nobody else rides."""
     whose = _MY if others else _MY | {"the"}
     near = [tokens[k + 1 :][:_REACH] for k, t in enumerate(tokens) if t.low in whose]
-    return any(token.forms[-1][0] in word_list(things) for after in near for token in after)
+    return any(token.forms[-1][0] in word_list("of_cyclists") for after in near for token in after)
 
 
 def _afoot(event: Event, tokens: list[Token]) -> bool:
