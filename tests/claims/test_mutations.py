@@ -26,6 +26,15 @@ def stops_short(c):
     return changed(c, "ego", speed_program=(phase,))
 
 
+def gains_speed(c, name):
+    after = SpeedPhase(
+        trigger=AtTime(time_s=0.5),
+        target_speed_mps=c.participant(name).speed_mps + 1.0,
+        rate_mps2=1.0,
+    )
+    return changed(c, name, speed_program=(*c.participant(name).speed_program, after))
+
+
 def other_signs(c):
     road = {"control": Control.UNCONTROLLED, "controlled_arms": frozenset()}
     return c.model_copy(update={"road": c.road.model_copy(update=road)})
@@ -62,6 +71,11 @@ MUTATIONS = {
         BRAKES,
         lambda c: changed(c, "ego", speed_mps=c.ego.speed_mps + 0.5),
         "speed.ego",
+    ),
+    "one who brakes is faster later than at first": (
+        BRAKES,
+        lambda c: gains_speed(c, "car"),
+        "steady.car",
     ),
     "the leader is slower": (
         BRAKES,

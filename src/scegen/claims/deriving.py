@@ -23,6 +23,7 @@ from scegen.claims.statements import (
     sizes,
     spacings,
     speeds,
+    steady,
     strips,
 )
 from scegen.claims.told import Told
@@ -39,6 +40,7 @@ STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     strips.claims,
     maneuvers.claims,
     speeds.claims,
+    steady.claims,
     spacings.claims,
     acts.claims,
     rules.claims,
