@@ -102,3 +102,19 @@ def test_near_and_far_swap_with_the_driving_side(who, way):
 def test_idle_sentences_change_nothing(idle_sentence, who):
     text = f"The ego follows a {who}, which brakes hard."
     assert seen(f"{text} {idle_sentence}") == seen(text)
+
+
+ADVERBS = ["also", "too", "now", "still", "just", "even", "then", "as well", "on its own"]
+ADVERBS += ["meanwhile", "in turn", "once more", "without warning", "all of a sudden"]
+SUBJECTS = ["the lead vehicle", "the {kind} in front", "the {kind} ahead", "a {kind} from the left"]
+SUBJECTS += ["the ego follows a {kind}, which", "the {kind} in the left lane"]
+
+
+@given(
+    st.sampled_from(SUBJECTS), st.sampled_from(ADVERBS), kind, st.sampled_from(["brakes", "stops"])
+)
+def test_an_adverb_before_a_verb_does_not_hide_it(subject, adverb, who, does):
+    subject = subject.format(kind=who)
+    acts = [act.kind for act in read(f"{subject.capitalize()} {does}.").acts]
+    assert acts == [act.kind for act in read(f"{subject.capitalize()} {adverb} {does}.").acts]
+    assert len(acts) == 1

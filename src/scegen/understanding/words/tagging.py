@@ -31,6 +31,10 @@ from scegen.understanding.words.unnamed_roles import with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
+_BEFORE_ADVERBS = frozenset(
+    {"actor", "pronoun", "rel", "manner", "locus", "dir", "compass", "place"}
+)
+"""Behind these stands no adjective."""
 _STEERED = frozenset({"driven", "ridden"})
 
 
@@ -159,7 +163,12 @@ def _crossed(tokens: list[Token], j: int) -> bool:
 
 
 def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
-    """The term before; a number that names a vehicle ("vehicle 1") counts as the vehicle."""
+    """The term before; a number that names a vehicle ("vehicle 1") counts as the vehicle.
+
+    How something is done changes nothing of what is due after who does it: "which also brakes".
+    """
+    while len(terms) > 1 and terms[-1].cat == "manner" and terms[-2].cat in _BEFORE_ADVERBS:
+        terms = terms[:-1]
     if len(terms) > 1 and terms[-1].cat == "num" and terms[-2].cat == "actor":
         return terms[-1] if tokens[terms[-2].i].text.endswith("s") else terms[-2]
     return terms[-1] if terms else None
