@@ -94,7 +94,8 @@ def _from_to(figure: Figure) -> Doing | None:
     # "brakes, 100 to 60 km/h": no range goes down
     joined = any(t.low in word_list("up_to") for t in text.tokens[i : figure.j])
     falls = joined and parts[0].low > parts[1].low
-    if not falls and not figure.words_around.preceded("from"):
+    arrow = any(t.low == "to" and not t.text.isalpha() for t in text.tokens[i : figure.j])
+    if not falls and not arrow and not figure.words_around.preceded("from"):
         return None
     first, last = parts
     kind = ActKind.BRAKE if last.low < first.low else ActKind.ACCELERATE

@@ -21,6 +21,7 @@ _TOKEN = re.compile(
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
     r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
+    r"|(?P<arrow>→|⇒|[-–=]{1,2}>)"
     r"|(?P<tolerance>±|\+\s?/?\s?[-−–])"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
 )
@@ -39,7 +40,8 @@ _MAX_WORD = 40
 
 
 _KINDS = {"plain": "word", "clock": "word", "bound": "word", "ordinal": "word", "unit": "word",
-          "tolerance": "word"}  # fmt: skip
+          "tolerance": "word", "arrow": "word"}  # fmt: skip
+_SIGNS = {"tolerance": "±", "arrow": "to"}
 _BARE = frozenset({"plain", "punct"})
 
 
@@ -103,8 +105,8 @@ def _spelt(written: str, group: str) -> str:
     low = _plain(written.lower().replace("’", "'"))
     if group == "bound":
         return low.replace("/", "")
-    if group == "tolerance":
-        return "±"
+    if group in _SIGNS:
+        return _SIGNS[group]
     return _unit(low) if group == "unit" else _ORDINALS.get(low, low)
 
 
