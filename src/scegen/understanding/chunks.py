@@ -84,6 +84,7 @@ class Mention(NounPhrase):
     drives: bool = False
     walks: bool = False
     stood: bool = False
+    stands: bool = False
     label_at: int | None = None
     possessor: bool = False
     joined: Mention | None = None

@@ -86,12 +86,12 @@ def _meet_after(story: Story, strays: set[str]) -> None:
         there = (0, out.offset_m)
         later = (m for m in stray.moves if m.begins_s > out.begins_s)
         back = next((m for m in later if (min(m.lane, 1), m.offset_m) != there), None)
-        if back is None:
-            continue
         for other in story.runners.values():
-            if other.forward == stray.forward or other.stands or {other.id, stray.id} & said:
+            clears = back or _dodge(other)
+            facing = other.forward != stray.forward and not other.stands
+            if not facing or {other.id, stray.id} & said or clears is None:
                 continue
-            moment = _meeting_when_back_s(story, stray, other, out, back)
+            moment = _meeting_when_back_s(story, stray, other, out, clears)
             if other is story.ego:
                 before = stray.at_m or 0.0
                 shift = level(stray, other, moment) - before
@@ -108,15 +108,22 @@ def _meeting_when_back_s(
 ) -> float:
     """When the two are level: in its lane if they are to touch, just not if it is a danger.
 
-    One that brakes for it would be level with it there, if it did not.
+    One that brakes for it would be level with it there, if it did not. ``back`` may be the move by
+    which the other leaves that lane.
     """
     if story.contact_wanted(stray.id, other.id):
         return (out.ends_s + back.begins_s) / 2
     if stray.id in story.endangered_by(other.id, *BRAKING):
         return back.begins_s + _STILL_THERE * back.lasts_s
     if story.concern(stray.id, other.id):
-        return just_missed_s(stray, other, back)
+        first, second = (stray, other) if back in stray.moves else (other, stray)
+        return just_missed_s(first, second, back)
     return back.ends_s + _LONG_BACK_S
+
+
+def _dodge(other: Runner) -> Move | None:
+    """The move by which one changes lanes for good."""
+    return next((m for m in other.moves[-1:] if m.lane not in (0, other.lane)), None)
 
 
 def passed_by(story: Story, act: Act) -> list[Runner]:
@@ -276,6 +283,9 @@ def come_back(story: Story) -> None:
             continue
         name, time_s = meets
         if story.contact_wanted(runner.id, name):
+            continue
+        if story.innermost and _dodge(story.runners[name]) is not None:
+            strays.add(runner.id)  # beyond a median it stays there: the other gets out of its way
             continue
         back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane, offset = max(1, runner.lane), 0.0

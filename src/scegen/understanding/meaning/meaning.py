@@ -15,6 +15,7 @@ from scegen.understanding.meaning.reactions import mark_answers, mark_late
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.phrases.on_sides import each_side, from_everywhere
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.met import driven_up_to
 from scegen.understanding.semantics.roles import (
     clause_of,
     clause_of_everybody,
@@ -79,11 +80,14 @@ class Interpreter:
             id(p)
             for e in events
             for p in e.pps
-            if p.on_mention is e.object
-            and (
-                _starts(e, p)
-                or (e.name in _BESIDE and bearing.is_side(p))
-                or bearing.own_lane(e, p)
+            if (_from_behind(p) and _goes_into(e, p.on_mention))
+            or (
+                p.on_mention is e.object
+                and (
+                    _starts(e, p)
+                    or (e.name in _BESIDE and bearing.is_side(p))
+                    or bearing.own_lane(e, p)
+                )
             )
         }
         self._context.told_in_the_past = any(
@@ -182,13 +186,12 @@ class Interpreter:
         event = clause.event
         say("positions.from_the_side", clause, self._context)
         ends = event.name == "move" and event.lemma in word_list("ending_up")
+        met = clause.targets or driven_up_to(clause, self._context)
         for prep in event.pps if not ends else []:
             if from_everywhere(prep):
                 self._spread(prep, clause.actors)
-            elif _from_behind_somebody(clause, prep):
-                self._context.ahead(
-                    clause.targets[:1], clause.actors, Basis(prep.word.i, prep.word.j)
-                )
+            elif _from_behind(prep) and event.name in _UNDERWAY and met:
+                self._context.ahead(met[:1], clause.actors, Basis(prep.word.i, prep.word.j))
             elif prep.on_mention is None or _starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -206,10 +209,14 @@ class Interpreter:
                 self._draft.place(entity, None, {_PAIR[number]}, basis)
 
 
-def _from_behind_somebody(clause: Clause, prep: Prep) -> bool:
+def _from_behind(prep: Prep) -> bool:
     """``hits the van from behind``: behind the van."""
-    behind = prep.outer == "from" and prep.value == "behind" and prep.target is None
-    return behind and bool(clause.targets) and clause.event.name in _UNDERWAY
+    return prep.outer == "from" and prep.value == "behind" and prep.target is None
+
+
+def _goes_into(event: Event, mention: Mention | None) -> bool:
+    """``runs into the van``."""
+    return any(p.value == "into" and p.target is mention for p in event.pps)
 
 
 def _starts(event: Event, prep: Prep) -> bool:

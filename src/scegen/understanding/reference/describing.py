@@ -82,6 +82,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.walks = mention.walks or _on_foot(event)
     away = event.name == "leave" and event.object is None and tokens[event.j - 1].low in _AWAY
     mention.stood = mention.stood or ((away or event.name in _FROM_REST) and not event.negated)
+    at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
+    mention.stands = mention.stands or (at_rest and not event.negated)
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object

@@ -22,7 +22,7 @@ from scegen.understanding.reference.groups import (
     vehicle_around,
 )
 from scegen.understanding.reference.known import Known
-from scegen.understanding.reference.mention_words import Reading, mine, read_mention
+from scegen.understanding.reference.mention_words import Reading, mine, read_mention, states_of
 from scegen.understanding.reference.pronouns import Pronouns, picked
 from scegen.understanding.reference.ranks import with_the_ranked
 from scegen.understanding.reference.reference import (
@@ -110,6 +110,7 @@ class Discourse:
         for entity in found:
             entity.loci |= loci_of(mention)
             entity.sides |= mention.sides
+            entity.named_by |= states_of(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
         return found
 

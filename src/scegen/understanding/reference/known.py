@@ -9,7 +9,7 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.reference.egos import the_ego
-from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading
+from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, states_of
 from scegen.understanding.reference.reference import elsewhere
 from scegen.understanding.reference.roster import Roster
 
@@ -133,8 +133,10 @@ class Known:
         elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
         options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
         options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
+        options = [e for e in options if loci & e.loci] or options  # who is known to be there
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
+        others = [e for e in others if e.named_by & states_of(mention)] or others
         done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
         placed = which or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed

@@ -92,6 +92,16 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     )
 
 
+def states_of(mention: Mention) -> set[str]:
+    """``a van stands there … the stationary van``: in what state it is said to be.
+
+    Args:
+        mention: a mention and what is said of it.
+    """
+    told = {m.value for m in mention.mods if m.cat == "state"}
+    return told | ({"stationary"} if mention.stands else set())
+
+
 def mine(mention: Mention, kind: ParticipantKind) -> bool:
     """``my bike``, ``our old lorry``: whoever tells it drives it.
 
