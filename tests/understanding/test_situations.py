@@ -84,6 +84,10 @@ def _wrong(scenario, situation, chosen):
     outcome = scenario.outcome.kind.value if scenario.outcome else None
     if outcome != situation.get("outcome", outcome):
         yield "outcome"
+    kinds = {p.id: p.kind.value if p is not ego else "ego" for p in scenario.participants}
+    between = {kinds[name] for name in scenario.outcome.between} if scenario.outcome else set()
+    if between != set(situation.get("between", between)):
+        yield "between whom"
 
 
 @pytest.mark.parametrize("situation", GRID["situations"], ids=lambda s: s["name"])

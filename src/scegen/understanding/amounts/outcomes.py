@@ -42,7 +42,8 @@ def read_outcome(text: Telling) -> None:
 
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
-    if event.premod_of is not None or not (_meets(scene, text) or _gets_clear(scene)):
+    clear = _gets_clear(scene)
+    if event.premod_of is not None or not (clear or _meets(scene, text)):
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
     nearly = text.find("nearly", start, event.i)
@@ -51,7 +52,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
     if nearly is not None:
         kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
-    elif event.negated or held_off or _before_it(event, text) or _of_nobody(event, text) or (event.name == "avoid" and not event.modal):
+    elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
     elif event.modal or (_supposed(text.low(start, event.i)) and not vain):
         return None
@@ -73,9 +74,9 @@ def _meets(scene: Clause, text: Telling) -> bool:
 def _gets_clear(scene: Clause) -> bool:
     """``changes lanes and avoids it``; what somebody does "to avoid it" may be in vain."""
     event = scene.event
-    told = event.form in {"s", "ed"} and not event.negated and bool(scene.targets)
-    own = any(e.ego for e in (*scene.actors, *scene.targets))
-    return event.name == "avoid" and told and own  # others may dodge a thing
+    told = event.form in {"s", "ed"} and not (event.negated or event.modal)
+    own = any(e.ego for e in (*scene.actors, *scene.targets))  # others may dodge a thing
+    return event.name == "avoid" and told and bool(scene.targets) and own
 
 
 def _supposed(before: str) -> bool:

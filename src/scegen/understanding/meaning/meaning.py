@@ -215,8 +215,8 @@ def _from_behind(prep: Prep) -> bool:
 
 
 def _goes_into(event: Event, mention: Mention | None) -> bool:
-    """``runs into the van``."""
-    return any(p.value == "into" and p.target is mention for p in event.pps)
+    """``runs into the van``, ``collides with it``."""
+    return any(p.value in {"into", "with"} and p.target is mention for p in event.pps)
 
 
 def _starts(event: Event, prep: Prep) -> bool:

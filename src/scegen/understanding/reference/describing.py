@@ -214,7 +214,8 @@ def _along(mention: Mention) -> bool:
             isinstance(prep.target, Mention)
             and (prep.target.pronoun is not None or prep.target.is_ego)
         )
-        if prep.word.cat == "locus" and prep.value in _ALONG and seen:
+        come_from = prep.outer == "from"  # "hits the boy from behind"
+        if prep.word.cat == "locus" and prep.value in _ALONG and seen and not come_from:
             return True
     return False
 

@@ -97,7 +97,7 @@ class Pronouns:
             order = self.roster.recent
             since = order[order.index(options[0]) + 1 :] if options[0] in order else []
             others = [e for e in since if not self._person(e) and e not in exclude]
-            # "a rider passes the ego as it turns"; "a child comes out behind a parked car; it is hit"
+            # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
             options = [e for e in others if mention.drives or not e.still][-1:] or options
         if not self.draft.entities and word in {"he", "she"}:
             return self._somebody(mention, exclude, subject)

@@ -81,7 +81,7 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
     if match.j - i != 2 or match.form != "s" or not (changes or match.only(*_NOUNS)):
         return False
     alone = longest_match(tokens, i, i + 1)
-    singular = previous is not None and previous.cat in {"det", "dir", "label"}
+    singular = previous is not None and previous.cat in {"det", "dir", "label", "state"}
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
     singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
     after, number = (tokens[k : k + 1] for k in (match.j, match.j + 1))
