@@ -9,7 +9,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.struck import struck
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
 from scegen.understanding.frames.windows import frame_of, window
@@ -32,12 +32,22 @@ def read_outcome(text: Telling) -> None:
     ending = text.found.ending
     if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
         struck(ending, text)
+        _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
     other = next((e for e in ending.between if not e.ego), None) if ending is not None else None
     if span is not None and other is not None:  # the share that no number tells
         amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
         apart = Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT)
         text.found.spacings.append(apart)
+
+
+def _from_the_front(ending: Ending, text: Telling) -> None:
+    """``a head-on collision``: they come towards one another."""
+    marks = [m for c in text.chunks for m in ([c] if isinstance(c, Word) else c.mods)]
+    placed = {p.entity.index for p in text.draft.placements}
+    for mark in [m for m in marks if (m.cat, m.value) == ("manner", "head_on")][:1]:
+        for entity in [e for e in ending.between if not e.ego and e.index not in placed]:
+            text.draft.place(entity, None, {Approach.OPPOSITE}, Basis(mark.i, mark.j))
 
 
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:

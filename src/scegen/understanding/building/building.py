@@ -39,6 +39,7 @@ from scegen.understanding.building.open_road import (
     at_the_edge,
     both_change_lanes,
     from_the_strip,
+    in_one_lane,
     in_the_way,
 )
 from scegen.understanding.building.proving import Proofs
@@ -103,6 +104,7 @@ class Builder:
         onto_the_road(self._draft, junction.driving_side)
         if junction.kind is JunctionKind.STRAIGHT:
             in_the_way(self._draft, ego)
+            in_one_lane(self._draft, self._happenings)
             abreast(self._draft, ego)
             both_change_lanes(self._draft, ego)
             from_the_strip(self._draft, ego)

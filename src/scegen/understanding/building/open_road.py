@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Draft, Entity
@@ -36,6 +37,20 @@ def at_the_edge(draft: Draft, happenings: Happenings) -> None:
         stays = bool(entity.maneuvers) and entity.maneuvers <= {Maneuver.STAY, Maneuver.STRAIGHT}
         if stays and entity.roadside is not None and not entity.is_vehicle and entity not in told:
             entity.strip = entity.strip or (Strip.PAVEMENT, entity.roadside)
+
+
+def in_one_lane(draft: Draft, happenings: Happenings) -> None:
+    """On a straight road, two who collide head-on: the one that comes the other way strays."""
+    ending = happenings.ending
+    pair = ending.between if ending is not None and ending.kind is OutcomeKind.COLLISION else []
+    told = [e for d in draft.dangers for e in (*d.by, *d.to)]
+    for entity in pair if not any(e in told for e in pair) else []:
+        oncoming = entity.approaches == {Approach.OPPOSITE} and entity.moving_vehicle
+        to = [e for e in pair if e.ego]
+        if oncoming and to and entity.stands is None:
+            basis = entity.approach_basis or entity.basis
+            reason = "two who collide head-on are in one lane"
+            draft.hazard(HazardKind.ONCOMING_LANE, Basis(basis.i, basis.j, reason), [entity], to)
 
 
 def from_the_strip(draft: Draft, ego: Entity) -> None:

@@ -88,6 +88,10 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
         by = prep.target
         if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):
             found.follows[id(by)] += [event] if prep.on_mention is None else []
+        agent = by.owner if isinstance(by, Place) else by
+        if isinstance(agent, Mention) and prep.value == "by":
+            for who in (m for m in event.subject if m.pronoun):
+                found.unlike[id(who)].append(agent)  # "it is hit by the ego"
         if not isinstance(by, Mention) or prep.on_mention not in (None, *event.subject):
             continue
         if _is_it(by) or _definite(by) or prep.value == "between":
@@ -207,6 +211,8 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
     if mention.joined is not None and mention.pronoun is None:
         unlike.append(mention.joined)  # "a van and the van behind": two
     exclude = [e for m in unlike for e in m.entities]
+    if any(m.is_ego for m in unlike):
+        exclude += [e for e in discourse.entities if e.ego]
     stands = any(e.parked for e in discourse.entities)
     if id(mention) in bonds.passed and mention.pronoun == "it" and stands:
         exclude += [e for e in discourse.entities if not e.parked]  # "drives around it"
