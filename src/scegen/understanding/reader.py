@@ -10,6 +10,7 @@ from scegen.understanding.building.building import Builder
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.viewpoint import choose_ego
+from scegen.understanding.clauses.again import named_again
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.own_measures import own_measures
@@ -93,6 +94,7 @@ def read(text: str) -> FunctionalScenario:
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
+    named_again(events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
     draft.ramp = lengthwise.auxiliary_basis

@@ -265,6 +265,8 @@ class ClauseReader:
         if by_follows(self._chunks, k):
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
+        done = state.anchor if event.nominal and isinstance(state.anchor, Event) else None
+        negated = negated or (done is not None and done.name == "light" and done.negated)
         event.negated = negated or self._lacking(event) or event.negated
         event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = event.negated or any(

@@ -24,6 +24,7 @@ PASSIVE = frozenset(
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
+_ITS = frozenset({"it", "him", "they"})
 _SHOWN = frozenset({"encounter", "cause", "prevent"})
 """Verbs that say what their object is doing."""
 
@@ -157,8 +158,17 @@ def _past_being(event: Event, state: State) -> bool:
 
 
 def _antecedent(state: State) -> Mention:
-    """The noun before "which": the last one that does not merely own something."""
-    return next((m for m in reversed(state.mentions) if not m.possessor), state.mentions[-1])
+    """The noun before "which": the last one that does not merely own something.
+
+    In "the car ahead of us, which" it is the car.
+    """
+    nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
+    return next((m for m in nouns if not _landmark(m)), nouns[0])
+
+
+def _landmark(mention: Mention) -> bool:
+    told = mention.pronoun in _ITS or any("me" in head.data for head in mention.heads)
+    return told and mention.prep is not None and mention.prep.cat == "locus"
 
 
 def _subjectless(event: Event, state: State) -> None:

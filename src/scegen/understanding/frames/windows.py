@@ -8,7 +8,7 @@ from scegen.understanding.frames.loader import AmountFrame, amounts, words
 from scegen.understanding.words.terms import longest_match
 from scegen.understanding.words.tokens import Token
 
-_REACH = 9
+_REACH = 13
 _BETWEEN = 3
 _JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "where", "because"})
 _HEADS = frozenset({"collision", "gap", "distance", "headway", "ttc", "spacing", "overlap"})

@@ -91,7 +91,7 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
     if isinstance(target, Thing | Place):
         return
     if prep.value == "between":
-        by = target.entities if isinstance(target, Mention) else []
+        by = prep.target.entities if isinstance(prep.target, Mention) else []
         for entity in entities if len(by) == 1 and by[0].ego else []:
             context.draft.place(entity, None, {Approach.ADJACENT}, basis)
         return  # "between the ego and the kerb"

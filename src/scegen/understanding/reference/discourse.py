@@ -120,7 +120,9 @@ class Discourse:
             return []
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
-        meant = self._roster.together([]) if words in word_list("two_of_them") else []
+        cars = all(e.kind is ParticipantKind.CAR for e in self._draft.entities)
+        named = words in word_list("two_of_them") or (cars and words in word_list("two_cars"))
+        meant = self._roster.together([]) if named else []
         return meant if len(meant) == _A_PAIR else []
 
     def _at_the_wheel(self, mention: Mention) -> list[Entity]:

@@ -58,12 +58,18 @@ class Known:
             if not self.roster.draft.entities:
                 the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
                 return []  # "the other car": other than mine
-            return self.roster.claim(1, exclude, reading)
+            return self.roster.claim(1, exclude, reading) or self._only_other(reading, exclude)
         if det in {"another", "ordinal"}:
             return self._another(reading, exclude)
         if det in {"one", "indef"}:
             return self._member(reading, mention, exclude)
         return self._definite(reading, mention, exclude)
+
+    def _only_other(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
+        """``the other car``: the only one beside the ego, or beside who was just spoken of."""
+        others = [e for e in self._compatible(reading) if not (e.ego or e.still or e in exclude)]
+        rest = [e for e in others if e not in self.roster.subject]
+        return next((found for found in (others, rest) if len(found) == 1), [])
 
     def _compatible(self, reading: Reading) -> list[Entity]:
         return [e for e in self.roster.draft.entities if self.roster.compatible(e, reading)]
@@ -164,4 +170,4 @@ def _known_there(entity: Entity, reading: Reading) -> bool:
     """``follows a car … the lead vehicle``: who is followed is the one ahead."""
     dirs = {_ALONG.get(d, d) for d in reading.dirs}
     along = dirs <= {"ahead", "behind"} and entity.dirs <= dirs
-    return along and dirs <= entity.loci | entity.dirs
+    return (along and dirs <= entity.loci | entity.dirs) or dirs <= entity.sides

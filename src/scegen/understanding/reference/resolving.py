@@ -84,19 +84,24 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
     for part in [known, *(p.target for p in event.pps)] if event.name == "collide" else []:
         if isinstance(part, Place) and part.owner is not None:
             found.unlike[id(part.owner)] += event.subject  # "a van hits its rear": not the van's
+    _not_by_itself(event, found)
     for prep in event.pps:
         by = prep.target
         if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):
             found.follows[id(by)] += [event] if prep.on_mention is None else []
-        agent = by.owner if isinstance(by, Place) else by
-        if isinstance(agent, Mention) and prep.value == "by":
-            for who in (m for m in event.subject if m.pronoun):
-                found.unlike[id(who)].append(agent)  # "it is hit by the ego"
         if not isinstance(by, Mention) or prep.on_mention not in (None, *event.subject):
             continue
         if _is_it(by) or _definite(by) or prep.value == "between":
             for beside in (by, *(m for m in mentions if m.joined is by)):
                 found.unlike[id(beside)] += event.subject  # "between the ego and the van ahead"
+
+
+def _not_by_itself(event: Event, found: _Bonds) -> None:
+    """``it is hit by the ego``, ``by the ego's front``: "it" is not the ego."""
+    for prep in (p for p in event.pps if p.value == "by"):
+        agent = prep.target.owner if isinstance(prep.target, Place) else prep.target
+        for who in (m for m in event.subject if m.pronoun and isinstance(agent, Mention)):
+            found.unlike[id(who)] += [agent] if isinstance(agent, Mention) else []
 
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
