@@ -116,6 +116,12 @@ def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
 def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
     """Hardly forwards, then back at the speed that is said, or a usual one, as far as is said."""
     speed = said.middle if said is not None else sum(REVERSING_MPS) / 2
+    if speed <= 0.0:
+        raise MotionInfeasibleError(
+            "it is to drive backwards, and to stand all the time",
+            where=runner.id,
+            hint="Give it a speed above 0 km/h, or let it stand and another one reverse.",
+        )
     runner.backs = True
     runner.speed_mps = min(FORTH_MPS, speed)
     if isinstance(act.when, AfterStart) and act.when.delay_s.middle > 0.0:

@@ -85,9 +85,9 @@ def before_by(event: Event) -> None:
     Args:
         event: the verb form right before "by".
     """
-    if event.form != "ed" or event.name not in PASSIVE or event.nominal:
-        return
-    event.passive = True
+    crossed = event.name == "cross" and event.object is not None and not event.subject
+    if event.form == "ed" and not event.nominal and (crossed or event.name in PASSIVE):
+        event.passive = True
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
