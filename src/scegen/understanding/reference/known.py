@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, states_of
 from scegen.understanding.reference.reference import elsewhere
@@ -36,6 +37,8 @@ class Known:
             exclude: participants that it cannot mean.
         """
         det = reading.det
+        if looker := self._looks_on(reading, mention):
+            return looker
         names = {label for label in reading.labels if label.startswith("#")}
         if names:
             known = [e for e in self.roster.draft.entities if names & e.labels][:1]
@@ -55,18 +58,29 @@ class Known:
         if reading.plural:
             return self._several(reading, mention)
         if det == "other":
-            if not self.roster.draft.entities:
-                the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
-                return []  # "the other car": other than mine
-            return self.roster.claim(1, exclude, reading) or self._only_other(reading, exclude)
+            return self._other(reading, mention, exclude)
         if det in {"another", "ordinal"}:
             return self._another(reading, exclude)
         if det in {"one", "indef"}:
             return self._member(reading, mention, exclude)
         return self._definite(reading, mention, exclude)
 
-    def _only_other(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
+    def _looks_on(self, reading: Reading, mention: Mention) -> list[Entity]:
+        """``as seen by the driver``, ``from the point of view of a driver who looks forward``."""
+        before = [t.low for t in self.roster.tokens[max(0, mention.i - 2) : mention.i]]
+        seen_by = before[-1:] == ["by"] and reading.det == "def"
+        view = before[-1:] == ["of"] and before[0] in word_list("views_of")
+        drive = [e for e in self.roster.draft.entities if e.is_vehicle]
+        alone = len(drive) == 1 and reading.driver and not reading.labels
+        return drive if alone and (seen_by or view) else []
+
+    def _other(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``the other car``: the only one beside the ego, or beside who was just spoken of."""
+        if not self.roster.draft.entities:
+            the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+            return []  # other than mine
+        if claimed := self.roster.claim(1, exclude, reading):
+            return claimed
         others = [e for e in self._compatible(reading) if not (e.ego or e.still or e in exclude)]
         rest = [e for e in others if e not in self.roster.subject]
         return next((found for found in (others, rest) if len(found) == 1), [])
@@ -158,9 +172,6 @@ class Known:
         rest = [e for e in self.roster.draft.entities if not e.ego]
         if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
             return rest  # "a pedestrian target walks …; the target is hit"
-        seen_by = mention.prep is not None and mention.prep.value == "by" and reading.driver
-        if seen_by and reading.det == "def" and len(only) == 1 and not reading.labels:
-            return only  # "as seen by the driver facing forward"
         if others or reading.det == "bare" or restricted:
             return others[:1]
         return options[:1]
