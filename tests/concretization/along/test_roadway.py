@@ -138,6 +138,23 @@ def test_a_wrong_way_driver_is_beyond_the_median_from_the_start():
     assert (motion.entry_lane, {c.lane_after for c in motion.lane_changes}) == (0, {0})
 
 
+def test_one_gets_out_of_the_way_of_a_wrong_way_driver():
+    people = [ego(100, maneuvers=["lane_change"]), one("car", "car", TOWARDS, speed=90)]
+    functional = on(
+        road(
+            people,
+            [("oncoming_lane", "car", "ego")],
+            acts=[act("dodges", "ego", "change_lane", side="left")],
+            outcome={"kind": "avoided", "between": ["ego", "car"]},
+        ),
+        lanes=(2, 2),
+        carriageway="divided",
+    )
+    concrete = made(functional)
+    assert not missed(functional, concrete)
+    assert not concrete.participant("car").motion.lane_changes[1:]
+
+
 def test_who_is_parked_on_a_motorway_stands_on_its_shoulder():
     people = [ego(100), one("van", "van", AHEAD, maneuvers=["stay"], parked=True)]
     shoulder = {"carriageway": "divided", "strips": ["hard_shoulder"], "lanes": (2, 2)}

@@ -75,8 +75,8 @@ class ClauseReader:
             attached = self._denied_way(word) or self._heading_of_a_noun(word, k)
             if not (attached or self._in_brackets_after(word, k)):
                 self._adverb(word, k)
-        elif word.value == "either" and state.prep is not None:
-            return  # "from either the left or the right"
+        elif state.prep is not None and (word.value == "either" or self._of_a_number(word, k)):
+            return  # "from either the left or the right", "without the two touching"
         else:
             release(self._state)
             if word.cat == "punct" and word.value in "()":
@@ -108,6 +108,11 @@ class ClauseReader:
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
+
+    def _of_a_number(self, word: Word, k: int) -> bool:
+        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        counted = isinstance(following, Mention) and following.mod("num") is not None
+        return (word.cat, word.value) == ("det", "def") and counted
 
     def _put_between(self, k: int) -> bool:
         """``and, when …``: after that clause the one before goes on."""

@@ -234,7 +234,10 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         return
     if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
         depend(event, last, "ing")
-    told = anchor.pronoun in {"it", "him", "they"} or any("me" in h.data for h in anchor.heads)
+    told = anchor.pronoun in _ITS or any("me" in h.data for h in anchor.heads)
+    if _landmark(anchor) and not event.finite and state.candidate is not None:
+        event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
+        return
     done_to = last is not None and last.object is anchor and last.name not in _SHOWN
     if last is not None and done_to and told and not event.finite:
         event.subject = last.subject  # "nearly hit me coming from the right"

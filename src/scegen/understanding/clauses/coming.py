@@ -1,0 +1,30 @@
+"""``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no side of its own."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+
+_SIDES = frozenset({"left", "right"})
+
+
+def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
+    """Gives "coming from the left", said behind an ego's doing, to the last one named beside it.
+
+    Args:
+        chunks: of the text.
+        events: of the text, in its order.
+    """
+    for event in events:
+        coming = (event.lemma, event.form) == ("come", "ing") and not event.finite
+        if not (coming and any(map(_from_a_side, event.pps))):
+            continue
+        if not event.subject or not all(m.is_ego for m in event.subject):
+            continue
+        named = [c for c in chunks if isinstance(c, Mention) and c.i < event.i and c.heads]
+        others = [m for m in named if m.i > event.subject[0].i and not (m.is_ego or m.possessor)]
+        event.subject = others[-1:] or event.subject
+
+
+def _from_a_side(prep: Prep) -> bool:
+    place = prep.target
+    return prep.value == "from" and isinstance(place, Place) and bool(_SIDES & {*place.dirs})
