@@ -72,10 +72,10 @@ MUTATIONS = {
         lambda c: changed(c, "ego", speed_mps=c.ego.speed_mps + 0.5),
         "speed.ego",
     ),
-    "one who brakes is faster later than at first": (
+    "the ego is faster later than at first": (
         BRAKES,
-        lambda c: gains_speed(c, "car"),
-        "steady.car",
+        lambda c: gains_speed(c, "ego"),
+        "steady.ego",
     ),
     "the leader is slower": (
         BRAKES,

@@ -1,4 +1,8 @@
-"""Nobody gains speed that nothing asks for: who drives on is never faster than at first."""
+"""Nobody gains speed that nothing asks for: who drives on is never faster than at first.
+
+Who meets the ego may: it waits for the ego at a lower speed, so that the danger stays one for an
+ego that comes earlier or later.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +30,8 @@ _GOING_ON = (Maneuver.STRAIGHT, Maneuver.LANE_CHANGE)
 
 def claims(told: Told) -> Iterator[Claim]:
     """Of everybody who drives straight on, or changes lanes, and has no reason to gain speed."""
-    for person in told.people:
+    meets = told.concerned_by(told.ego)
+    for person in [p for p in told.people if p.id not in meets]:
         drive = told.drive(person.id)
         if drive is None or person.parked or _has_reason(told, person, drive):
             continue

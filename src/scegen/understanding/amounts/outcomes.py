@@ -53,7 +53,8 @@ def _from_the_front(ending: Ending, text: Telling) -> None:
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
     clear = _gets_clear(scene)
-    if event.premod_of is not None or not (clear or _meets(scene, text)):
+    noun = _bare(event, text) and not event.subject  # "…; contact is avoided"
+    if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
     nearly = text.find("nearly", start, event.i)
@@ -153,7 +154,7 @@ def _of_nouns(text: Telling) -> list[Ending]:
 
 def _bare(event: Event, text: Telling) -> bool:
     """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
-    alone = event.i > 0 and text.tokens[event.i - 1].kind == "punct"
+    alone = event.i == 0 or text.tokens[event.i - 1].kind == "punct"
     return alone and event.form == "base" and event.lemma in words()["impacts"]
 
 

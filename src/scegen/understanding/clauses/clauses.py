@@ -61,8 +61,7 @@ class ClauseReader:
 
     def _end_sentence(self) -> None:
         release(self._state)
-        main = self._state.main
-        self._state = State(main=main)
+        self._state = State(main=self._state.main)
         self._sentence += 1
 
     def _word(self, word: Word, k: int) -> None:
@@ -75,7 +74,7 @@ class ClauseReader:
             attached = self._denied_way(word) or self._heading_of_a_noun(word, k)
             if not (attached or self._in_brackets_after(word, k)):
                 self._adverb(word, k)
-        elif state.prep is not None and (word.value == "either" or self._of_a_number(word, k)):
+        elif state.prep is not None and (word.value == "either" or self._opens_noun(word, k)):
             return  # "from either the left or the right", "without the two touching"
         else:
             release(self._state)
@@ -109,10 +108,12 @@ class ClauseReader:
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
 
-    def _of_a_number(self, word: Word, k: int) -> bool:
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
-        counted = isinstance(following, Mention) and following.mod("num") is not None
-        return (word.cat, word.value) == ("det", "def") and counted
+    def _opens_noun(self, word: Word, k: int) -> bool:
+        """``without the two touching``, ``without any other traffic``."""
+        noun = next(iter(self._chunks[k + 1 : k + 2]), None)
+        lacked = self._state.prep is not None and self._state.prep.value == "without"
+        noun = noun if word.cat == "det" and isinstance(noun, Mention) else None
+        return noun is not None and (lacked or noun.mod("num") is not None)
 
     def _put_between(self, k: int) -> bool:
         """``and, when …``: after that clause the one before goes on."""
@@ -270,8 +271,8 @@ class ClauseReader:
         if by_follows(self._chunks, k):
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
-        done = state.anchor if event.nominal and isinstance(state.anchor, Event) else None
-        negated = negated or (done is not None and done.name == "light" and done.negated)
+        if event.nominal and isinstance(state.anchor, Event) and state.anchor.name == "light":
+            negated = negated or state.anchor.negated
         event.negated = negated or self._lacking(event) or event.negated
         event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
         event.negated = event.negated or any(

@@ -21,8 +21,11 @@ def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
     prep = mention.prep.value if mention.prep is not None else ""
     first = [m.value for m in mention.mods[:1]]
-    if prep == "without" and first in (["indef"], ["other"]):
-        return True  # "without any target", "without other cars"
+    several = mention.head is not None and (
+        mention.head.form == "s" or bool(mention.head.data.get("mass"))
+    )
+    if prep == "without" and (first in (["indef"], ["other"]) or (not first and several)):
+        return True  # "without any target", "without other cars", "free of traffic"
     mass = bool(mention.head and mention.head.data.get("mass")) and all(
         m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
     )
