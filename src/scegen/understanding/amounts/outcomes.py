@@ -20,6 +20,8 @@ from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE, _PAIR = 4, 2
 _WHOLE, _HALF = 100.0, 50.0
+_DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
+"""What may be left undone, and a contact follows."""
 _NOBODY = frozenset({"neither", "nobody"})
 
 
@@ -111,11 +113,13 @@ def _of_nobody(event: Event, text: Telling) -> bool:
 
 
 def _before_it(event: Event, text: Telling) -> bool:
-    """``stops just before hitting it``."""
-    before = {t.low for t in text.tokens[max(0, event.i - 2) : event.i]}
-    timed = ends_a_quantity(text.tokens, event.i - 1)  # "brakes 1 s before contact"
-    told = event.form == "ing" or (event.form == "base" and not timed)
-    return bool(before & {"before", "without"}) and told
+    """``stops just before hitting it``, ``without it being hit``; "brakes 1 s before contact"."""
+    told = [s.event.j for s in text.scenes if s.event.j <= event.i and s.event is not event]
+    start = max([text.bounds(event.i)[0], event.i - _BEFORE, *told[-1:]])
+    timed = ends_a_quantity(text.tokens, event.i - 1)
+    passive = event.form == "ed" and text.tokens[event.i - 1].low == "being"
+    said = event.form == "ing" or passive or (event.form == "base" and not timed)
+    return said and text.find("held_off", start - 1, event.i) is not None
 
 
 def _of_phrases(text: Telling) -> list[Ending]:
@@ -143,6 +147,7 @@ def _of_nouns(text: Telling) -> list[Ending]:
         prevented = _prevented(begin - _BEFORE, k, text)
         verbs = {"in_vain" if _in_vain(e) else e.name for e in prevented}
         verbs |= {t.low for t in tokens[begin:k]}
+        verbs |= _said_of(k, text)
         around = window(tokens, begin, k + 1, {})
         role = frame_of("contact", 0.0, around, frozenset(verbs)).role
         if role != "other":
@@ -163,6 +168,24 @@ def _prevented(start: int, k: int, text: Telling) -> list[Event]:
     first, end = text.bounds(k)
     around = text.within(max(start, first), min(end, k + _BEFORE))
     return [s.event for s in around if s.event.name in {"avoid", "prevent"}]
+
+
+def _said_of(k: int, text: Telling) -> set[str]:
+    """``a crash does not occur``, ``stops before it can happen``: what verbs say of the noun."""
+    first, end = text.bounds(k)
+    events = [s.event for s in text.within(first, end)]
+    done = [e.name for e in events if e.i < k]
+    said = set(done[-1:])
+    for event in events:
+        whole = [event.object, *(p.target for p in event.pps)]
+        held = event.name not in _DONE and any(c is not None and c.i <= k < c.j for c in whole)
+        between = text.tokens[k + 1 : event.i]
+        after = event.i > k and not text.spoken_of(k, event.i)
+        if held or (after and all(t.kind == "word" for t in between)):
+            around = {t.low for t in between}
+            denied = event.negated if held else around & {*words()["none"]}
+            said |= {"denied"} if denied else around
+    return said
 
 
 def _in_vain(event: Event) -> bool:

@@ -7,6 +7,7 @@ colon after a heading that says who or where, and who does what a noun names.
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.phrases.doings_named import spell_out_doings
 from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING
 from scegen.understanding.words.terms import Term
 
@@ -26,7 +27,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     chunks = _in_lanes(chunks)
     if any(_is(chunk, ":") for chunk in chunks):
         chunks = _after_headings(_from_titles(chunks))
-    chunks = _told_by_nobody(chunks)
+    chunks = _told_by_nobody(spell_out_doings(chunks))
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
             chunk.nominal = True

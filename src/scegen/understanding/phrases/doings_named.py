@@ -1,0 +1,73 @@
+"""``Braking of the lead car``, ``Overtaking of a cyclist by the ego``: clauses without a verb.
+
+The noun of a doing with "of" and "by" behind it says what its verb would say between the two.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES, finite_follows
+from scegen.understanding.words.terms import Term
+
+_DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
+"""Doings of which "of" names whom they are done to."""
+_OPENERS = BOUNDARIES | {",", "and", "then"}
+_OTHERWISE = frozenset({"collide"})
+"""Nouns that are read as an outcome."""
+
+
+def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
+    """The chunks with who does what a noun names before it, and whom it is done to behind it.
+
+    Args:
+        chunks: of the text.
+    """
+    found: list[Chunk] = []
+    k = 0
+    while k < len(chunks):
+        event = chunks[k]
+        told = _told(event, k, chunks) if isinstance(event, Event) else None
+        if told is None:
+            found.append(event)
+            k += 1
+        else:
+            clause, k = told
+            found += clause
+    return found
+
+
+def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] | None:
+    opens = k == 0 or getattr(chunks[k - 1], "value", "") in _OPENERS
+    if not opens or event.form not in {"base", "ing"} or event.name in _OTHERWISE:
+        return None
+    m = k + 1 + isinstance(chunks[k + 1 : k + 2][:1] and chunks[k + 1], Thing)  # "manoeuvre"
+    named: dict[str, list[Chunk]] = {}
+    while (group := _group(m, chunks)) and group[0] not in named:
+        named[group[0]] = group[1]
+        m = group[2]
+    if not named or finite_follows(chunks, m - 1):
+        return None
+    whole = named.get("of", [])
+    done_to = "by" in named or event.name in _DONE_TO or not isinstance(whole[:1][0], Mention)
+    who = named.get("by", []) if done_to else whole
+    if not who:
+        term = Term("actor", "ego", event.i, event.i, data={"ego": True, "speaks": True})
+        who = [Mention(event.i, event.i, [], term, heads=[term])]
+    verb = replace(event, form="s", nominal=False)
+    return [*who, verb, *(whole if done_to else [])], m
+
+
+def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
+    """``of a car ahead of the ego``: the word, the noun with its place, where it ends."""
+    word, noun = (chunks[n] if n < len(chunks) else None for n in (m, m + 1))
+    if not isinstance(word, Word) or word.value not in {"of", "by"}:
+        return None
+    if not isinstance(noun, Mention | Place):
+        return None
+    end = m + 2
+    place, of = (chunks[n] if n < len(chunks) else None for n in (end, end + 1))
+    if isinstance(place, Word) and place.cat == "locus" and isinstance(of, Mention | Place):
+        end += 2
+    return word.value, chunks[m + 1 : end], end
