@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
@@ -49,7 +49,9 @@ def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
     if owned and isinstance(who, Mention):
         lane.beside = who
-    there = lane.prep is not None and lane.prep.value == "in" and lane.kind == "lane"
+    verb = chunks[k - 3] if k > 2 else None  # "enters the lane to the left"
+    gone_to = isinstance(verb, Event) and verb.name != "leave"
+    there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
     there = there and side.prep is not None and side.prep.value in _ASIDE
     there = there and lane.owner is None and not any(m.cat == "possessive" for m in lane.mods)
     return owned or there or any(m.cat == "possessive" for m in side.mods)

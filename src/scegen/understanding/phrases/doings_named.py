@@ -13,7 +13,7 @@ from scegen.understanding.words.terms import Term
 
 _DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
-_OPENERS = BOUNDARIES | {",", "and", "then"}
+_JOINTS = frozenset({",", "and", "then"})
 _OTHERWISE = frozenset({"collide"})
 """Nouns that are read as an outcome."""
 
@@ -39,7 +39,8 @@ def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
 
 
 def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] | None:
-    opens = k == 0 or getattr(chunks[k - 1], "value", "") in _OPENERS
+    before = getattr(chunks[k - 1], "value", "") if k else "."
+    opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
     if not opens or event.form not in {"base", "ing"} or event.name in _OTHERWISE:
         return None
     m = k + 1 + isinstance(chunks[k + 1 : k + 2][:1] and chunks[k + 1], Thing)  # "manoeuvre"
@@ -47,16 +48,23 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     while (group := _group(m, chunks)) and group[0] not in named:
         named[group[0]] = group[1]
         m = group[2]
-    if not named or finite_follows(chunks, m - 1):
+    if not named or finite_follows(chunks, m - 1) or _is_heading(m, chunks):
         return None
     whole = named.get("of", [])
     done_to = "by" in named or event.name in _DONE_TO or not isinstance(whole[:1][0], Mention)
     who = named.get("by", []) if done_to else whole
+    if not who and event.name not in _DONE_TO:
+        return None  # "reversing out of a drive, …"
     if not who:
         term = Term("actor", "ego", event.i, event.i, data={"ego": True, "speaks": True})
         who = [Mention(event.i, event.i, [], term, heads=[term])]
     verb = replace(event, form="s", nominal=False)
     return [*who, verb, *(whole if done_to else [])], m
+
+
+def _is_heading(m: int, chunks: list[Chunk]) -> bool:
+    end = next((c for c in chunks[m:] if isinstance(c, Word) and c.value in BOUNDARIES), None)
+    return end is not None and end.value == ":"
 
 
 def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
@@ -70,4 +78,6 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     place, of = (chunks[n] if n < len(chunks) else None for n in (end, end + 1))
     if isinstance(place, Word) and place.cat == "locus" and isinstance(of, Mention | Place):
         end += 2
+    if isinstance(place, Word) and place.value == "(" and isinstance(of, Mention):
+        end += 3  # "of a GVT (a van)"
     return word.value, chunks[m + 1 : end], end
