@@ -30,6 +30,7 @@ from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.on_sides import each_of
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat
+from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
@@ -90,7 +91,7 @@ def read(text: str) -> FunctionalScenario:
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
     chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
-    chunks = name_roads(name_hiders(chunks), tokens)
+    chunks = name_turned_into(name_roads(name_hiders(chunks), tokens), tokens)
     chunks = spell_out(announce(each_of(in_brackets(under_test(chunks, tokens)))))
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)

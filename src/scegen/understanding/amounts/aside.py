@@ -12,6 +12,7 @@ from scegen.understanding.frames import words
 from scegen.understanding.happenings import Amount, Apart
 
 _REACH, _SIDE_REACH = 8, 14
+SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
 _TOWARDS_THE_EDGE_M = (0.3, 0.9)
 """On one side of a lane, and still in it (lanes of 3 to 3.75 m, bodies of up to 2 m)."""
 
@@ -58,10 +59,10 @@ def _toward(figure: Figure) -> tuple[Side | None, int]:
     """The side that is named next to a number, and where the words for both end."""
     tokens, j = figure.text.tokens, figure.j
     for k in range(j, min(j + _REACH, figure.end)):
-        if tokens[k].low in {"left", "right"}:
-            return Side(tokens[k].low), k + 1
+        if tokens[k].low in SIDE_WORDS:
+            return Side(SIDE_WORDS[tokens[k].low]), k + 1
         if tokens[k].kind in {"number", "punct"}:
             break
     before = range(figure.i - 1, max(figure.start, figure.i - _SIDE_REACH) - 1, -1)
-    said = (tokens[k].low for k in before if tokens[k].low in {"left", "right"})
+    said = (SIDE_WORDS[tokens[k].low] for k in before if tokens[k].low in SIDE_WORDS)
     return next(map(Side, said), None), j

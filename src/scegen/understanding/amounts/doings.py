@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
+from scegen.understanding.amounts.aside import SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.draft import Basis
 from scegen.understanding.frames import acts as frames
@@ -137,10 +138,12 @@ def _further(doing: Doing, figure: Figure) -> Doing:
 
 
 def _side(doing: Doing, figure: Figure) -> None:
-    tokens = figure.text.tokens[figure.j : figure.j + _SIDE_REACH]
-    for k, token in enumerate(tokens, start=figure.j):
-        if token.low in {"left", "right"}:
-            doing.side, doing.side_basis = Side(token.low), Basis(k, k + 1)
+    """``0.5 m to the left``, ``to the left by 0.5 m``."""
+    tokens, i, j = figure.text.tokens, figure.i, figure.j
+    told = tokens[i - 1].low == "by" and tokens[i - 2].low in SIDE_WORDS
+    for k in [i - 2] if told else range(j, min(j + _SIDE_REACH, len(tokens))):
+        if tokens[k].low in SIDE_WORDS:
+            doing.side, doing.side_basis = Side(SIDE_WORDS[tokens[k].low]), Basis(k, k + 1)
             return
 
 

@@ -117,6 +117,7 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
         return scene.targets[0]  # "hits us in the side", "is hit on its right side"
     flank = bool(_SIDES & set(place.dirs))
     met = direct or (prep == "into" and (flank or not scene.event.passive))
+    met = met or (prep == "with" and scene.event.lemma == "collide" and not scene.targets)
     doer = scene.actors[0] if scene.actors else None
     if met and own and doer is not None:  # "a car behind hits its rear"
         return next((e for e in ending.between if not e.ego), None) if doer.ego else text.ego

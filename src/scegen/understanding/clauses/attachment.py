@@ -101,6 +101,8 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = whom if own else None
     if head is not None:
         prep.on_mention = head
+    if whom is not None and _beside_itself(prep, whom, state):
+        prep.on_mention = None
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
     described = _described(prep, state)
@@ -111,6 +113,15 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _beside_itself(prep: Prep, whom: Mention, state: State) -> bool:
+    """``in the lane of the ego ahead of it``, ``follows a van, 20 m behind it``: who acts is."""
+    it = isinstance(prep.target, Mention) and prep.target.pronoun is not None
+    owner = whom.prep is not None and whom.prep.value == "of"
+    followed = state.last is not None and state.last.name == "follow" and state.last.object is whom
+    located = it and prep.word.cat == "locus"
+    return located and (owner or (followed and prep.value == "behind"))
 
 
 def _from_a_side(prep: Prep) -> bool:

@@ -28,6 +28,9 @@ def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
         place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
         return True  # "from behind a hedge on the right"
+    shared = isinstance(place, Thing) and place.mod("quantity") is not None
+    if shared and set(noun.dirs) & {"left", "right"}:
+        return True  # "with 50 % overlap on the left side"
     if not isinstance(place, Place):
         return False
     if place.kind not in _BESIDE_THE_ROAD and not (
@@ -42,7 +45,8 @@ def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
 def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     """``in the lane to the right of the bus``: no movement to the right."""
     along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
-    within = along and (lane.prep is None or lane.prep.value in _LEADING)
+    ways = _LEADING | ({"from"} if lane.kind == "lane" else set())
+    within = along and (lane.prep is None or lane.prep.value in ways)
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
     whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))

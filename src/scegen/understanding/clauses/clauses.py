@@ -158,6 +158,8 @@ class ClauseReader:
             state.waiting.mods.append(word.term)  # "the one behind me is too close"
             return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
+        relative = word.cat == "quantity" and bool(state.events) and not state.between
+        before_event = before_event and (not relative or self._clause_start())
         if "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word.term)
         elif before_event and (not after_event or waits) and word.cat not in {"dir", "compass"}:
@@ -252,7 +254,9 @@ class ClauseReader:
 
     def _event(self, event: Event, k: int) -> None:
         state = self._state
-        event.reduced = state.anchor is state.candidate and main_verb_follows(self._chunks, k)
+        described = state.anchor is state.candidate
+        described = described or subjects.noun_described(event, state) is not None
+        event.reduced = described and main_verb_follows(self._chunks, k)
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence

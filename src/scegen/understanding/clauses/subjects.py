@@ -120,6 +120,10 @@ def _clause(event: Event, state: State) -> None:
     between = state.between
     event.embedded = "rel" in between or state.where
     event.supplement = {"rel", ","} <= between
+    noun = noun_described(event, state) if event.reduced else None
+    if noun is not None:
+        event.subject, event.finite = chain(noun), False
+        return
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"
     if state.relating is not None and event.finite and between == {","}:
@@ -219,6 +223,19 @@ def main_in_sentence(state: State) -> list[Mention]:
     if finite:
         return finite[-1].subject
     return next((e.subject for e in reversed(state.events) if e.subject), [])
+
+
+def noun_described(event: Event, state: State) -> Mention | None:
+    """``hidden by two cars parked there``: the noun in a phrase that a participle is said of.
+
+    Args:
+        event: the participle.
+        state: what the clause reader remembers.
+    """
+    noun = state.last_pp or state.anchor
+    if not isinstance(noun, Mention) or noun.prep is None or noun.j != event.i:
+        return None
+    return noun if event.form == "ed" and event.name in _DESCRIBING else None
 
 
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:

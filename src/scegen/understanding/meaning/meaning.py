@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses import bearing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -85,7 +85,7 @@ class Interpreter:
                 p.on_mention is e.object
                 and (
                     _starts(e, p)
-                    or (e.name in _BESIDE and bearing.is_side(p))
+                    or (e.name in _BESIDE and bearing.is_side(p) and not _met_there(p))
                     or bearing.own_lane(e, p)
                 )
             )
@@ -207,6 +207,14 @@ class Interpreter:
                 entity.entries, entity.entry_basis = {number % arms}, basis
             elif number < len(_PAIR):
                 self._draft.place(entity, None, {_PAIR[number]}, basis)
+
+
+def _met_there(prep: Prep) -> bool:
+    """``hits a cyclist on its right``: where one is who was not told of before."""
+    who, side = prep.on_mention, prep.target
+    new = who is not None and any((m.cat, m.value) == ("det", "indef") for m in who.mods)
+    its = isinstance(side, Place) and side.head is None and side.mod("possessive") is not None
+    return new and its
 
 
 def _from_behind(prep: Prep) -> bool:

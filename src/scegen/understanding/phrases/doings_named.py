@@ -70,9 +70,7 @@ def _is_heading(m: int, chunks: list[Chunk]) -> bool:
 def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     """``of a car ahead of the ego``: the word, the noun with its place, where it ends."""
     word, noun = (chunks[n] if n < len(chunks) else None for n in (m, m + 1))
-    if not isinstance(word, Word) or word.value not in {"of", "by"}:
-        return None
-    if not isinstance(noun, Mention | Place):
+    if not _doer(word) or not isinstance(word, Word) or not isinstance(noun, Mention | Place):
         return None
     end = m + 2
     place, of = (chunks[n] if n < len(chunks) else None for n in (end, end + 1))
@@ -80,4 +78,11 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
         end += 2
     if isinstance(place, Word) and place.value == "(" and isinstance(of, Mention):
         end += 3  # "of a GVT (a van)"
+    at, speed, more = (chunks[n] if n < len(chunks) else None for n in (end, end + 1, end + 2))
+    if isinstance(at, Word) and getattr(speed, "cat", "") == "quantity" and _doer(more):
+        end += 2  # "of a cyclist at 15 km/h by …"
     return word.value, chunks[m + 1 : end], end
+
+
+def _doer(word: Chunk | None) -> bool:
+    return isinstance(word, Word) and word.value in {"of", "by"}

@@ -10,6 +10,7 @@ ADVERBS = frozenset(
 )
 GOVERNING = frozenset({"prep", "locus"})
 _VIEW_OF = 3
+_CLAUSE = 14
 
 
 def event_follows(chunks: list[Chunk], k: int) -> bool:
@@ -89,7 +90,7 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
         k: index of the participle ("hidden" in "a man hidden behind a van runs out").
     """
     preposed = governed = False
-    for chunk in chunks[k + 1 : k + 9]:
+    for chunk in chunks[k + 1 : k + _CLAUSE]:
         if isinstance(chunk, Event):
             return governed and not chunk.nominal and chunk.form in {"s", "ed"}
         if isinstance(chunk, Word):

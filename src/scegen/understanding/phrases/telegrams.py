@@ -11,7 +11,7 @@ from scegen.understanding.phrases.doings_named import spell_out_doings
 from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING
 from scegen.understanding.words.terms import Term
 
-_WAYS = frozenset({"left", "right", "straight"})
+_WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
 _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "(", "both"})
 _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
 _WITHIN = frozenset({"prep", "locus", "dir", "manner", "label", "quantity"})
@@ -157,7 +157,7 @@ def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
     first, following = title[0], _at(chunks, k + 1)
     if isinstance(first, Word) and first.cat == "dir":
         return len(title) == 1 and isinstance(following, Mention)
-    way = isinstance(following, Word) and following.cat == "dir" and following.value in _WAYS
+    way = isinstance(following, Word) and (following.cat, following.value) in _WAYS
     named = isinstance(first, Mention) and not any(isinstance(c, Event) for c in title)
     return way and named
 
@@ -190,9 +190,9 @@ def _named_doing(chunks: list[Chunk], k: int) -> bool:
 
 
 def _going(chunks: list[Chunk], k: int) -> Event | None:
-    """``ego straight``: goes straight."""
+    """``ego straight``, ``ego in reverse``: goes straight, backwards."""
     way = chunks[k]
-    if not isinstance(way, Word) or way.cat != "dir" or way.value not in _WAYS:
+    if not isinstance(way, Word) or (way.cat, way.value) not in _WAYS:
         return None
     following = _at(chunks, k + 1)
     free = _ends(following) or (

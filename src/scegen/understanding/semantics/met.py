@@ -52,7 +52,17 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
         if "rear" in c.dirs or (rear and c is event.object)
         for e in c.owner.entities
     ]
+    inside = {t.low for t in context.tokens[event.i : event.j]} & _REAR and not event.passive
+    if rear and not found and (inside or any(isinstance(c, Place) and _its(c, event) for c in ends)):
+        others = [e for e in context.draft.entities if e not in clause.actors]
+        found += [e for e in others if e.ego or len(others) == 1]  # "hits its rear"
     return [e for e in dict.fromkeys(found) if e not in clause.actors]
+
+
+def _its(part: Place, event: Event) -> bool:
+    own = any(m.cat == "possessive" for m in part.mods) and part.owner is None
+    met = {"into"} | ({"with"} if event.lemma == "collide" else set())
+    return own and "rear" in part.dirs and (part.prep is None or part.prep.value in met)
 
 
 def apart(entity: Entity, observer: Entity, context: Context) -> bool:

@@ -45,7 +45,8 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
-            seen = prep.on_mention is not None and any(m.cat == "possessive" for m in target.mods)
+            its = any(m.cat == "possessive" for m in target.mods)
+            seen = its and (prep.on_mention is not None or _goes_on(event))
             if target.owner is not None or seen or _our_side(target, event):
                 continue  # "to the right of the bus", "the lorry to its left": where it is
             for value in target.dirs:
@@ -58,6 +59,11 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
             DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
         }
     return found
+
+
+def _goes_on(event: Event) -> bool:
+    """``a cyclist riding to its right``: where it rides all the time."""
+    return (event.name, event.form) == ("move", "ing") and not event.finite
 
 
 def _our_side(side: Place, event: Event) -> bool:

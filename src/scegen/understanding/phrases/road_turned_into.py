@@ -1,0 +1,131 @@
+"""``turns into a road that a pedestrian is crossing``, ``crosses the road entered by the ego``.
+
+A road into which somebody turns is their exit, wherever the text tells of that road again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from scegen.scenario.vocabulary import CrossedArm
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.lexicon import load_ways
+from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+_ROADS = frozenset({"road", "access", "leg", "highway"})
+_TURNING = frozenset({"turn", "sharp_turn"})
+_ON_FOOT = frozenset({"cross", "walk"})
+_POINTING = frozenset({"that", "this", "same"})
+
+
+def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """The chunks; a road that is told by the turn into it is an arm, a clause on it a sentence.
+
+    Args:
+        chunks: of the text.
+        tokens: of the text.
+    """
+    turns = [k for k, c in enumerate(chunks) if isinstance(c, Event) and c.name in _TURNING]
+    if not turns:
+        return chunks
+    who = _turning(chunks, turns[0])
+    found: list[Chunk] = []
+    begin, k = 0, 0
+    later: list[Chunk] = []
+    into: Place | None = None
+    while k < len(chunks):
+        chunk = chunks[k]
+        after = k + 1
+        if isinstance(chunk, Place) and chunk.kind in _ROADS and chunk.arm is None:
+            word = found[-1] if found else None
+            verb = next((c for c in reversed(found[begin:]) if isinstance(c, Event)), None)
+            turned = any(verb is chunks[t] for t in turns)
+            if turned and isinstance(word, Word) and tokens[word.i].low in {"into", "onto"}:
+                into = chunk
+                told, after = _walked(chunks, k)
+                again = replace(chunk, arm=CrossedArm.EXIT, user=who, prep=None)
+                told = [again if c is chunk else c for c in told]
+                if told and _known(told[0]):
+                    later = [Word(Term("punct", ".", chunk.j, chunk.j)), *told]
+                else:
+                    found[begin:begin] = told
+            else:
+                end = _entered(chunks, after)
+                after = end or after
+                if end or _pointed_at(chunk, found, tokens):
+                    chunk.arm, chunk.user = CrossedArm.EXIT, who
+        elif into is not None and isinstance(chunk, Mention) and chunk.pronoun == "it":
+            before = found[-1] if found else None
+            if isinstance(before, Event) and before.name == "cross":
+                chunk = replace(into, i=chunk.i, j=chunk.j, arm=CrossedArm.EXIT, user=who)
+        found.append(chunk)
+        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+            found += later
+            begin, later = len(found), []
+        k = after
+    return [*found, *later]
+
+
+def _turning(chunks: list[Chunk], k: int) -> Mention | None:
+    named = [c for c in chunks[:k] if isinstance(c, Mention)][-1:]
+    named += [c for c in chunks[k:] if isinstance(c, Mention)]
+    return named[0] if named else None
+
+
+def _known(who: Chunk) -> bool:
+    named = isinstance(who, Mention) and who.pronoun is None
+    return not named or any((m.cat, m.value) == ("det", "def") for m in who.mods)  # type: ignore[union-attr]
+
+
+def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
+    """Who crosses the road of a relative clause, as a sentence, and where the clause ends."""
+    m = k + 1
+    m += _value(chunks, m) == ","
+    over = chunks[m : m + 1] if _cat(chunks, m) == "prep" and _cat(chunks, m + 1) == "rel" else []
+    m += len(over)
+    if _cat(chunks, m) != "rel" and _value(chunks, m) != "where":
+        return [], k + 1
+    m += 1
+    who = chunks[m] if m < len(chunks) else None
+    m += isinstance(who, Mention)
+    while _cat(chunks, m) in {"aux", "manner"}:
+        m += 1
+    verb = chunks[m] if m < len(chunks) else None
+    if not isinstance(verb, Event) or verb.name not in _ON_FOOT:
+        return [], k + 1
+    by = chunks[m + 2] if _value(chunks, m + 1) == "by" and m + 2 < len(chunks) else None
+    if not isinstance(who, Mention):
+        who, m = (by, m + 2) if verb.form == "ed" else (None, m)
+    if not isinstance(who, Mention):
+        return [], k + 1
+    ends = Word(Term("punct", ".", who.i, who.i))
+    return [who, replace(verb, form="s"), *over, chunks[k], ends], m + 1
+
+
+def _entered(chunks: list[Chunk], m: int) -> int | None:
+    """Where ``(the road) being entered by the ego`` ends."""
+    m += _cat(chunks, m) == "aux"
+    verb = chunks[m] if m < len(chunks) else None
+    if not isinstance(verb, Event) or (verb.name, verb.form) != ("enter", "ed"):
+        return None
+    by = _value(chunks, m + 1) == "by" and isinstance(chunks[m + 2], Mention)
+    return m + 3 if by else m + 1
+
+
+def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
+    """``the destination road``; "that road", if the turn alone tells which."""
+    words = {t.low for t in tokens[road.i : road.j]}
+    named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
+    turned = any(isinstance(c, Event) and c.name in _TURNING for c in before)
+    that = bool(words & _POINTING) and turned and len(named) <= 1
+    return that or bool(words & {*load_ways()["reached"]})
+
+
+def _cat(chunks: list[Chunk], m: int) -> str:
+    return str(getattr(chunks[m], "cat", "")) if m < len(chunks) else ""
+
+
+def _value(chunks: list[Chunk], m: int) -> str:
+    return str(getattr(chunks[m], "value", "")) if m < len(chunks) else ""
