@@ -10,7 +10,7 @@ from scegen.understanding.building.building import Builder
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.viewpoint import choose_ego
-from scegen.understanding.clauses.again import named_again
+from scegen.understanding.clauses.again import followed_again, named_again
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.coming import who_comes
 from scegen.understanding.clauses.ellipsis import fill_in
@@ -97,6 +97,7 @@ def read(text: str) -> FunctionalScenario:
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     named_again(events)
+    followed_again(events)
     who_comes(chunks, events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)

@@ -28,5 +28,22 @@ def named_again(events: list[Event]) -> None:
             event.subject = [m for m in event.subject if m.i < event.i or not _several(m)]
 
 
+def followed_again(events: list[Event]) -> None:
+    """``follows a car … the car that it follows brakes``: the same one.
+
+    Args:
+        events: of the text, in its order.
+    """
+    driven = [e for e in events if e.name == "follow" and not (e.passive or e.negated)]
+    for n, event in enumerate(driven):
+        whom = event.object
+        if not isinstance(whom, Mention) or not event.subject or whom.i > event.subject[0].i:
+            continue
+        before = [e.object for e in driven[:n] if any(m.is_ego for m in e.subject)]
+        before = [m for m in before if isinstance(m, Mention) and m.i < whom.i]
+        if before and all(m.is_ego or m.pronoun for m in event.subject):
+            whom.same_as = whom.same_as or before[-1]
+
+
 def _several(mention: Mention) -> bool:
     return len(mention.heads) > 0 and mention.heads[-1].form == "s"

@@ -49,7 +49,9 @@ def _sides(lane: Place, after: list[Chunk]) -> list[Term]:
     """On which side a lane lies: "the left lane", "the lane on its left"."""
     beside = after[-1] if len(after) > 1 and getattr(after[0], "cat", "") == "prep" else None
     side = beside if isinstance(beside, Place) and beside.kind == "side" else lane
-    return [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
+    told = [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
+    beside_it = [Term("dir", "adjacent", lane.i, lane.i)] if told and side is beside else []
+    return [*beside_it, *told]
 
 
 def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
