@@ -66,6 +66,7 @@ class Mention(NounPhrase):
         whole: the set that it is a part of.
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
         landmark: others are placed by it ("behind it there is a van").
+        aside: somebody is on one side of it ("on the right of the ego").
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
         narrowed: words after it say which one is meant ("the car towing it").
@@ -93,6 +94,7 @@ class Mention(NounPhrase):
     whole: Mention | None = None
     ranked: tuple[Mention, int] | None = None
     landmark: bool = False
+    aside: bool = False
     elsewhere: bool = False
     narrowed: bool = False
     besides: bool = False

@@ -116,7 +116,7 @@ def _before_it(event: Event, text: Telling) -> bool:
     """``stops just before hitting it``, ``without it being hit``; "brakes 1 s before contact"."""
     told = [s.event.j for s in text.scenes if s.event.j <= event.i and s.event is not event]
     start = max([text.bounds(event.i)[0], event.i - _BEFORE, *told[-1:]])
-    timed = ends_a_quantity(text.tokens, event.i - 1)
+    timed = ends_a_quantity(text.tokens, event.i - 1) or _supposed(text.low(start, event.i))
     passive = event.form == "ed" and text.tokens[event.i - 1].low == "being"
     said = event.form == "ing" or passive or (event.form == "base" and not timed)
     return said and text.find("held_off", start - 1, event.i) is not None

@@ -39,8 +39,8 @@ def followed_again(events: list[Event]) -> None:
         whom = event.object
         if not isinstance(whom, Mention) or not event.subject or whom.i > event.subject[0].i:
             continue
-        before = [e.object for e in driven[:n] if any(m.is_ego for m in e.subject)]
-        before = [m for m in before if isinstance(m, Mention) and m.i < whom.i]
+        led = [e.object for e in driven[:n] if any(m.is_ego for m in e.subject)]
+        before = [m for m in led if isinstance(m, Mention) and m.i < whom.i]
         if before and all(m.is_ego or m.pronoun for m in event.subject):
             whom.same_as = whom.same_as or before[-1]
 

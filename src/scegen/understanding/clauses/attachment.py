@@ -106,6 +106,8 @@ def attach(prep: Prep, state: State) -> None:
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
     described = _described(prep, state)
+    if described is not None and _beside_itself(prep, described, state):
+        described = None
     if described is not None:
         described.pps.append(prep)
         prep.predicate = "aux:be" in state.between and "rel" not in state.between
@@ -119,7 +121,8 @@ def _beside_itself(prep: Prep, whom: Mention, state: State) -> bool:
     """``in the lane of the ego ahead of it``, ``follows a van, 20 m behind it``: who acts is."""
     it = isinstance(prep.target, Mention) and prep.target.pronoun is not None
     owner = whom.prep is not None and whom.prep.value == "of"
-    followed = state.last is not None and state.last.name == "follow" and state.last.object is whom
+    verb = state.last if state.last is not None and state.last.name == "follow" else None
+    followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     located = it and prep.word.cat == "locus"
     return located and (owner or (followed and prep.value == "behind"))
 

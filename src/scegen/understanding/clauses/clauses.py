@@ -254,9 +254,10 @@ class ClauseReader:
 
     def _event(self, event: Event, k: int) -> None:
         state = self._state
-        described = state.anchor is state.candidate
-        described = described or subjects.noun_described(event, state) is not None
-        event.reduced = described and main_verb_follows(self._chunks, k)
+        noun = subjects.noun_described(event, state)
+        by = noun is not None and noun.prep is not None and noun.prep.value == "by"
+        described = state.anchor is state.candidate or noun is not None
+        event.reduced = by or (described and main_verb_follows(self._chunks, k))
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence

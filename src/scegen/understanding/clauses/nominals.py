@@ -202,6 +202,8 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
         return False
     place.owner = mention
+    beside = place.prep is not None and place.prep.value in {"in", "to"}
+    mention.aside = place.kind == "side" and beside
     return True
 
 

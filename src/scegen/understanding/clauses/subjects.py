@@ -167,7 +167,7 @@ def _antecedent(state: State) -> Mention:
     In "the car ahead of us, which" it is the car.
     """
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
-    return next((m for m in nouns if not _landmark(m)), nouns[0])
+    return next((m for m in nouns if not (_landmark(m) or m.aside)), nouns[0])
 
 
 def _landmark(mention: Mention) -> bool:

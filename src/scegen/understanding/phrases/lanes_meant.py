@@ -24,34 +24,16 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         return chunks
     found: list[Chunk] = []
     named: Place | None = None
-    sides: list[Term] = []
     chunks = _within_a_lane(chunks, tokens)
     for k, chunk in enumerate(chunks):
         lane = _lane(chunk, k, chunks, named)
-        if isinstance(chunk, Place) and _points(chunk, tokens) and not chunk.dirs and sides:
-            lane = _as_lane(chunk, chunk, [*chunk.mods, *sides])
         if lane is not None and found and found[-1].i == lane.i:
             found.pop()  # "the left" of "the left one"
         found.append(lane or chunk)
         part = len(found) > 2 and found[-3] is named and getattr(found[-2], "value", "") == "of"
         if isinstance(found[-1], Place) and found[-1].kind in _LANES and not part:
             named = found[-1]
-            sides = _sides(named, chunks[k + 1 : k + 3]) or sides
     return found
-
-
-def _points(lane: Place, tokens: list[Token]) -> bool:
-    """``that lane``: the one told of before."""
-    return lane.kind == "lane" and tokens[lane.i].low in {"that", "this", "same"}
-
-
-def _sides(lane: Place, after: list[Chunk]) -> list[Term]:
-    """On which side a lane lies: "the left lane", "the lane on its left"."""
-    beside = after[-1] if len(after) > 1 and getattr(after[0], "cat", "") == "prep" else None
-    side = beside if isinstance(beside, Place) and beside.kind == "side" else lane
-    told = [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
-    beside_it = [Term("dir", "adjacent", lane.i, lane.i)] if told and side is beside else []
-    return [*beside_it, *told]
 
 
 def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:

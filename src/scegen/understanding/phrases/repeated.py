@@ -1,10 +1,10 @@
-"""Places named again: "the left lane … in that lane", "… travelling there"."""
+"""What is named again: "the left lane … in that lane", "travelling there", "the obstacle"."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -12,6 +12,9 @@ from scegen.understanding.words.tokens import Token
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
 _CROSSED = frozenset({"crosswalk", "road", "junction"})
+_IN_THE_WAY = frozenset({"obstacle", "object"})
+_STILL = frozenset({"parked", "stationary", "stop", "park"})
+_SAID_OF_IT = 4
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
 
 
@@ -21,11 +24,12 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     Returns:
         The chunks, "there" replaced by "in" and the lane that it stands for.
     """
+    chunks = _obstacles(chunks)
     if not any(token.low in word_list("back_again") for token in tokens):
         return chunks
     last: dict[str, Place] = {}
     found: list[Chunk] = []
-    for chunk in chunks:
+    for k, chunk in enumerate(chunks):
         lane = last.get("lane")
         if isinstance(chunk, Word) and _there(chunk, found, tokens):
             came = isinstance(found[-1], Word) and found[-1].value == "from"
@@ -42,7 +46,36 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         found.append(chunk)
         if isinstance(chunk, Place):
             _remember(chunk, last, tokens)
+            _remember_beside(chunk, chunks[k + 1 : k + 3], last)
     return found
+
+
+def _obstacles(chunks: list[Chunk]) -> list[Chunk]:
+    """``a stationary car … the obstacle``: the car, if no thing lies there."""
+    found: list[Chunk] = []
+    stands: Mention | None = None
+    for k, chunk in enumerate(chunks):
+        if isinstance(chunk, Thing) and chunk.kind in _IN_THE_WAY:
+            definite = any((m.cat, m.value) == ("det", "def") for m in chunk.mods)
+            thing = chunk.head.data.get("thing") if chunk.head is not None else None
+            if stands is None or not definite or thing != "obstacle":
+                return chunks
+            again = Mention(chunk.i, chunk.j, chunk.mods, stands.head, heads=stands.heads)
+            again.same_as = stands
+            found.append(again)
+            continue
+        found.append(chunk)
+        if isinstance(chunk, Mention) and chunk.heads and not chunk.is_ego:
+            stands = chunk if _stands(chunk, chunks[k + 1 : k + _SAID_OF_IT]) else stands
+    return found
+
+
+def _stands(who: Mention, after: list[Chunk]) -> bool:
+    """``a stationary car``, ``a car is at a standstill``, ``a car stands``."""
+    verb = next((c for c in after if not (isinstance(c, Word) and c.cat == "aux")), None)
+    still = isinstance(verb, Event) and verb.name in {"stop", "park", "wait", "locate"}
+    still = still or (isinstance(verb, Word) and verb.cat == "state")
+    return still or any(m.cat in {"state", "verb"} and m.value in _STILL for m in who.mods)
 
 
 def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None:
@@ -63,6 +96,16 @@ def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None
     elif (kind == "lane" and chunk.dirs) or (kind == "side" and _SIDES & set(chunk.dirs)):
         kept = [m for m in chunk.mods if kind == "lane" or m.cat == "dir"]
         last[kind] = replace(chunk, mods=kept)
+
+
+def _remember_beside(lane: Place, after: list[Chunk], last: dict[str, Place]) -> None:
+    """``the lane on its left``: for "that lane", said later on."""
+    word, side = after if len(after) > 1 else (None, None)
+    placed = isinstance(word, Word) and word.cat == "prep" and isinstance(side, Place)
+    if placed and isinstance(side, Place) and lane.kind == "lane" and side.kind == "side":
+        sides = [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
+        beside = Term("dir", "adjacent", lane.i, lane.i)
+        last["lane"] = replace(lane, mods=[*lane.mods, beside, *sides]) if sides else lane
 
 
 def _taken(mention: Mention, before: list[Chunk]) -> bool:

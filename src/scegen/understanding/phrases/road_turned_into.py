@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import load_ways
+from scegen.understanding.lexicon import load_ways, word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -17,7 +17,6 @@ from scegen.understanding.words.tokens import Token
 _ROADS = frozenset({"road", "access", "leg", "highway"})
 _TURNING = frozenset({"turn", "sharp_turn"})
 _ON_FOOT = frozenset({"cross", "walk"})
-_POINTING = frozenset({"that", "this", "same"})
 
 
 def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -119,7 +118,7 @@ def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
     words = {t.low for t in tokens[road.i : road.j]}
     named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
     turned = any(isinstance(c, Event) and c.name in _TURNING for c in before)
-    that = bool(words & _POINTING) and turned and len(named) <= 1
+    that = bool(words & {*word_list("pointing")}) and turned and len(named) <= 1
     return that or bool(words & {*load_ways()["reached"]})
 
 

@@ -52,8 +52,9 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
         if "rear" in c.dirs or (rear and c is event.object)
         for e in c.owner.entities
     ]
-    inside = {t.low for t in context.tokens[event.i : event.j]} & _REAR and not event.passive
-    if rear and not found and (inside or any(isinstance(c, Place) and _its(c, event) for c in ends)):
+    words = {t.low for t in context.tokens[event.i : event.j]}
+    its = any(isinstance(c, Place) and _its(c, event) for c in ends)
+    if rear and not found and (its or (words & _REAR and not event.passive)):
         others = [e for e in context.draft.entities if e not in clause.actors]
         found += [e for e in others if e.ego or len(others) == 1]  # "hits its rear"
     return [e for e in dict.fromkeys(found) if e not in clause.actors]
