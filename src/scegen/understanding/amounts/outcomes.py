@@ -67,7 +67,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
-    elif event.modal or (_supposed(text.low(start, event.i)) and not vain):
+    elif event.modal or (_supposed(_of_it(event, text.low(start, event.i))) and not vain):
         return None
     else:
         kind = OutcomeKind.COLLISION
@@ -90,6 +90,11 @@ def _gets_clear(scene: Clause) -> bool:
     told = event.form in {"s", "ed"} and not (event.negated or event.modal)
     own = any(e.ego for e in (*scene.actors, *scene.targets))  # others may dodge a thing
     return event.name == "avoid" and told and bool(scene.targets) and own
+
+
+def _of_it(event: Event, before: str) -> str:
+    """``could not stop and hit it``: what is said of the verb itself."""
+    return before if event.form == "ing" else f" {before.rpartition(' and ')[2]}"
 
 
 def _supposed(before: str) -> bool:

@@ -19,6 +19,7 @@ _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_l
 _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
                       "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
 """Verbs that may stand before their subject ("from the left comes a bus")."""
+_PASSING = frozenset({"overtake", "pass", "undertake"})
 _INSERTED = 7
 
 
@@ -124,7 +125,10 @@ def _beside_itself(prep: Prep, whom: Mention, state: State) -> bool:
     verb = state.last if state.last is not None and state.last.name == "follow" else None
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     located = it and prep.word.cat == "locus"
-    return located and (owner or (followed and prep.value == "behind"))
+    last, side = state.last, prep.target  # "is overtaken by a van on the left"
+    passed = last is not None and last.passive and last.name in _PASSING
+    passed = passed and isinstance(side, Place) and side.kind == "side" and prep.value == "in"
+    return passed or (located and (owner or (followed and prep.value == "behind")))
 
 
 def _from_a_side(prep: Prep) -> bool:

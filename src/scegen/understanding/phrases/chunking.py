@@ -209,7 +209,9 @@ class Chunker:
         return self._everybody(mods, k) or self._side(mods, k)
 
     def _everybody(self, mods: list[Term], k: int) -> int | None:
-        """``both``, ``all``, ``all three``."""
+        """``both``, ``all``, ``all three``; ``both initially (drive)``."""
+        while len(mods) > 1 and mods[-1].cat == "manner":
+            mods = mods[:-1]
         first, counted = mods[0], [m for m in mods[1:] if m.cat == "num"]
         whole = first.cat == "quant" and first.value in {"both", "all"}
         if not whole or len(mods) != 1 + len(counted):

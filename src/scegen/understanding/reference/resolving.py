@@ -20,6 +20,7 @@ from scegen.understanding.words.tokens import Token
 
 _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
+_WAYS = frozenset({"left", "right", "straight"})
 _BACK = frozenset({"it", "him", "they"})
 
 
@@ -60,14 +61,28 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
     mentions = [c for c in chunks if isinstance(c, Mention)]
     for event in events:
         _done_to(event, mentions, found)
+        _going_elsewhere(event, events, found)
     for mention in mentions:
         for prep in mention.pps:
             by = prep.target
             if isinstance(by, Mention) and prep.word.cat == "locus":
                 found.unlike[id(by)].append(mention)  # "a bus behind it"
-            elif isinstance(by, Place) and by.owner is not None:
-                found.unlike[id(by.owner)].append(mention)  # "two vans on either side of it"
+            elif isinstance(by, Place):
+                whose = by.beside or by.owner
+                found.unlike[id(whose)] += [mention]  # "two vans on either side of it"
     return found
+
+
+def _going_elsewhere(event: Event, events: list[Event], found: _Bonds) -> None:
+    """``a car going straight on hits the ego as it turns left``: "it" is not that car."""
+    ways = {d.value for d in event.dirs} & _WAYS
+    it = [m for m in event.subject if _is_it(m)]
+    here = [e for e in events if e.sentence == event.sentence and e.i < event.i]
+    hits = any(e.name == "collide" for e in here)
+    for other in here if ways and it and hits else []:
+        if {d.value for d in other.dirs} & _WAYS - ways:
+            for who in it:
+                found.unlike[id(who)] += other.subject
 
 
 def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
@@ -85,6 +100,9 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
         if isinstance(part, Place) and part.owner is not None:
             found.unlike[id(part.owner)] += event.subject  # "a van hits its rear": not the van's
     _not_by_itself(event, found)
+    lanes = [p.target for p in event.pps if isinstance(p.target, Place)]
+    for lane in [p for p in lanes if p.beside is not None]:
+        found.unlike[id(lane.beside)] += event.subject  # "drives in the lane to the left of it"
     for prep in event.pps:
         by = prep.target
         if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):
@@ -261,8 +279,7 @@ def _on_no_road(owner: Mention) -> bool:
 
 def _settled(events: list[Event]) -> set[int]:
     """Mentions of whom the text says which way they go."""
-    ways = {"left", "right", "straight"}
-    going = [e for e in events if e.finite and any(d.value in ways for d in e.dirs)]
+    going = [e for e in events if e.finite and any(d.value in _WAYS for d in e.dirs)]
     return {id(m) for e in going for m in e.subject}
 
 

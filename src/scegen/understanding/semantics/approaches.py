@@ -64,7 +64,7 @@ def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
         if "lateral" in dirs:
             return BY_DIR["lateral"]
         beside = sides or "adjacent" in dirs
-        return BY_DIR["adjacent"] if beside and prep in {"in", "from"} else frozenset()
+        return BY_DIR["adjacent"] if beside and prep in {"in", "from", ""} else frozenset()
     if sides:
         return frozenset(sides)
     if "front" in dirs:

@@ -24,6 +24,9 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
     following = longest_match(tokens, match.j)
+    opens = longest_match(tokens, match.j, match.j + 1) if match.j < len(tokens) else None
+    if opens is not None and opens.has("possessive", "det"):
+        return False  # "struck my vehicle"
     measured = following is not None and _with_a_number(match, following, tokens)
     if not ((measured or _may_describe(previous)) and noun_follows(tokens, match.j)):
         return False

@@ -37,8 +37,9 @@ def is_nominal(
         return False
     if head.form == "s" and [m.cat for m in mods] == ["possessive", "dir"]:
         return False  # "the van to the ego's right creeps forward"
-    if mods and mods[-1].cat == "quant" and mods[-1].value in {"both", "all"}:
-        return False  # "both go"
+    counted = [m for m in mods if m.cat != "manner"][-1:]
+    if counted and counted[0].cat == "quant" and counted[0].value in {"both", "all"}:
+        return False  # "both initially go"
     named = any(m.cat == "label" for m in mods) and head.form == "base"
     if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
         return False  # "evasive lane change" is one as well
