@@ -13,6 +13,7 @@ from scegen.claims.moments import (
     act_run,
     at,
     first,
+    is_level,
     rest,
 )
 from scegen.claims.told import Told
@@ -34,7 +35,25 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
         return np.where(run.happens, run.end, view.steps)
     if act.kind is ActKind.WAIT:
         return rest(view, told.functional, act)[1]
+    if act.kind is ActKind.OVERTAKE and (passed := _passed(told, act, begins, view)) is not None:
+        return passed
     return _ends_aside(told, act, begins, view) if act.kind in LEAVING else begins
+
+
+def _passed(told: Told, act: Act, begins: Ints, view: View) -> Ints | None:
+    """When who has been beside another is past it, if the way back is an act of its own."""
+    acts = told.functional.acts
+    later = acts[acts.index(act) + 1 :]
+    back = (a for a in later if a.participant == act.participant)
+    if not any(a.kind is ActKind.CHANGE_LANE for a in back):
+        return None
+    named = (act.into,) if act.into else told.functional.overtaken(act.participant)
+    passed = named or tuple(p.id for p in told.functional.participants if p.id != act.participant)
+    ends = begins
+    for other in (n for n in passed if n in view.index):
+        level, steps = is_level(view, act.participant, other), np.arange(view.steps)
+        ends = np.maximum(ends, first(~level & (steps > first(level)[:, None])))
+    return ends
 
 
 def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
