@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import FunctionalScenario, Unsupported
-from scegen.scenario.vocabulary import Control
+from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import Approach, Control, Maneuver
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -63,13 +64,25 @@ def unattached(
             continue
         if term.value == "between" and before is not None and before.cat == "quantity":
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
-        if any(a <= start and end <= b for a, b in spans):
+        if any(a <= start and end <= b for a, b in spans) or _held(term, before, scenario):
             continue
         text = scenario.description[start:end]
         instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
+
+
+def _held(term: Term, before: Term | None, scenario: FunctionalScenario) -> bool:
+    """``the stationary car``, ``a lateral gap``, ``head-on``: words for what a field holds."""
+    if term.cat == "state":
+        known = before is not None and (before.cat, before.value) == ("det", "def")
+        return known and any(p.maneuvers == {Maneuver.STAY} for p in scenario.participants)
+    if term.value == "lateral":
+        return any(s.measure.value.startswith("lateral") for s in scenario.spacings)
+    met = scenario.outcome is not None and scenario.outcome.kind is OutcomeKind.COLLISION
+    faced = any(Approach.OPPOSITE in p.approaches for p in scenario.participants)
+    return term.value == "head_on" and met and faced
 
 
 def _counts(
