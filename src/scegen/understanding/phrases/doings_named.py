@@ -79,8 +79,10 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     if isinstance(place, Word) and place.value == "(" and isinstance(of, Mention):
         end += 3  # "of a GVT (a van)"
     at, speed, more = (chunks[n] if n < len(chunks) else None for n in (end, end + 1, end + 2))
-    if isinstance(at, Word) and getattr(speed, "cat", "") == "quantity" and _doer(more):
-        end += 2  # "of a cyclist at 15 km/h by …"
+    told = isinstance(at, Word) and isinstance(speed, Word) and speed.cat == "quantity"
+    if told and isinstance(noun, Mention) and isinstance(speed, Word) and _doer(more):
+        noun.mods = [*noun.mods, speed.term]  # "of a cyclist at 15 km/h by …"
+        return word.value, chunks[m + 1 : end], end + 2
     return word.value, chunks[m + 1 : end], end
 
 
