@@ -24,6 +24,7 @@ from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.meaning.too_fast import too_fast
 from scegen.understanding.phrases.chunking import Chunker
+from scegen.understanding.phrases.entries import read_entries
 from scegen.understanding.phrases.headings import announce, silence
 from scegen.understanding.phrases.identity import in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
@@ -92,7 +93,8 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
     chunks = name_turned_into(name_roads(name_hiders(chunks), tokens), tokens)
-    chunks = spell_out(announce(each_of(in_brackets(under_test(chunks, tokens)))))
+    chunks = read_entries(in_brackets(under_test(chunks, tokens)))
+    chunks = spell_out(announce(each_of(chunks)))
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)

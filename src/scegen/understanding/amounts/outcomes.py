@@ -67,7 +67,9 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
-    elif event.modal or (_supposed(_of_it(event, text.low(start, event.i))) and not vain):
+    elif event.modal and text.find("required", start, event.i) is None:
+        return None
+    elif _supposed(_of_it(event, text.low(start, event.i))) and not vain:
         return None
     else:
         kind = OutcomeKind.COLLISION
@@ -181,6 +183,8 @@ def _said_of(k: int, text: Telling) -> set[str]:
     events = [s.event for s in text.within(first, end)]
     done = [e.name for e in events if e.i < k]
     said = set(done[-1:])
+    entry = [t.low for t in text.tokens[k + 1 : k + 3]]  # "Contact: none"
+    said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*words()["none"]} else set()
     for event in events:
         whole = [event.object, *(p.target for p in event.pps)]
         held = event.name not in _DONE and any(c is not None and c.i <= k < c.j for c in whole)

@@ -17,14 +17,17 @@ _PARTS = {side.value: side for side in BodySide}
 _ENDS = frozenset({BodySide.FRONT, BodySide.REAR})
 _SIDES = frozenset({"left", "right"})
 _REACH = 7
+_ROADS = frozenset({"road", "lane", "highway"})
 
 
 def struck(ending: Ending, text: Telling) -> None:
     """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
     start, end = text.bounds(ending.basis.i or 0)
     places = [c for c in text.chunks if isinstance(c, Place) and start <= c.i < end]
+    roads = [c for c in text.chunks if isinstance(c, Place) and c.kind in _ROADS]
     for place in [p for p in places if p.kind in _BODY]:
-        if text.tokens[place.i - 2].low == "overlap":
+        of_road = any(c.i == place.j + 1 for c in roads) and text.tokens[place.j].low == "of"
+        if text.tokens[place.i - 2].low == "overlap" or of_road:
             continue
         corner = "front" in place.dirs and bool(_SIDES & set(place.dirs))
         part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)

@@ -86,6 +86,9 @@ class ClauseReader:
     def _joint(self, word: Word, k: int) -> None:
         """A word between phrases or clauses: "and", a comma, "where", "that"."""
         state = self._state
+        ends = word.value == "," or word.cat in {"conj", "sub"}
+        if ends and {"neg:not", "unknown"} <= state.between:
+            state.between.discard("neg:not")  # "stands still but not centred, and I hit it"
         state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
         if word.cat == "conj" and word.value != "either":
             state.between.add("conj")
@@ -257,7 +260,8 @@ class ClauseReader:
         noun = subjects.noun_described(event, state)
         by = noun is not None and noun.prep is not None and noun.prep.value == "by"
         described = state.anchor is state.candidate or noun is not None
-        event.reduced = by or (described and main_verb_follows(self._chunks, k))
+        done = noun is not None and state.candidate_done
+        event.reduced = by or done or (described and main_verb_follows(self._chunks, k))
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence

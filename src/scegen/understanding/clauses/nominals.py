@@ -151,6 +151,8 @@ def _start_clause(mention: Mention, state: State) -> None:
     others = any(e.finite and e.subject and not e.subject[-1].is_ego for e in state.events)
     if "sub" in state.between and others and mention.is_ego:
         state.trailing.append(mention)
+    if "sub" in state.between and state.waiting is not None and state.events:
+        state.relating = state.waiting  # "a child, unseen because two cars are parked, runs out"
     state.candidate, state.dependent = mention, "sub" in state.between
     state.candidate_done = exists  # "there is a van": that is all of its clause
     for event in state.pending:

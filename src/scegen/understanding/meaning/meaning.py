@@ -80,7 +80,7 @@ class Interpreter:
             id(p)
             for e in events
             for p in e.pps
-            if (_from_behind(p) and _goes_into(e, p.on_mention))
+            if (_from_behind(p) and (_goes_into(e, p.on_mention) or _is_hit(e, p.on_mention)))
             or (
                 p.on_mention is e.object
                 and (
@@ -192,6 +192,10 @@ class Interpreter:
                 self._spread(prep, clause.actors)
             elif _from_behind(prep) and event.name in _UNDERWAY and met:
                 self._context.ahead(met[:1], clause.actors, Basis(prep.word.i, prep.word.j))
+            elif _from_behind(prep) and not met and _is_hit(event, prep.on_mention):
+                for entity in (e for e in clause.actors if not e.ego):
+                    basis = Basis(prep.word.i, prep.word.j)
+                    self._draft.place(entity, None, {Approach.AHEAD}, basis)
             elif prep.on_mention is None or _starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -225,6 +229,12 @@ def _from_behind(prep: Prep) -> bool:
 def _goes_into(event: Event, mention: Mention | None) -> bool:
     """``runs into the van``, ``collides with it``."""
     return any(p.value in {"into", "with"} and p.target is mention for p in event.pps)
+
+
+def _is_hit(event: Event, mention: Mention | None) -> bool:
+    """``pedestrian hit from behind``: it is hit, by whom is not said."""
+    alone = event.object is None and not any(p.value in {"by", "with"} for p in event.pps)
+    return event.name == "collide" and alone and (mention is None or mention in event.subject)
 
 
 def _starts(event: Event, prep: Prep) -> bool:

@@ -13,6 +13,8 @@ from scegen.understanding.words.terms import Term
 
 _DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
+_MADE = frozenset({"turn", "u_turn", "reverse"})
+"""Doings that a title names before who does them."""
 _JOINTS = frozenset({",", "and", "then"})
 _OTHERWISE = frozenset({"collide"})
 """Nouns that are read as an outcome."""
@@ -44,6 +46,12 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     if not opens or event.form not in {"base", "ing"} or event.name in _OTHERWISE:
         return None
     m = k + 1 + isinstance(chunks[k + 1 : k + 2][:1] and chunks[k + 1], Thing)  # "manoeuvre"
+    who = chunks[k + 2] if k + 2 < len(chunks) else None
+    comma = getattr(chunks[k + 1], "value", "") if k + 1 < len(chunks) else ""
+    if event.name in _MADE and comma == "," and isinstance(who, Mention):
+        if any(isinstance(c, Event) for c in _sentence(chunks, k + 3)):
+            return None
+        return [who, replace(event, form="s", nominal=False)], k + 3  # "Left turn, ego at …"
     named: dict[str, list[Chunk]] = {}
     while (group := _group(m, chunks)) and group[0] not in named:
         named[group[0]] = group[1]
@@ -63,8 +71,14 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
 
 
 def _is_heading(m: int, chunks: list[Chunk]) -> bool:
-    end = next((c for c in chunks[m:] if isinstance(c, Word) and c.value in BOUNDARIES), None)
-    return end is not None and end.value == ":"
+    end = m + len(_sentence(chunks, m))
+    return end < len(chunks) and getattr(chunks[end], "value", "") == ":"
+
+
+def _sentence(chunks: list[Chunk], m: int) -> list[Chunk]:
+    """What follows up to the next mark that ends a sentence or a title."""
+    ends = (n for n, c in enumerate(chunks[m:]) if getattr(c, "value", "") in BOUNDARIES)
+    return chunks[m : m + next(ends, len(chunks))]
 
 
 def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 
 BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
@@ -90,7 +92,9 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
         k: index of the participle ("hidden" in "a man hidden behind a van runs out").
     """
     preposed = governed = False
-    for chunk in chunks[k + 1 : k + _CLAUSE]:
+    for before, chunk in pairwise(chunks[k : k + _CLAUSE]):
+        if isinstance(chunk, Event) and preposed and _describes(chunk, before):
+            continue  # "emerges from behind two cars parked there"
         if isinstance(chunk, Event):
             return governed and not chunk.nominal and chunk.form in {"s", "ed"}
         if isinstance(chunk, Word):
@@ -102,6 +106,11 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
         elif not preposed and isinstance(chunk, Mention):
             return False
     return False
+
+
+def _describes(participle: Event, noun: Chunk) -> bool:
+    told = participle.form == "ed" and participle.name in {"park", "locate"}
+    return told and isinstance(noun, Mention)
 
 
 def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:

@@ -31,7 +31,17 @@ def keep_along(clause: Clause, context: Context) -> bool:
     free = not any(Maneuver.CROSS in e.maneuvers for e in clause.walkers)
     along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
     along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
+    along = along or (event.name == "walk" and _ahead_in_a_lane(event.pps, context))
     return aside or (along and not words & word_list("across"))
+
+
+def _ahead_in_a_lane(preps: list[Prep], context: Context) -> bool:
+    """``walks ahead of the ego in its lane``."""
+    ahead = any((p.word.cat, p.value) == ("locus", "ahead") for p in preps)
+    lanes = [p for p in preps if isinstance(p.target, Place) and p.target.kind == "lane"]
+    within = any(context.tokens[p.word.i].low == "in" for p in lanes)
+    sided = any(p.value == "from" for p in preps)
+    return ahead and within and not sided
 
 
 def _after(clause: Clause, context: Context) -> str:
