@@ -55,8 +55,14 @@ def _told(text):
         ).__str__(),
         "gaps": gaps,
         "acts": sorted(
-            (names[a.participant], a.kind, str(a.side), str(_low(a.rate_mps2)))
-            + (str(_low(a.target_speed_mps, 3.6)), str(_low(a.lateral_m)))
+            (
+                names[a.participant],
+                a.kind,
+                str(a.side),
+                str(_low(a.rate_mps2)),
+                str(_low(a.target_speed_mps, 3.6)),
+                str(_low(a.lateral_m)),
+            )
             for a in scenario.acts
         ),
         "outcome": outcome and (outcome.kind, {names.get(n, n) for n in outcome.between}),

@@ -67,9 +67,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
-    elif event.modal and text.find("required", start, event.i) is None:
-        return None
-    elif _supposed(_of_it(event, text.low(start, event.i))) and not vain:
+    elif _open(event, start, text) or (not vain and _supposed(_of_it(event, start, text))):
         return None
     else:
         kind = OutcomeKind.COLLISION
@@ -94,8 +92,14 @@ def _gets_clear(scene: Clause) -> bool:
     return event.name == "avoid" and told and bool(scene.targets) and own
 
 
-def _of_it(event: Event, before: str) -> str:
+def _open(event: Event, start: int, text: Telling) -> bool:
+    """``should it hit the van``; what "shall be hit" is hit."""
+    return event.modal and text.find("required", start, event.i) is None
+
+
+def _of_it(event: Event, start: int, text: Telling) -> str:
     """``could not stop and hit it``: what is said of the verb itself."""
+    before = text.low(start, event.i)
     return before if event.form == "ing" else f" {before.rpartition(' and ')[2]}"
 
 

@@ -257,8 +257,10 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     side = chunks[m + 1] if aside and m + 1 < len(chunks) else None
     if isinstance(side, Place) and side.kind == "side":
         m += 2  # "from a driveway on the left a van …"
+    parked = chunks[m] if m < len(chunks) else None
+    m += isinstance(parked, Event) and (parked.name, parked.form) == ("park", "ed")
     if _side_after(chunks, m):
-        m += 2  # "behind a van on the right a man …"
+        m += 2  # "behind a van (parked) on the right a man …"
     while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):
         m += 2
     return m

@@ -20,7 +20,6 @@ from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     by_follows,
     event_follows,
-    main_verb_follows,
     only_a_noun_follows,
     phrase_follows,
     view_of,
@@ -257,11 +256,7 @@ class ClauseReader:
 
     def _event(self, event: Event, k: int) -> None:
         state = self._state
-        noun = subjects.noun_described(event, state)
-        by = noun is not None and noun.prep is not None and noun.prep.value == "by"
-        described = state.anchor is state.candidate or noun is not None
-        done = noun is not None and state.candidate_done
-        event.reduced = by or done or (described and main_verb_follows(self._chunks, k))
+        event.reduced = subjects.only_describes(event, k, self._chunks, state)
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -13,6 +13,7 @@ from scegen.understanding.clauses.dependents import (
     nominal,
 )
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import main_verb_follows
 
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
@@ -236,6 +237,24 @@ def noun_described(event: Event, state: State) -> Mention | None:
     if not isinstance(noun, Mention) or noun.prep is None or noun.j != event.i:
         return None
     return noun if event.form == "ed" and event.name in _DESCRIBING else None
+
+
+def only_describes(event: Event, k: int, chunks: list[Chunk], state: State) -> bool:
+    """``hidden behind a van runs out``, ``by two cars parked there``: no clause of its own.
+
+    Args:
+        event: the verb form.
+        k: its index among the chunks.
+        chunks: the chunks of the text.
+        state: what the clause reader remembers.
+    """
+    noun = noun_described(event, state)
+    if noun is not None:
+        by = noun.prep is not None and noun.prep.value == "by"
+        if by or state.candidate_done or state.fronted:
+            return True
+    described = state.anchor is state.candidate or noun is not None
+    return described and main_verb_follows(chunks, k)
 
 
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:

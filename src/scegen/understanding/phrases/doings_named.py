@@ -16,8 +16,6 @@ _DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 _MADE = frozenset({"turn", "u_turn", "reverse"})
 """Doings that a title names before who does them."""
 _JOINTS = frozenset({",", "and", "then"})
-_OTHERWISE = frozenset({"collide"})
-"""Nouns that are read as an outcome."""
 
 
 def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
@@ -43,15 +41,14 @@ def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
 def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] | None:
     before = getattr(chunks[k - 1], "value", "") if k else "."
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
-    if not opens or event.form not in {"base", "ing"} or event.name in _OTHERWISE:
+    if not opens or event.form not in {"base", "ing"}:
         return None
     m = k + 1 + isinstance(chunks[k + 1 : k + 2][:1] and chunks[k + 1], Thing)  # "manoeuvre"
-    who = chunks[k + 2] if k + 2 < len(chunks) else None
-    comma = getattr(chunks[k + 1], "value", "") if k + 1 < len(chunks) else ""
-    if event.name in _MADE and comma == "," and isinstance(who, Mention):
+    comma, next_one = (*chunks[k + 1 : k + 3], None, None)[:2]
+    if event.name in _MADE and getattr(comma, "value", "") == "," and isinstance(next_one, Mention):
         if any(isinstance(c, Event) for c in _sentence(chunks, k + 3)):
             return None
-        return [who, replace(event, form="s", nominal=False)], k + 3  # "Left turn, ego at …"
+        return [next_one, replace(event, form="s", nominal=False)], k + 3  # "Left turn, ego …"
     named: dict[str, list[Chunk]] = {}
     while (group := _group(m, chunks)) and group[0] not in named:
         named[group[0]] = group[1]

@@ -19,7 +19,6 @@ _NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "s
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent", "stop"})  # fmt: skip
 """Verbs whose participle says what happened to somebody."""
-_DOER = frozenset({"of", "by"})
 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
@@ -176,17 +175,15 @@ def _describe(term: Term, chunks: list[Chunk], k: int) -> None:
 
 
 def _named_doing(chunks: list[Chunk], k: int) -> bool:
-    """``Cut-in by a van``, ``Hard braking of the lead car``: a doing, with who does it."""
-    following, who = _at(chunks, k + 1), _at(chunks, k + 2)
-    event = chunks[k]
+    """``Cut-in from the left``, ``Cut-in, ego 100 km/h``: a doing, not yet with who does it."""
+    following, event = _at(chunks, k + 1), chunks[k]
     said = isinstance(event, Event) and event.form in {"base", "ing"}
     if not said or not _ends(_at(chunks, k - 1)):
         return False
-    doer = isinstance(following, Word) and following.value in _DOER and isinstance(who, Mention)
     placed = isinstance(following, Word) and following.cat in {"prep", "locus", "manner"}
     bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
     listed = _is(following, ",") or _is(following, ":")  # "Cut-in, ego 100 km/h, target …"
-    return doer or (bare and (placed or listed))
+    return bare and (placed or listed)
 
 
 def _going(chunks: list[Chunk], k: int) -> Event | None:

@@ -100,11 +100,9 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
         if isinstance(part, Place) and part.owner is not None:
             found.unlike[id(part.owner)] += event.subject  # "a van hits its rear": not the van's
     _not_by_itself(event, found)
-    lanes = [p.target for p in event.pps if isinstance(p.target, Place)]
-    for lane in [p for p in lanes if p.beside is not None]:
-        found.unlike[id(lane.beside)] += event.subject  # "drives in the lane to the left of it"
     for prep in event.pps:
         by = prep.target
+        found.unlike[id(getattr(by, "beside", None))] += event.subject  # "the lane left of it"
         if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):
             found.follows[id(by)] += [event] if prep.on_mention is None else []
         if not isinstance(by, Mention) or prep.on_mention not in (None, *event.subject):
@@ -118,8 +116,8 @@ def _not_by_itself(event: Event, found: _Bonds) -> None:
     """``it is hit by the ego``, ``by the ego's front``: "it" is not the ego."""
     for prep in (p for p in event.pps if p.value == "by"):
         agent = prep.target.owner if isinstance(prep.target, Place) else prep.target
-        for who in (m for m in event.subject if m.pronoun and isinstance(agent, Mention)):
-            found.unlike[id(who)] += [agent] if isinstance(agent, Mention) else []
+        for who in event.subject:
+            found.unlike[id(who)] += [agent] if who.pronoun and isinstance(agent, Mention) else []
 
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
