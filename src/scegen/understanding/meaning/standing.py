@@ -198,7 +198,7 @@ def _until(event: Event, context: Context) -> bool:
 def _over(event: Event, context: Context) -> bool:
     """``has stopped``, ``is stopped``: before it begins."""
     if event.perfect:
-        return event.form == "ed"
+        return event.form in {"ed", "base"}  # "has come to a stop"
     before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
     now = not context.told_in_the_past and not event.mods
     return event.form == "ed" and (event.reduced or now or bool(before & word_list("since")))
