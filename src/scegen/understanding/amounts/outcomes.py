@@ -67,7 +67,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
-    elif _open(event, start, text) or (not vain and _supposed(_of_it(event, start, text))):
+    elif _open(event, text) or (not vain and _supposed(_of_it(event, start, text))):
         return None
     else:
         kind = OutcomeKind.COLLISION
@@ -92,9 +92,10 @@ def _gets_clear(scene: Clause) -> bool:
     return event.name == "avoid" and told and bool(scene.targets) and own
 
 
-def _open(event: Event, start: int, text: Telling) -> bool:
+def _open(event: Event, text: Telling) -> bool:
     """``should it hit the van``; what "shall be hit" is hit."""
-    return event.modal and text.find("required", start, event.i) is None
+    said = text.find("required", text.bounds(event.i)[0], event.i)
+    return event.modal and said is None
 
 
 def _of_it(event: Event, start: int, text: Telling) -> str:

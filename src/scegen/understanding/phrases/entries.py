@@ -32,7 +32,7 @@ def read_entries(chunks: list[Chunk]) -> list[Chunk]:
 
 def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int | None:
     """Where the text goes on behind what an entry says of who opens it."""
-    who = [c for c in title if isinstance(c, Mention) and c.heads and _free(c, title)]
+    who = [c for c in title if isinstance(c, Mention) and _free(c, title)]
     if not who or any(isinstance(c, Event) and not c.nominal for c in title):
         return None
     m = k + 1
@@ -53,7 +53,8 @@ def _free(who: Mention, title: list[Chunk]) -> bool:
     """Whether an entry is about somebody: no word of place governs who is named in it."""
     at = next(n for n, c in enumerate(title) if c is who)
     before = title[at - 1] if at else None
-    return not (isinstance(before, Word) and before.cat in GOVERNING)
+    governed = isinstance(before, Word) and before.cat in GOVERNING
+    return bool(who.heads) and not (who.possessor or governed)
 
 
 def _ends(chunks: list[Chunk], m: int) -> bool:
