@@ -64,6 +64,19 @@ def base(cases):
 
 @settings(max_examples=60)
 @example(program=[phase(ArrivalBelow(participant="ego", place_m=111.0, time_s=5.65), 0.0)])
+@example(
+    program=[
+        phase(DistanceBelow(participant="car_1", distance_m=31.0)),
+        phase(ArrivalBelow(participant="ego", place_m=77.0, time_s=7.73), 0.0),
+    ]
+)
+@example(
+    program=[
+        phase(ArrivalBelow(participant="ego", place_m=50.0, time_s=5.01)),
+        phase(ArrivalBelow(participant="ego", place_m=77.0, time_s=7.73)),
+        phase(ArrivalBelow(participant="ego", place_m=50.0, time_s=2.28), 0.0),
+    ]
+)
 @given(program=st.lists(st.builds(phase, triggers, st.sampled_from([0.0, 5.0, 12.0])), max_size=4))
 def test_what_is_played_stays_the_same(base, program):
     ego = base.participants[0].model_copy(update={"speed_program": tuple(program)})

@@ -72,15 +72,15 @@ def _clear(
         trigger, limit = phase.trigger, _limit(phase.trigger)
         values = _values(trigger, participant.id, traces, paths)
         rises = isinstance(trigger, AtTime | Travelled | StoodStill)
-        holds = values >= limit - _ROUNDING if rises else values < limit
-        holds[: after + 1] = False
-        if not holds.any():
+        step = _fires(values, limit, after, rises=rises)
+        if step is None:
             program += participant.speed_program[n:]
             break
-        step = int(holds.argmax())
         here = values[max(0, step - 1) : step + 1]
-        if step > after + 1 and not isinstance(trigger, AtTime | StoodStill) and _ties(here, limit):
-            middle = round(float(here.mean()), _DECIMALS)
+        middle = round(float(here.mean()), _DECIMALS) if np.isfinite(here).all() else limit
+        # A time of arrival rises again as one slows down: the middle may be reached sooner.
+        same = _fires(values, middle, after, rises=rises) == step > after + 1
+        if same and not isinstance(trigger, AtTime | StoodStill) and _ties(here, limit):
             name = f"{participant.id}.speed_program.{n}.trigger.{trigger.measured}"
             changes.append(
                 Change(parameter=name, by="rounding", before=limit, after=middle, reason=_REASON)
@@ -89,6 +89,13 @@ def _clear(
         program.append(phase.model_copy(update={"trigger": trigger}))
         after = step
     return participant.model_copy(update={"speed_program": tuple(program)})
+
+
+def _fires(values: Array, limit: float, after: int, *, rises: bool) -> int | None:
+    """The first step after another in which a trigger holds, if there is one."""
+    holds = values >= limit - _ROUNDING if rises else values < limit
+    holds[: after + 1] = False
+    return int(holds.argmax()) if holds.any() else None
 
 
 def _ties(here: Array, limit: float) -> bool:
