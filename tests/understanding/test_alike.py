@@ -42,17 +42,19 @@ def _told(text):
     }
     outcome = scenario.outcome
     return {
-        "participants": sorted(
-            (
-                names[p.id],
-                tuple(sorted(p.approaches)),
-                tuple(sorted(p.maneuvers - {"straight"})),
-                p.crosses,
-                p.circulating,
-                _low(p.speed_mps, 3.6),
+        "participants": str(
+            sorted(
+                (
+                    names[p.id],
+                    tuple(sorted(p.approaches)),
+                    tuple(sorted(p.maneuvers - {"straight"})),
+                    p.crosses,
+                    p.circulating,
+                    _low(p.speed_mps, 3.6),
+                )
+                for p in scenario.participants
             )
-            for p in scenario.participants
-        ).__str__(),
+        ),
         "gaps": gaps,
         "acts": sorted(
             (

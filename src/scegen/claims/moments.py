@@ -276,11 +276,16 @@ def _passing_begins(
 ) -> Ints:
     """When it leaves its lane, or is beside whom it passes, if that is sooner."""
     begins = sideways_begin(view, functional, drive, act)
-    named = (act.into,) if act.into else functional.overtaken(act.participant)
-    passed = named or tuple(p.id for p in functional.participants if p.id != act.participant)
-    for other in (n for n in passed if n in view.index):
+    for other in passed(functional, act, view):
         begins = np.minimum(begins, first(is_level(view, act.participant, other)))
     return begins
+
+
+def passed(functional: FunctionalScenario, act: Act, view: View) -> list[str]:
+    """Whom one who overtakes is said to pass; everybody else where nobody is named."""
+    named = (act.into,) if act.into else functional.overtaken(act.participant)
+    everybody = (p.id for p in functional.participants if p.id != act.participant)
+    return [name for name in named or everybody if name in view.index]
 
 
 def is_level(view: View, name: str, other: str) -> Bools:

@@ -77,10 +77,10 @@ def _clear(
             program += participant.speed_program[n:]
             break
         here = values[max(0, step - 1) : step + 1]
-        middle = round(float(here.mean()), _DECIMALS) if np.isfinite(here).all() else limit
+        movable = step > after + 1 and not isinstance(trigger, AtTime | StoodStill)
+        middle = round(float(here.mean()), _DECIMALS) if movable and _ties(here, limit) else limit
         # A time of arrival rises again as one slows down: the middle may be reached sooner.
-        same = _fires(values, middle, after, rises=rises) == step > after + 1
-        if same and not isinstance(trigger, AtTime | StoodStill) and _ties(here, limit):
+        if middle != limit and _fires(values, middle, after, rises=rises) == step:
             name = f"{participant.id}.speed_program.{n}.trigger.{trigger.measured}"
             changes.append(
                 Change(parameter=name, by="rounding", before=limit, after=middle, reason=_REASON)

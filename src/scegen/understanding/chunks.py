@@ -240,6 +240,16 @@ class Prep:
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event
 
 
+def teller_at(i: int) -> Mention:
+    """Whoever tells it, where the text names nobody.
+
+    Args:
+        i: the token before which the mention stands.
+    """
+    term = Term("actor", "ego", i, i, data={"ego": True, "speaks": True})
+    return Mention(i, i, [], term, heads=[term])
+
+
 def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     """The event that a verb makes.
 

@@ -14,6 +14,7 @@ from scegen.claims.moments import (
     at,
     first,
     is_level,
+    passed,
     rest,
 )
 from scegen.claims.told import Told
@@ -35,22 +36,22 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
         return np.where(run.happens, run.end, view.steps)
     if act.kind is ActKind.WAIT:
         return rest(view, told.functional, act)[1]
-    if act.kind is ActKind.OVERTAKE and (passed := _passed(told, act, begins, view)) is not None:
-        return passed
+    if act.kind is ActKind.OVERTAKE and _comes_back_by_another(told, act):
+        return _is_past(told, act, begins, view)
     return _ends_aside(told, act, begins, view) if act.kind in LEAVING else begins
 
 
-def _passed(told: Told, act: Act, begins: Ints, view: View) -> Ints | None:
-    """When who has been beside another is past it, if the way back is an act of its own."""
+def _comes_back_by_another(told: Told, act: Act) -> bool:
+    """Whether the way back is an act of its own."""
     acts = told.functional.acts
-    later = acts[acts.index(act) + 1 :]
-    back = (a for a in later if a.participant == act.participant)
-    if not any(a.kind is ActKind.CHANGE_LANE for a in back):
-        return None
-    named = (act.into,) if act.into else told.functional.overtaken(act.participant)
-    passed = named or tuple(p.id for p in told.functional.participants if p.id != act.participant)
+    later = [a for a in acts[acts.index(act) + 1 :] if a.participant == act.participant]
+    return any(a.kind is ActKind.CHANGE_LANE for a in later)
+
+
+def _is_past(told: Told, act: Act, begins: Ints, view: View) -> Ints:
+    """When who has been beside those that it passes is past them all."""
     ends = begins
-    for other in (n for n in passed if n in view.index):
+    for other in passed(told.functional, act, view):
         level, steps = is_level(view, act.participant, other), np.arange(view.steps)
         ends = np.maximum(ends, first(~level & (steps > first(level)[:, None])))
     return ends

@@ -19,6 +19,7 @@ from scegen.claims.moments import (
     act_run,
     at,
     first,
+    passed,
     rest,
     sideways_begin,
 )
@@ -343,10 +344,8 @@ def _hits(told: Told, act: Act, view: View) -> Bools:
 def _passes_there(told: Told, act: Act, view: View) -> Judged:
     """On which side of the one passed it is while they are level, its centre beside theirs."""
     name = act.participant
-    others = [act.into] if act.into else told.functional.overtaken(name)
-    others = others or [p.id for p in told.people if p.id != name]
     best, when = np.full(view.count, -NEVER), np.zeros(view.count, dtype=np.int64)
-    for other in others:
+    for other in passed(told.functional, act, view):
         own, frame = boxes(view, name), boxes(view, other)
         ahead, left = offset(frame, own)
         level = np.abs(ahead) < frame.half_length + own.half_length

@@ -102,12 +102,12 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = whom if own else None
     if head is not None:
         prep.on_mention = head
-    if whom is not None and _beside_itself(prep, whom, state):
+    if whom is not None and _of_who_acts(prep, whom, state):
         prep.on_mention = None
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
     described = _described(prep, state)
-    if described is not None and _beside_itself(prep, described, state):
+    if described is not None and _of_who_acts(prep, described, state):
         described = None
     if described is not None:
         described.pps.append(prep)
@@ -118,17 +118,22 @@ def attach(prep: Prep, state: State) -> None:
         state.candidate.pps.append(prep)
 
 
-def _beside_itself(prep: Prep, whom: Mention, state: State) -> bool:
-    """``in the lane of the ego ahead of it``, ``follows a van, 20 m behind it``: who acts is."""
-    it = isinstance(prep.target, Mention) and prep.target.pronoun is not None
-    owner = whom.prep is not None and whom.prep.value == "of"
-    verb = state.last if state.last is not None and state.last.name == "follow" else None
+def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
+    """Whether a phrase behind a noun says where who acts is, or on which side it is done.
+
+    "In the lane of the ego ahead of it", "follows a van, 20 m behind it", "is overtaken by a van
+    on the left".
+    """
+    verb, target = state.last, prep.target
+    if isinstance(target, Place):
+        passed = verb is not None and verb.passive and verb.name in _PASSING
+        return passed and target.kind == "side" and prep.value == "in"
+    if not isinstance(target, Mention) or target.pronoun is None or prep.word.cat != "locus":
+        return False
+    if whom.prep is not None and whom.prep.value == "of":
+        return True
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
-    located = it and prep.word.cat == "locus"
-    last, side = state.last, prep.target  # "is overtaken by a van on the left"
-    passed = last is not None and last.passive and last.name in _PASSING
-    passed = passed and isinstance(side, Place) and side.kind == "side" and prep.value == "in"
-    return passed or (located and (owner or (followed and prep.value == "behind")))
+    return followed and verb is not None and verb.name == "follow" and prep.value == "behind"
 
 
 def _from_a_side(prep: Prep) -> bool:

@@ -193,8 +193,8 @@ class Interpreter:
             elif _from_behind(prep) and event.name in _UNDERWAY and met:
                 self._context.ahead(met[:1], clause.actors, Basis(prep.word.i, prep.word.j))
             elif _from_behind(prep) and not met and _is_hit(event, prep.on_mention):
+                basis = Basis(prep.word.i, prep.word.j)
                 for entity in (e for e in clause.actors if not e.ego):
-                    basis = Basis(prep.word.i, prep.word.j)
                     self._draft.place(entity, None, {Approach.AHEAD}, basis)
             elif prep.on_mention is None or _starts(event, prep):
                 turned = event.passive and event.name != "hide"

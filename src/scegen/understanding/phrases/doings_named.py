@@ -7,9 +7,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES, finite_follows
-from scegen.understanding.words.terms import Term
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
+from scegen.understanding.phrases.lookahead import (
+    BOUNDARIES,
+    chunk_at,
+    finite_follows,
+    is_word,
+    sentence_end,
+)
 
 _DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
@@ -43,55 +48,40 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
     if not opens or event.form not in {"base", "ing"}:
         return None
-    m = k + 1 + isinstance(chunks[k + 1 : k + 2][:1] and chunks[k + 1], Thing)  # "manoeuvre"
-    comma, next_one = (*chunks[k + 1 : k + 3], None, None)[:2]
-    if event.name in _MADE and getattr(comma, "value", "") == "," and isinstance(next_one, Mention):
-        if any(isinstance(c, Event) for c in _sentence(chunks, k + 3)):
-            return None
-        return [next_one, replace(event, form="s", nominal=False)], k + 3  # "Left turn, ego …"
+    verb = replace(event, form="s", nominal=False)
+    after, who_else = chunk_at(chunks, k + 1), chunk_at(chunks, k + 2)
+    if event.name in _MADE and is_word(after, ",") and isinstance(who_else, Mention):
+        rest = chunks[k + 3 : sentence_end(chunks, k + 3)]
+        done = any(isinstance(c, Event) for c in rest)
+        return None if done else ([who_else, verb], k + 3)  # "Left turn, ego at 12 km/h"
+    m = k + 1 + isinstance(after, Thing)  # "manoeuvre"
     named: dict[str, list[Chunk]] = {}
     while (group := _group(m, chunks)) and group[0] not in named:
         named[group[0]] = group[1]
         m = group[2]
-    if not named or finite_follows(chunks, m - 1) or _is_heading(m, chunks):
+    is_heading = is_word(chunk_at(chunks, sentence_end(chunks, m)), ":")
+    if not named or finite_follows(chunks, m - 1) or is_heading:
         return None
-    whole = named.get("of", [])
-    done_to = "by" in named or event.name in _DONE_TO or not isinstance(whole[:1][0], Mention)
-    who = named.get("by", []) if done_to else whole
-    if not who and event.name not in _DONE_TO:
-        return None  # "reversing out of a drive, …"
-    if not who:
-        term = Term("actor", "ego", event.i, event.i, data={"ego": True, "speaks": True})
-        who = [Mention(event.i, event.i, [], term, heads=[term])]
-    verb = replace(event, form="s", nominal=False)
-    return [*who, verb, *(whole if done_to else [])], m
-
-
-def _is_heading(m: int, chunks: list[Chunk]) -> bool:
-    end = m + len(_sentence(chunks, m))
-    return end < len(chunks) and getattr(chunks[end], "value", "") == ":"
-
-
-def _sentence(chunks: list[Chunk], m: int) -> list[Chunk]:
-    """What follows up to the next mark that ends a sentence or a title."""
-    ends = (n for n, c in enumerate(chunks[m:]) if getattr(c, "value", "") in BOUNDARIES)
-    return chunks[m : m + next(ends, len(chunks))]
+    of, by = named.get("of", []), named.get("by", [])
+    if not by and event.name not in _DONE_TO:  # but not "reversing out of a drive, …"
+        return ([*of, verb], m) if isinstance(of[0], Mention) else None
+    return [*(by or [teller_at(event.i)]), verb, *of], m
 
 
 def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     """``of a car ahead of the ego``: the word, the noun with its place, where it ends."""
-    word, noun = (chunks[n] if n < len(chunks) else None for n in (m, m + 1))
+    word, noun = chunk_at(chunks, m), chunk_at(chunks, m + 1)
     if not _doer(word) or not isinstance(word, Word) or not isinstance(noun, Mention | Place):
         return None
     end = m + 2
-    place, of = (chunks[n] if n < len(chunks) else None for n in (end, end + 1))
+    place, of = chunk_at(chunks, end), chunk_at(chunks, end + 1)
     if isinstance(place, Word) and place.cat == "locus" and isinstance(of, Mention | Place):
         end += 2
-    if isinstance(place, Word) and place.value == "(" and isinstance(of, Mention):
+    if is_word(place, "(") and isinstance(of, Mention):
         end += 3  # "of a GVT (a van)"
-    at, speed, more = (chunks[n] if n < len(chunks) else None for n in (end, end + 1, end + 2))
-    told = isinstance(at, Word) and isinstance(speed, Word) and speed.cat == "quantity"
-    if told and isinstance(noun, Mention) and isinstance(speed, Word) and _doer(more):
+    at, speed = chunk_at(chunks, end), chunk_at(chunks, end + 1)
+    told = isinstance(at, Word) and isinstance(noun, Mention) and _doer(chunk_at(chunks, end + 2))
+    if told and isinstance(speed, Word) and speed.cat == "quantity":
         noun.mods = [*noun.mods, speed.term]  # "of a cyclist at 15 km/h by …"
         return word.value, chunks[m + 1 : end], end + 2
     return word.value, chunks[m + 1 : end], end

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING
+from scegen.understanding.phrases.lookahead import BOUNDARIES, governs
 from scegen.understanding.words.terms import Term
 
 _GENERIC = frozenset({"car", "driver", "adversary"})
@@ -45,7 +45,7 @@ def _listed(chunks: list[Chunk], k: int) -> list[Mention]:
         c
         for before, c in zip(chunks[k - 1 : end - 1], chunks[k:end], strict=True)
         if isinstance(c, Mention) and c.heads and not c.is_ego
-        if not (isinstance(before, Word) and before.cat in GOVERNING)
+        if not governs(before)
     ]
 
 

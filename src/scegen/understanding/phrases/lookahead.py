@@ -15,6 +15,27 @@ _VIEW_OF = 3
 _CLAUSE = 14
 
 
+def chunk_at(chunks: list[Chunk], k: int) -> Chunk | None:
+    """The chunk with an index, if there is one."""
+    return chunks[k] if 0 <= k < len(chunks) else None
+
+
+def is_word(chunk: Chunk | None, value: str) -> bool:
+    """Whether a chunk is a word, or a mark, of that value."""
+    return isinstance(chunk, Word) and chunk.value == value
+
+
+def governs(chunk: Chunk | None) -> bool:
+    """Whether a noun after it stands in a phrase of place."""
+    return isinstance(chunk, Word) and chunk.cat in GOVERNING
+
+
+def sentence_end(chunks: list[Chunk], k: int) -> int:
+    """The index of the first mark from chunk ``k`` on that ends a sentence or a title."""
+    ends = (m for m in range(k, len(chunks)) if getattr(chunks[m], "value", "") in BOUNDARIES)
+    return next(ends, len(chunks))
+
+
 def event_follows(chunks: list[Chunk], k: int) -> bool:
     """Whether a verb comes after chunk ``k``, with at most adverbs in between.
 

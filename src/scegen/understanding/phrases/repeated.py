@@ -41,7 +41,7 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Mention) and "exit" in last and _taken(chunk, found):
             label = [m for m in chunk.mods if m.cat == "label"]
             chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
-        if "crossed" in last and _across_it(chunk, found):
+        if "crossed" in last and across_it(chunk, found[-1] if found else None):
             chunk = replace(last["crossed"], i=chunk.i, j=chunk.j, prep=None)  # noqa: PLW2901
         found.append(chunk)
         if isinstance(chunk, Place):
@@ -116,9 +116,13 @@ def _taken(mention: Mention, before: list[Chunk]) -> bool:
     return mention.pronoun == "ordinal" and (goal or taken)
 
 
-def _across_it(chunk: Chunk, before: list[Chunk]) -> bool:
-    """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody."""
-    verb = before[-1] if before else None
+def across_it(chunk: Chunk, verb: Chunk | None) -> bool:
+    """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody.
+
+    Args:
+        chunk: what may be "it".
+        verb: the chunk before it.
+    """
     it = isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
     return it and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
 

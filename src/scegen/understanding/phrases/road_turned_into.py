@@ -10,7 +10,8 @@ from dataclasses import replace
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.lexicon import load_ways, word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, is_word
+from scegen.understanding.phrases.repeated import across_it
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -26,22 +27,21 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: of the text.
         tokens: of the text.
     """
-    turns = [k for k, c in enumerate(chunks) if isinstance(c, Event) and c.name in _TURNING]
-    if not turns:
+    turn = next((k for k, c in enumerate(chunks) if _turns(c)), None)
+    if turn is None:
         return chunks
-    who = _turning(chunks, turns[0])
+    who = _turning(chunks, turn)
     found: list[Chunk] = []
     begin, k = 0, 0
     later: list[Chunk] = []
     into: Place | None = None
     while k < len(chunks):
         chunk = chunks[k]
-        after = k + 1
+        before, after = chunk_at(found, len(found) - 1), k + 1
         if isinstance(chunk, Place) and chunk.kind in _ROADS and chunk.arm is None:
-            word = found[-1] if found else None
             verb = next((c for c in reversed(found[begin:]) if isinstance(c, Event)), None)
-            turned = any(verb is chunks[t] for t in turns)
-            if turned and isinstance(word, Word) and tokens[word.i].low in {"into", "onto"}:
+            onto = isinstance(before, Word) and tokens[before.i].low in {"into", "onto"}
+            if onto and _turns(verb):
                 into = chunk
                 told, after = _walked(chunks, k)
                 again = replace(chunk, arm=CrossedArm.EXIT, user=who, prep=None)
@@ -55,16 +55,18 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                 after = end or after
                 if end or _pointed_at(chunk, found, tokens):
                     chunk.arm, chunk.user = CrossedArm.EXIT, who
-        elif into is not None and isinstance(chunk, Mention) and chunk.pronoun == "it":
-            before = found[-1] if found else None
-            if isinstance(before, Event) and before.name == "cross":
-                chunk = replace(into, i=chunk.i, j=chunk.j, arm=CrossedArm.EXIT, user=who)
+        elif into is not None and across_it(chunk, before):
+            chunk = replace(into, i=chunk.i, j=chunk.j, arm=CrossedArm.EXIT, user=who)
         found.append(chunk)
         if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
             found += later
             begin, later = len(found), []
         k = after
     return [*found, *later]
+
+
+def _turns(chunk: Chunk | None) -> bool:
+    return isinstance(chunk, Event) and chunk.name in _TURNING
 
 
 def _turning(chunks: list[Chunk], k: int) -> Mention | None:
@@ -74,27 +76,28 @@ def _turning(chunks: list[Chunk], k: int) -> Mention | None:
 
 
 def _known(who: Chunk) -> bool:
-    named = isinstance(who, Mention) and who.pronoun is None
-    return not named or any((m.cat, m.value) == ("det", "def") for m in who.mods)  # type: ignore[union-attr]
+    if not isinstance(who, Mention) or who.pronoun is not None:
+        return True
+    return any((m.cat, m.value) == ("det", "def") for m in who.mods)
 
 
 def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
     """Who crosses the road of a relative clause, as a sentence, and where the clause ends."""
     m = k + 1
-    m += _value(chunks, m) == ","
+    m += is_word(chunk_at(chunks, m), ",")
     over = chunks[m : m + 1] if _cat(chunks, m) == "prep" and _cat(chunks, m + 1) == "rel" else []
     m += len(over)
-    if _cat(chunks, m) != "rel" and _value(chunks, m) != "where":
+    if _cat(chunks, m) != "rel" and not is_word(chunk_at(chunks, m), "where"):
         return [], k + 1
     m += 1
-    who = chunks[m] if m < len(chunks) else None
+    who = chunk_at(chunks, m)
     m += isinstance(who, Mention)
     while _cat(chunks, m) in {"aux", "manner"}:
         m += 1
-    verb = chunks[m] if m < len(chunks) else None
+    verb = chunk_at(chunks, m)
     if not isinstance(verb, Event) or verb.name not in _ON_FOOT:
         return [], k + 1
-    by = chunks[m + 2] if _value(chunks, m + 1) == "by" and m + 2 < len(chunks) else None
+    by = chunk_at(chunks, m + 2) if is_word(chunk_at(chunks, m + 1), "by") else None
     if not isinstance(who, Mention):
         who, m = (by, m + 2) if verb.form == "ed" else (None, m)
     if not isinstance(who, Mention):
@@ -106,10 +109,10 @@ def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
 def _entered(chunks: list[Chunk], m: int) -> int | None:
     """Where ``(the road) being entered by the ego`` ends."""
     m += _cat(chunks, m) == "aux"
-    verb = chunks[m] if m < len(chunks) else None
+    verb = chunk_at(chunks, m)
     if not isinstance(verb, Event) or (verb.name, verb.form) != ("enter", "ed"):
         return None
-    by = _value(chunks, m + 1) == "by" and isinstance(chunks[m + 2], Mention)
+    by = is_word(chunk_at(chunks, m + 1), "by") and isinstance(chunk_at(chunks, m + 2), Mention)
     return m + 3 if by else m + 1
 
 
@@ -117,14 +120,10 @@ def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
     """``the destination road``; "that road", if the turn alone tells which."""
     words = {t.low for t in tokens[road.i : road.j]}
     named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
-    turned = any(isinstance(c, Event) and c.name in _TURNING for c in before)
+    turned = any(map(_turns, before))
     that = bool(words & {*word_list("pointing")}) and turned and len(named) <= 1
     return that or bool(words & {*load_ways()["reached"]})
 
 
 def _cat(chunks: list[Chunk], m: int) -> str:
-    return str(getattr(chunks[m], "cat", "")) if m < len(chunks) else ""
-
-
-def _value(chunks: list[Chunk], m: int) -> str:
-    return str(getattr(chunks[m], "value", "")) if m < len(chunks) else ""
+    return str(getattr(chunk_at(chunks, m), "cat", ""))

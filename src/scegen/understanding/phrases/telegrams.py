@@ -6,9 +6,9 @@ colon after a heading that says who or where, and who does what a noun names.
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word, teller_at
 from scegen.understanding.phrases.doings_named import spell_out_doings
-from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, governs, is_word
 from scegen.understanding.words.terms import Term
 
 _WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
@@ -24,7 +24,7 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
     chunks = _in_lanes(chunks)
-    if any(_is(chunk, ":") for chunk in chunks):
+    if any(is_word(chunk, ":") for chunk in chunks):
         chunks = _after_headings(_from_titles(chunks))
     chunks = _told_by_nobody(spell_out_doings(chunks))
     for k, chunk in enumerate(chunks):
@@ -38,16 +38,8 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     return found
 
 
-def _is(chunk: Chunk | None, value: str) -> bool:
-    return isinstance(chunk, Word) and chunk.value == value
-
-
 def _ends(chunk: Chunk | None) -> bool:
     return chunk is None or (isinstance(chunk, Word) and chunk.value in BOUNDARIES)
-
-
-def _at(chunks: list[Chunk], k: int) -> Chunk | None:
-    return chunks[k] if 0 <= k < len(chunks) else None
 
 
 def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
@@ -56,11 +48,11 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
     begin = 0
     comma = 0
     for k, chunk in enumerate(chunks):
-        comma = k + 1 if _is(chunk, ",") else comma
+        comma = k + 1 if is_word(chunk, ",") else comma
         title = chunks[max(begin, comma) : k]
-        if _is(chunk, ":") and _plays(chunks, k):
+        if is_word(chunk, ":") and _plays(chunks, k):
             continue
-        if _is(chunk, ":") and title and _adds_nothing(title, chunks, k):
+        if is_word(chunk, ":") and title and _adds_nothing(title, chunks, k):
             if isinstance(title[0], Word) and title[0].cat == "dir":
                 _describe(title[0].term, chunks, k)
         else:
@@ -75,10 +67,10 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
     found: list[Chunk] = []
     begin = comma = 0
     for k, chunk in enumerate(chunks):
-        comma = k + 1 if _is(chunk, ",") else comma
+        comma = k + 1 if is_word(chunk, ",") else comma
         start = max(begin, comma)
-        title, following = chunks[start:k], _at(chunks, k + 1)
-        if _is(chunk, ":") and title and isinstance(following, Mention):
+        title, following = chunks[start:k], chunk_at(chunks, k + 1)
+        if is_word(chunk, ":") and title and isinstance(following, Mention):
             place = _titled(title)
             if place is not None:
                 word = "in" if place.kind == "lane" else "from"
@@ -105,7 +97,7 @@ def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:
 
 
 def _bare_lane(lane: Place, chunks: list[Chunk], k: int) -> bool:
-    before, after = _at(chunks, k - 1), _at(chunks, k + 1)
+    before, after = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
     bare = isinstance(before, Word) and (before.cat == "quantity" or before.value == ",")
     who = isinstance(before, Mention) and any(m.cat == "quantity" for m in before.mods)
     ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "conj"})
@@ -123,29 +115,32 @@ def _titled(title: list[Chunk]) -> Place | None:
 
 def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
     """``Turned right and hit a van``, ``Was going straight``: whoever tells it did."""
-    first = _at(chunks, 0)
+    first = chunk_at(chunks, 0)
     auxiliary = isinstance(first, Word) and (first.cat, first.value) == ("aux", "be")
-    verb = _at(chunks, 1) if auxiliary else first
+    verb = chunk_at(chunks, 1) if auxiliary else first
     if not isinstance(verb, Event) or verb.nominal:
         return chunks
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
-    following = _at(chunks, chunks.index(verb) + 1)
+    following = chunk_at(chunks, chunks.index(verb) + 1)
     undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)
     undergone = undergone and verb.name != "stop"
-    if not past or (undergone and not auxiliary) or _is(following, "by"):
+    if not past or (undergone and not auxiliary) or is_word(following, "by"):
         return chunks
-    term = Term("actor", "ego", verb.i, verb.i, data={"ego": True, "speaks": True})
-    return [Mention(verb.i, verb.i, [], term, heads=[term]), *chunks]
+    return [teller_at(verb.i), *chunks]
 
 
 def _plays(chunks: list[Chunk], k: int) -> bool:
     """``Conflict partner: a bus from the left``: the noun after the colon plays the role."""
-    role, actor = _at(chunks, k - 1), _at(chunks, k + 1)
-    if not (isinstance(role, Mention) and isinstance(actor, Mention) and _ends(_at(chunks, k - 2))):
+    role, actor = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
+    if not (
+        isinstance(role, Mention) and isinstance(actor, Mention) and _ends(chunk_at(chunks, k - 2))
+    ):
         return False
     plays = role.head is not None and role.head.data.get("label") == "adversary"
     plays = plays or role.is_ego or bool({"ahead", "behind"} & set(role.dirs))
-    ends = _ends(_at(chunks, k + 2)) or _is(_at(chunks, k + 2), ",")  # "Ego: van, 50 km/h"
+    ends = _ends(chunk_at(chunks, k + 2)) or is_word(
+        chunk_at(chunks, k + 2), ","
+    )  # "Ego: van, 50 km/h"
     if not plays or actor.is_ego or (role.is_ego and not ends):
         return False
     actor.same_as = role
@@ -153,7 +148,7 @@ def _plays(chunks: list[Chunk], k: int) -> bool:
 
 
 def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
-    first, following = title[0], _at(chunks, k + 1)
+    first, following = title[0], chunk_at(chunks, k + 1)
     if isinstance(first, Word) and first.cat == "dir":
         return len(title) == 1 and isinstance(following, Mention)
     way = isinstance(following, Word) and (following.cat, following.value) in _WAYS
@@ -176,13 +171,13 @@ def _describe(term: Term, chunks: list[Chunk], k: int) -> None:
 
 def _named_doing(chunks: list[Chunk], k: int) -> bool:
     """``Cut-in from the left``, ``Cut-in, ego 100 km/h``: a doing, not yet with who does it."""
-    following, event = _at(chunks, k + 1), chunks[k]
+    following, event = chunk_at(chunks, k + 1), chunks[k]
     said = isinstance(event, Event) and event.form in {"base", "ing"}
-    if not said or not _ends(_at(chunks, k - 1)):
+    if not said or not _ends(chunk_at(chunks, k - 1)):
         return False
     placed = isinstance(following, Word) and following.cat in {"prep", "locus", "manner"}
     bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
-    listed = _is(following, ",") or _is(following, ":")  # "Cut-in, ego 100 km/h, target …"
+    listed = is_word(following, ",") or is_word(following, ":")  # "Cut-in, ego 100 km/h, target …"
     return bare and (placed or listed)
 
 
@@ -191,12 +186,12 @@ def _going(chunks: list[Chunk], k: int) -> Event | None:
     way = chunks[k]
     if not isinstance(way, Word) or (way.cat, way.value) not in _WAYS:
         return None
-    following = _at(chunks, k + 1)
+    following = chunk_at(chunks, k + 1)
     free = _ends(following) or (
         isinstance(following, Word) and (following.value == "," or following.cat in _AFTER)
     )
     opener = _clause_opener(chunks, k)
-    if not free or _is(following, "of") or opener is None:
+    if not free or is_word(following, "of") or opener is None:
         return None
     return Event("move", way.i, way.j, "s", mods=[way.term], drives=True)
 
@@ -206,8 +201,8 @@ def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
     for m in range(k - 1, -1, -1):
         chunk = chunks[m]
         if isinstance(chunk, Mention):
-            before = _at(chunks, m - 1)
-            if not (isinstance(before, Word) and before.cat in GOVERNING):
+            before = chunk_at(chunks, m - 1)
+            if not governs(before):
                 return chunk if _introduced(chunks, m - 1) else None
         elif isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat not in _WITHIN):
             return None
@@ -216,9 +211,9 @@ def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
 
 def _introduced(chunks: list[Chunk], m: int) -> bool:
     """Whether a clause begins after chunk ``m``."""
-    before = _at(chunks, m)
+    before = chunk_at(chunks, m)
     if _ends(before):
         return True
     if not isinstance(before, Word) or before.value not in _SEPARATORS:
         return False
-    return before.value != "(" and not isinstance(_at(chunks, m - 1), Event)
+    return before.value != "(" and not isinstance(chunk_at(chunks, m - 1), Event)

@@ -6,7 +6,7 @@ Whoever the text after the noun says does it, or can be the only one to, is its 
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, sentence_end
 from scegen.understanding.words.tokens import Token
 
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "lose_control", "obey", "breach"})
@@ -27,7 +27,7 @@ def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
         events: its events, subjects found; one that says the same again is left out.
         tokens: its tokens.
     """
-    end = next((k for k, c in enumerate(chunks) if _ends(c)), len(chunks))
+    end = sentence_end(chunks, 0)
     title = chunks[:end]
     open_ones = [e for e in events if not e.subject or all(m.negated for m in e.subject)]
     for doing in [e for e in open_ones if e.parent is None or e.parent.name == "fail"]:

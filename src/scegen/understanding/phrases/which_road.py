@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.lexicon import load_ways
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -56,7 +56,7 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _hand_on(before: list[Chunk], road: Place) -> None:
     """``the crosswalk of the road that it turns into``: on that arm."""
-    place, word = _at(before, len(before) - 2), _at(before, len(before) - 1)
+    place, word = chunk_at(before, len(before) - 2), chunk_at(before, len(before) - 1)
     of = isinstance(word, Word) and word.cat == "prep" and word.value in {"of", "in"}
     if of and isinstance(place, Place) and place.kind == "crosswalk":
         place.arm, place.user = road.arm, road.user
@@ -70,10 +70,6 @@ def _lemma(event: Event, tokens: list[Token]) -> str:
     return tokens[event.i].forms[-1][0]
 
 
-def _at(chunks: list[Chunk], k: int) -> Chunk | None:
-    return chunks[k] if 0 <= k < len(chunks) else None
-
-
 def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, CrossedArm] | None:
     """``(the road) into which the ego turns``, ``it is turning into``: its end, and which arm."""
     place = chunks[k]
@@ -82,8 +78,8 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
     if place.head is not None and place.head.form == "s":
         return None  # "at a roundabout with four arms the ego enters": the sentence itself
     m, opener = k + 1, ""
-    word = _at(chunks, m)
-    if isinstance(word, Word) and word.cat == "prep" and _relative(_at(chunks, m + 1), tokens):
+    word = chunk_at(chunks, m)
+    if isinstance(word, Word) and word.cat == "prep" and _relative(chunk_at(chunks, m + 1), tokens):
         opener, m = _text(word, tokens), m + 2
     elif isinstance(word, Word) and (word.cat, word.value) == ("sub", "where"):
         opener, m = _text(word, tokens).split()[0], m + 1
@@ -93,13 +89,13 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
     if clause is None:
         return None
     event, m = clause
-    while isinstance(after := _at(chunks, m), Word) and after.cat in {"dir", "manner"}:
+    while isinstance(after := chunk_at(chunks, m), Word) and after.cat in {"dir", "manner"}:
         m += 1
     if not opener and isinstance(after, Place):
         return None  # "with 5 exits the ego takes the second exit": the verb has its own object
     lemma, stranded = _lemma(event, tokens), _text(after, tokens)
     preposed = isinstance(after, Word) and after.cat == "prep" and not opener
-    beyond = _at(chunks, m + 1)
+    beyond = chunk_at(chunks, m + 1)
     behind = isinstance(beyond, Word) and beyond.cat == "locus"  # "a car comes up from behind"
     preposed = preposed and not (behind or isinstance(beyond, Mention | Place | Event))
     for said, end in ((f"{lemma} {stranded}", m + 1), (f"{lemma} {opener}".strip(), m)):
@@ -115,15 +111,19 @@ def _relative(chunk: Chunk | None, tokens: list[Token]) -> bool:
 
 def _does(chunks: list[Chunk], m: int) -> tuple[Event, int] | None:
     """Somebody and its verb: the verb, and what comes after it."""
-    if not isinstance(_at(chunks, m), Mention):
+    if not isinstance(chunk_at(chunks, m), Mention):
         return None
     m += 1
-    while isinstance(word := _at(chunks, m), Word) and word.cat in _ON_THE_WAY:
+    while isinstance(word := chunk_at(chunks, m), Word) and word.cat in _ON_THE_WAY:
         m += 1
-    verb = _at(chunks, m)
-    if isinstance(verb, Event) and verb.name == "try" and isinstance(_at(chunks, m + 1), Event):
+    verb = chunk_at(chunks, m)
+    if (
+        isinstance(verb, Event)
+        and verb.name == "try"
+        and isinstance(chunk_at(chunks, m + 1), Event)
+    ):
         m += 1  # "is about to enter"
-        verb = _at(chunks, m)
+        verb = chunk_at(chunks, m)
     return (verb, m + 1) if isinstance(verb, Event) and not verb.nominal else None
 
 
@@ -157,17 +157,17 @@ def _course(
         if not against and _text(word, tokens) not in ways["along"]:
             return None
         m += 1
-        m += 1 if isinstance(to := _at(chunks, m), Word) and to.value == "to" else 0
-    owner = _at(chunks, m)
-    m += 1 if isinstance(owner, Mention) and isinstance(_at(chunks, m + 1), Place) else 0
-    noun = _at(chunks, m)
+        m += 1 if isinstance(to := chunk_at(chunks, m), Word) and to.value == "to" else 0
+    owner = chunk_at(chunks, m)
+    m += 1 if isinstance(owner, Mention) and isinstance(chunk_at(chunks, m + 1), Place) else 0
+    noun = chunk_at(chunks, m)
     if not isinstance(noun, Place) or noun.kind not in _COURSES:
         return None
     against = against or "opposite" in noun.dirs
     words = {t.low for t in tokens[noun.i : noun.j]}
     early = bool(words & {*ways["original"]})
     m += 1
-    opener = _at(chunks, m)
+    opener = chunk_at(chunks, m)
     if isinstance(opener, Word) and opener.value == "of":
         m += 2  # "of travel", "of the ego"
     told = _heading(chunks, m, tokens)
@@ -181,8 +181,8 @@ def _course(
 
 def _heading(chunks: list[Chunk], m: int, tokens: list[Token]) -> int | None:
     """``in which the ego was driving``, ``it came from``: where the clause ends."""
-    word = _at(chunks, m)
-    if isinstance(word, Word) and word.cat == "prep" and _relative(_at(chunks, m + 1), tokens):
+    word = chunk_at(chunks, m)
+    if isinstance(word, Word) and word.cat == "prep" and _relative(chunk_at(chunks, m + 1), tokens):
         m += 2
     elif isinstance(word, Word) and (word.cat in {"sub", "rel"}):
         m += 1
@@ -190,14 +190,14 @@ def _heading(chunks: list[Chunk], m: int, tokens: list[Token]) -> int | None:
     if clause is None or _lemma(clause[0], tokens) not in load_ways()["heads"]:
         return None
     m = clause[1]
-    after = _at(chunks, m)
+    after = chunk_at(chunks, m)
     stranded = isinstance(after, Word) and after.cat in {"prep", "manner"}
-    return m + 1 if stranded and not isinstance(_at(chunks, m + 1), Mention | Place) else m
+    return m + 1 if stranded and not isinstance(chunk_at(chunks, m + 1), Mention | Place) else m
 
 
 def _end_of_turn(chunks: list[Chunk], m: int) -> int:
     """After ``before the turn``, ``before it turned``, if that follows."""
-    word, verb = _at(chunks, m), _at(chunks, m + 1)
+    word, verb = chunk_at(chunks, m), chunk_at(chunks, m + 1)
     if not isinstance(word, Word) or (word.cat, word.value) != ("sub", "before"):
         return m
     if isinstance(verb, Event) and verb.name in _TURNING:
@@ -217,7 +217,7 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     k = 0
     while k < len(chunks):
         chunk = chunks[k]
-        text, after = _text(chunk, tokens), _at(chunks, k + 1)
+        text, after = _text(chunk, tokens), chunk_at(chunks, k + 1)
         from_there = isinstance(after, Word) and (after.cat, after.value) == ("prep", "from")
         if text in ways["therefore"] and from_there and not isinstance(chunk, Mention):
             k += 1
@@ -225,7 +225,7 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         end = _seen(chunks, k, tokens) if text == "as" else None
         if end is None and isinstance(chunk, Word) and _from_a_side(found):
             end = _end_of_turn(chunks, k)
-            tells = isinstance(more := _at(chunks, end), Word) and more.cat in {"dir", "prep"}
+            tells = isinstance(more := chunk_at(chunks, end), Word) and more.cat in {"dir", "prep"}
             end = k if tells else end
         if end is not None and end > k:
             k = end
@@ -237,9 +237,9 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _from_a_side(before: list[Chunk]) -> bool:
     """``from the left``, ``from its left``."""
-    place = _at(before, len(before) - 1)
-    m = len(before) - (3 if isinstance(_at(before, len(before) - 2), Mention) else 2)
-    word = _at(before, m)
+    place = chunk_at(before, len(before) - 1)
+    m = len(before) - (3 if isinstance(chunk_at(before, len(before) - 2), Mention) else 2)
+    word = chunk_at(before, m)
     side = isinstance(place, Place) and place.kind == "side"
     return side and isinstance(word, Word) and (word.cat, word.value) == ("prep", "from")
 
@@ -249,5 +249,5 @@ def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:
     if clause is None or _lemma(clause[0], tokens) not in load_ways()["sees"]:
         return None
     m = clause[1]
-    m += 1 if isinstance(_at(chunks, m), Mention) else 0
+    m += 1 if isinstance(chunk_at(chunks, m), Mention) else 0
     return _end_of_turn(chunks, m)

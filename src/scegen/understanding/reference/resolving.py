@@ -62,15 +62,22 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
     for event in events:
         _done_to(event, mentions, found)
         _going_elsewhere(event, events, found)
+        _beside_another(event, found)
     for mention in mentions:
         for prep in mention.pps:
             by = prep.target
             if isinstance(by, Mention) and prep.word.cat == "locus":
                 found.unlike[id(by)].append(mention)  # "a bus behind it"
-            elif isinstance(by, Place):
-                whose = by.beside or by.owner
-                found.unlike[id(whose)] += [mention]  # "two vans on either side of it"
+            elif isinstance(by, Place) and (whose := by.beside or by.owner) is not None:
+                found.unlike[id(whose)].append(mention)  # "two vans on either side of it"
     return found
+
+
+def _beside_another(event: Event, found: _Bonds) -> None:
+    """``drives in the lane to the left of it``: "it" is somebody else."""
+    for place in (p.target for p in event.pps):
+        if isinstance(place, Place) and place.beside is not None:
+            found.unlike[id(place.beside)] += event.subject
 
 
 def _going_elsewhere(event: Event, events: list[Event], found: _Bonds) -> None:
@@ -102,7 +109,6 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
     _not_by_itself(event, found)
     for prep in event.pps:
         by = prep.target
-        found.unlike[id(getattr(by, "beside", None))] += event.subject  # "the lane left of it"
         if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):
             found.follows[id(by)] += [event] if prep.on_mention is None else []
         if not isinstance(by, Mention) or prep.on_mention not in (None, *event.subject):
@@ -116,8 +122,10 @@ def _not_by_itself(event: Event, found: _Bonds) -> None:
     """``it is hit by the ego``, ``by the ego's front``: "it" is not the ego."""
     for prep in (p for p in event.pps if p.value == "by"):
         agent = prep.target.owner if isinstance(prep.target, Place) else prep.target
-        for who in event.subject:
-            found.unlike[id(who)] += [agent] if who.pronoun and isinstance(agent, Mention) else []
+        if not isinstance(agent, Mention):
+            continue
+        for who in (m for m in event.subject if m.pronoun):
+            found.unlike[id(who)].append(agent)
 
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:

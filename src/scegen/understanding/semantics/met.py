@@ -22,9 +22,13 @@ def into_rear(event: Event, context: Context) -> bool:
     """
     ends = [event.object, *(p.target for p in event.pps)]
     rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
-    words = {t.low for t in context.tokens[event.i : event.j]}
     behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
-    return rear or behind or bool(words & _REAR)
+    return rear or behind or _rear_inside(event, context)
+
+
+def _rear_inside(event: Event, context: Context) -> bool:
+    """``rear-ends``, ``drives into its rear``: the verb itself tells the rear."""
+    return any(t.low in _REAR for t in context.tokens[event.i : event.j])
 
 
 def rear_ends(clause: Clause, context: Context) -> bool:
@@ -52,9 +56,9 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
         if "rear" in c.dirs or (rear and c is event.object)
         for e in c.owner.entities
     ]
-    words = {t.low for t in context.tokens[event.i : event.j]}
     its = any(isinstance(c, Place) and _its(c, event) for c in ends)
-    if rear and not found and (its or (words & _REAR and not event.passive)):
+    its = its or (_rear_inside(event, context) and not event.passive)
+    if rear and not found and its:
         others = [e for e in context.draft.entities if e not in clause.actors]
         found += [e for e in others if e.ego or len(others) == 1]  # "hits its rear"
     return [e for e in dict.fromkeys(found) if e not in clause.actors]
