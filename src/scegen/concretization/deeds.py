@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import takewhile
 
-from scegen.concretization.amounts import GAINING, change_of_speed, goes_on_when_free
+from scegen.concretization.amounts import GAINING, change_of_speed, falls_back, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
@@ -15,7 +15,7 @@ from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
-from scegen.scenario.vocabulary import AtLight, HazardKind
+from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
 
 STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""
@@ -108,6 +108,8 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     for act in scene.speed_acts(draft.id):
         hazard = scene.hazard_of(act)
         target, rate = change_of_speed(act, before, draft.body, draft.grip_mps2, hazard, usual)
+        if falls_back(act):
+            target = min(_turning_mps(scene, draft), before)
         then: float | None = None
         when = act.when
         follows_own = isinstance(when, AfterAct) and when.act in own
@@ -132,6 +134,14 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         own.add(act.id)
     if not own and _stops_at_light(scene, draft):  # only the light is told
         yield SpeedChange(0.0, draft.braking_mps2(COMFORTABLE_BRAKING_MPS2), sort=Sort.ACT)
+
+
+def _turning_mps(scene: Setup, draft: DriveDraft) -> float:
+    """How fast one takes the turn that the text tells of: so much it brakes; 0 without one."""
+    said = scene.functional.participant(draft.id).maneuvers
+    slows = (mark for mark in draft.road_changes() if mark.sort is Sort.SLOWS)
+    turns = draft.drive.turn in said and draft.drive.turn is not Maneuver.STRAIGHT
+    return next((mark.target_mps for mark in slows), 0.0) if turns else 0.0
 
 
 def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:

@@ -110,6 +110,10 @@ class Entity:
     exits: Basis | None = None
     pulls_out: bool = False
     gives_way: bool = False
+    begins_over: bool = False
+    """It only begins to change lanes, as far as has been told."""
+    goes_back: bool = False
+    """It goes back before it has changed lanes."""
     walks_up: bool = False
     """It goes towards the road, on foot, and has not crossed it."""
     was_parked: Basis | None = None

@@ -54,6 +54,8 @@ _BESIDE_M = 0.5
 _SPEED_OVER_S = 0.1
 _THEN_S = Interval(low=0.0, high=2.0)
 """Where no delay is said, one act follows another within the time of a slow reaction."""
+_TURNS_THEN_S = Interval(low=0.0, high=4.0)
+"""Who stood at a line comes to the bend first."""
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -446,7 +448,8 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
     began = _begins(told, act, view)
     delay = np.where((since < view.steps) & (began < view.steps), began - since, np.nan)
     delay = delay * view.dt_s
-    wanted = _THEN_S if when.delay_s.high == 0.0 else when.delay_s
+    then = _TURNS_THEN_S if act.kind is ActKind.TURN else _THEN_S
+    wanted = then if when.delay_s.high == 0.0 else when.delay_s
     margin = within(delay, wanted, 2 * tolerances.TIME_S)
     return Judged(margin, delay, view.time_of(began))
 

@@ -8,8 +8,9 @@ from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.chunks import Place
 from scegen.understanding.draft import Basis
-from scegen.understanding.happenings import STILL, Amount, Doing
+from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import quantity_at
@@ -28,7 +29,9 @@ def read_acts(text: Telling) -> None:
     for scene in told:
         first = [*goes_first(scene, text), *arrives_first(scene, text)]
         for doing in [*_acts_of(scene, text), *first]:
-            if not _continued(doing, found, text) and not _told_again(doing, found, text):
+            if _goes_back(doing, scene, found):
+                found.append(doing)
+            elif not _continued(doing, found, text) and not _told_again(doing, found, text):
                 found.append(doing)
     for scene in described:  # "the braking car ahead": unless the text tells of it
         for doing in _acts_of(scene, text):
@@ -51,6 +54,20 @@ def _come_to_rest(found: list[Doing]) -> None:
                 doing.told.append(at)
                 if doing.kind is ActKind.BRAKE:
                     doing.amounts.setdefault("target_speed_mps", Amount(STILL, basis))
+
+
+def _goes_back(doing: Doing, scene: Clause, found: list[Doing]) -> bool:
+    """``changes lanes and a moment later goes back``: to the other side, after the first."""
+    moved = [d for d in found if d.entity is doing.entity and d.kind is ActKind.CHANGE_LANE]
+    if scene.event.name != "return" or doing.kind is not ActKind.CHANGE_LANE or not moved:
+        return False
+    first = moved[-1]
+    lane = next((p.target for p in scene.event.pps if isinstance(p.target, Place)), None)
+    doing.side = first.side and OTHER[first.side]
+    doing.side_basis = Basis(lane.i, lane.j) if lane is not None else doing.basis
+    doing.into = None
+    doing.when = Trigger("after", doing.basis, act=first)
+    return True
 
 
 def _back_from_there(found: list[Doing]) -> None:

@@ -7,9 +7,11 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.aside import SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.amounts.leading_aside import OTHER
 from scegen.understanding.draft import Basis
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
+from scegen.understanding.lexicon import word_list
 
 _PLAIN = frozenset({"duration", "distance", "lateral_speed", "lateral_move"})
 _SIDE_REACH = 4
@@ -145,6 +147,10 @@ def _side(doing: Doing, figure: Figure) -> None:
         if tokens[k].low in SIDE_WORDS:
             doing.side, doing.side_basis = Side(SIDE_WORDS[tokens[k].low]), Basis(k, k + 1)
             return
+    beside = doing.entity.beside if tokens[j].low in word_list("towards") else None
+    if beside is not None and doing.side is None:  # "1 m towards the ego"
+        doing.side = OTHER[Side(beside[0])]
+        doing.side_basis = Basis(j, j + 1, "towards the lane beside its own")
 
 
 def until_the_next(figure: Figure) -> bool:

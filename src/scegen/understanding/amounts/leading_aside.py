@@ -8,6 +8,7 @@ from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
@@ -61,7 +62,8 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         doing.side = OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
     homeward = doing.into is None or doing.into.ego
     beside = entity.beside or _comes_from(entity, context)
-    if homeward and doing.kind is ActKind.CHANGE_LANE and doing.side is None and beside:
+    over = doing.kind is ActKind.CHANGE_LANE or any(p.value in word_list("towards") for p in event.pps)
+    if homeward and over and doing.side is None and beside:
         side, words = beside
         doing.side = OTHER[SIDES[side]] if side in SIDES else None
         doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")

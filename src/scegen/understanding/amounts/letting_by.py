@@ -147,7 +147,7 @@ def go_on(text: Telling) -> None:
         if letting:
             stop.kind, stop.into, stop.into_basis = ActKind.WAIT, letting[0].into, letting[0].basis
             kept.remove(letting[0])
-        elif stop.into is not None:
+        elif stop.into is not None or any(a.kind is ActKind.TURN for a in later):
             stop.kind = ActKind.WAIT
     for act in kept:
         before = act.when.act if act.when is not None else None

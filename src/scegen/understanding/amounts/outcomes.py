@@ -22,6 +22,7 @@ _BEFORE, _PAIR = 4, 2
 _WHOLE, _HALF = 100.0, 50.0
 _DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
 """What may be left undone, and a contact follows."""
+_KEEPING_OFF = frozenset({"avoid", "prevent"})
 _NOBODY = frozenset({"neither", "nobody"})
 
 
@@ -171,7 +172,8 @@ def _of_nouns(text: Telling) -> list[Ending]:
 
 def _bare(event: Event, text: Telling) -> bool:
     """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
-    alone = event.i == 0 or text.tokens[event.i - 1].kind == "punct"
+    before = text.tokens[event.i - 1]
+    alone = event.i == 0 or before.kind == "punct" or before.low in words()["before_impacts"]
     return alone and event.form == "base" and event.lemma in words()["impacts"]
 
 
@@ -179,7 +181,7 @@ def _prevented(start: int, k: int, text: Telling) -> list[Event]:
     """What keeps a contact from happening, or does not, around its noun."""
     first, end = text.bounds(k)
     around = text.within(max(start, first), min(end, k + _BEFORE))
-    return [s.event for s in around if s.event.name in {"avoid", "prevent"}]
+    return [s.event for s in around if s.event.name in _KEEPING_OFF]
 
 
 def _said_of(k: int, text: Telling) -> set[str]:
@@ -199,12 +201,13 @@ def _said_of(k: int, text: Telling) -> set[str]:
             around = {t.low for t in between}
             denied = event.negated if held else around & {*words()["none"]}
             said |= {"denied"} if denied else around
+            said |= {event.name} & _KEEPING_OFF if after and not denied else set()
     return said
 
 
 def _in_vain(event: Event) -> bool:
     """``cannot avoid hitting him``: it happens all the same."""
-    return event.name in {"avoid", "prevent"} and event.negated
+    return event.name in _KEEPING_OFF and event.negated
 
 
 def _between(scene: Clause, text: Telling) -> list[Entity]:

@@ -32,15 +32,18 @@ def depend(event: Event, parent: Event, link_kind: str) -> None:
     event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
 
 
-def granting(event: Event, before: Event) -> Event:
-    """``lets a van already turning pass``: the bare verb hangs on "lets", not on the participle.
+def granting(event: Event, state: State) -> Event | None:
+    """``lets a van already turning, which is late, pass``: the bare verb hangs on "lets".
 
     Args:
         event: a verb.
-        before: the verb right before it.
+        state: what the clause reader remembers.
     """
-    let = before.parent if before.form == "ing" and event.form == "base" else None
-    return let if let is not None and let.control == "object" else before
+    before = [e for e in state.events if e.control == "object" and isinstance(e.object, Mention)]
+    bare = event.form == "base" and not any(word.startswith("aux:") for word in state.between)
+    let = before[-1] if before and bare and state.waiting is None else None
+    open_ = let is not None and not any(child.form == "base" for child in let.children)
+    return let if open_ else None
 
 
 def _share_subject(event: Event, other: Event, state: State) -> None:
@@ -104,17 +107,17 @@ def _in_a_phrase(event: Event, state: State) -> None:
         event.subject = last.subject
 
 
-def infinitive(event: Event, state: State) -> None:
+def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
     """``tries to merge``, ``forces the van to stop``, ``for the van to pass``.
 
     Args:
         event: the verb after "to".
         state: what the clause reader remembers.
+        parent: the verb on which it hangs, where that is not the one before.
     """
-    parent = state.last
     anchor = state.anchor
-    if isinstance(anchor, Event):
-        parent = anchor
+    if parent is None:
+        parent = anchor if isinstance(anchor, Event) else state.last
     who = state.waiting
     if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
         event.subject = chain(who)  # "a van passes and the ego has a second to brake"

@@ -19,6 +19,7 @@ from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import finite_follows
 
 _SMALL = frozenset({"prep", "manner"})
+_PARTS = frozenset({"side", "flank"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
@@ -221,7 +222,8 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     end = _whole(chunks, k)
     if state.prep is None and opens and finite_follows(chunks, end):
-        part = end > k and chunks[end].owner is not None  # type: ignore[union-attr]
+        of_one = end > k or (isinstance(noun, Place) and noun.kind in _PARTS)
+        part = of_one and chunks[end].owner is not None  # type: ignore[union-attr]
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
         opens = opens or part

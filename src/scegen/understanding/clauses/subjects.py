@@ -139,6 +139,8 @@ def _clause(event: Event, state: State) -> None:
         _subjectless(event, state)
     elif "conj" in between and state.events:
         coordinate(event, state)
+    elif (let := granting(event, state)) is not None and anchor is not let.object:
+        infinitive(event, state, let)
     elif "," in between:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
@@ -146,7 +148,7 @@ def _clause(event: Event, state: State) -> None:
     elif isinstance(anchor, Event) and event.finite and state.waiting is not None:
         event.subject = chain(state.waiting)  # "a man with a walking frame crosses"
     elif isinstance(anchor, Event):
-        depend(event, granting(event, anchor), "ing")
+        depend(event, anchor, "ing")
         event.subject = anchor.subject
         event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
     else:

@@ -106,7 +106,7 @@ def _person(mention: Mention) -> bool:
 def _sides(pps: list[Prep]) -> frozenset[str]:
     """``the one from the left``, ``comes from the right``, ``in the left lane``."""
     places = [p.target for p in pps if p.value in {"from", "in"}]
-    named = [p for p in places if isinstance(p, Place) and p.owner is None]
+    named = [p for p in places if isinstance(p, Place) and (p.owner is None or p.owner.is_ego)]
     return frozenset(d for p in named for d in p.dirs if d in {"left", "right", "opposite"})
 
 

@@ -148,7 +148,7 @@ class Known:
         if not (told or mention.narrowed or (which and not as_the_ego_sees(mention))):
             options = options or self.roster.cast(reading, loci)
         if reading.dirs:
-            options = [e for e in options if e.dirs == reading.dirs or _known_there(e, reading)]
+            options = [e for e in options if _from_there(e, reading)]
         options = [e for e in options if not (loci and e.loci) or loci & e.loci]
         elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
         options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
@@ -177,8 +177,14 @@ class Known:
         return options[:1]
 
 
-def _known_there(entity: Entity, reading: Reading) -> bool:
-    """``follows a car … the lead vehicle``: who is followed is the one ahead."""
+def _from_there(entity: Entity, reading: Reading) -> bool:
+    """``the crossing car``: one that comes from either side.
+
+    In "follows a car … the lead vehicle" who is followed is the one ahead.
+    """
+    across = {"left", "right"} if "lateral" in reading.dirs else set[str]()
+    if any(known and known <= reading.dirs | across for known in (entity.dirs, entity.sides)):
+        return True
     dirs = {_ALONG.get(d, d) for d in reading.dirs}
     along = dirs <= {"ahead", "behind"} and entity.dirs <= dirs
     return (along and dirs <= entity.loci | entity.dirs) or dirs <= entity.sides

@@ -39,6 +39,14 @@ def _gives_way(entity: Entity, _: Basis) -> None:
     entity.gives_way = True
 
 
+def _begins_over(entity: Entity, _: Basis) -> None:
+    entity.begins_over = True
+
+
+def _goes_back(entity: Entity, _: Basis) -> None:
+    entity.goes_back = True
+
+
 def _by_ramp(entity: Entity, basis: Basis) -> None:
     entity.by_ramp = entity.by_ramp or basis
 
@@ -116,6 +124,8 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "waits": _waits,
     "gives_way": _gives_way,
     "through": _through,
+    "begins_over": _begins_over,
+    "goes_back": _goes_back,
     "by_ramp": _by_ramp,
     "exits": _exits,
     "along": _along,

@@ -23,6 +23,7 @@ def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
     following = longest_match(tokens, i + 1)
     located = following is not None and following.has("locus")
     located = located or (tokens[i + 1].low in word_list("particles") and previous.cat == "verb")
+    located = located or tokens[i + 1].low == "across"
     located = located or (i + 2 < len(tokens) and tokens[i + 1].low == "at" and _me(tokens[i + 2]))
     return located and not previous.value.endswith("turn") and previous.cat != "det"
 
