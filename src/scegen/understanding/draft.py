@@ -116,6 +116,8 @@ class Entity:
     """It goes back before it has changed lanes."""
     walks_up: bool = False
     """It goes towards the road, on foot, and has not crossed it."""
+    halts: bool = False
+    """It stops at the kerb, and does not go on."""
     was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)
     opposed: set[int] = field(default_factory=set)

@@ -20,7 +20,7 @@ from scegen.claims.moments import (
 )
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, plain, speed_words
-from scegen.claims.tolerances import SPEED_MPS
+from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Floats, Ints
 from scegen.scenario.acts import ActKind
@@ -107,11 +107,15 @@ def _backs(told: Told, name: str, wanted: Interval, view: View) -> Judged:
 
 
 def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
-    """The pace between the kerbs: the greatest speed there, which is held in their middle."""
-    arm = arms_of(view)[crossing.arm]
-    speed = np.where(
-        arm.on_it(boxes(view, crossing.participant)), view.speed_mps(crossing.participant), 0.0
-    )
+    """The pace between the kerbs: the greatest speed there, which is held in their middle.
+
+    Of one who stops at the kerb, the greatest on its way there.
+    """
+    there = arms_of(view)[crossing.arm].on_it(boxes(view, crossing.participant))
+    walked = view.speed_mps(crossing.participant)
+    pace = np.where(there, walked, 0.0)
+    never = pace.max(axis=1, keepdims=True) <= STANDS_MPS
+    speed = np.where(never, walked, pace)
     step = speed.argmax(axis=1)
     fastest = speed.max(axis=1)
     margin = within(fastest, wanted, SPEED_MPS)

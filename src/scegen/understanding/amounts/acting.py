@@ -38,6 +38,7 @@ def read_acts(text: Telling) -> None:
             known = any(d.entity is doing.entity and d.kind is doing.kind for d in found)
             if doing.always and scene.event.form == "ing" and not known:
                 found.append(doing)
+    _halts_and_crosses(found)
     found.sort(key=lambda d: d.i)
     _back_from_there(found)
     _come_to_rest(found)
@@ -54,6 +55,14 @@ def _come_to_rest(found: list[Doing]) -> None:
                 doing.told.append(at)
                 if doing.kind is ActKind.BRAKE:
                     doing.amounts.setdefault("target_speed_mps", Amount(STILL, basis))
+
+
+def _halts_and_crosses(found: list[Doing]) -> None:
+    """``stops at the kerb and then runs across``: it stands there until it crosses."""
+    kerb = [d for d in found if d.kind is ActKind.CROSS and d.entity.halts]
+    for doing in [d for d in kerb if "distance_m" in d.amounts]:
+        if any(d.entity is doing.entity and d is not doing for d in kerb):
+            found.remove(doing)
 
 
 def _goes_back(doing: Doing, scene: Clause, found: list[Doing]) -> bool:
@@ -98,6 +107,9 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
             doing.always = doing.forced = False
         if whom and doing.kind in {ActKind.STOP, ActKind.GIVE_WAY}:
             doing.into, doing.into_basis = whom[0], doing.basis
+        if doing.kind is ActKind.STOP and doing.entity.halts:
+            doing.kind, doing.into = ActKind.CROSS, None  # as far as the kerb
+            doing.amounts["distance_m"] = Amount(STILL, doing.basis)
         again = _then_again(doing, text)
         _to_standstill(doing, text, again.i if again is not None else None)
         made += [doing] if again is None else [doing, again]

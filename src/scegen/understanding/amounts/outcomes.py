@@ -22,6 +22,7 @@ _BEFORE, _PAIR = 4, 2
 _WHOLE, _HALF = 100.0, 50.0
 _DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
 """What may be left undone, and a contact follows."""
+_PARTS = frozenset({"side", "middle", "front", "portion"})
 _KEEPING_OFF = frozenset({"avoid", "prevent"})
 _NOBODY = frozenset({"neither", "nobody"})
 
@@ -80,8 +81,10 @@ def _meets(scene: Clause, text: Telling) -> bool:
     event, lemma = scene.event, scene.event.lemma
     if event.name == "overlook" and lemma == "miss":
         return text.find("nearly", max(0, event.i - _BEFORE), event.i) is not None
-    part = isinstance(event.object, Place) and event.object.kind in {"side", "middle", "front"}
+    part = isinstance(event.object, Place) and event.object.kind in _PARTS
     meets = lemma == "meet" and (event.how("head_on") is not None or part)
+    with_ = (p.target for p in event.pps if p.value == "with")  # "catches him with its front"
+    meets |= lemma == "catch" and any(isinstance(c, Place) and c.kind in _PARTS for c in with_)
     return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
 
 

@@ -73,7 +73,9 @@ def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
     for k, place in enumerate(chunks):
         row = [*chunks[k + 2 : k + 3], None][0]
         unranked = not (isinstance(row, Mention) and row.ranked)
-        ordinal = isinstance(place, Word) and place.cat == "label"
+        before = next((c for c in reversed(chunks[:k]) if isinstance(c, Mention | Event)), None)
+        own = isinstance(before, Mention) and any("ranked" in e.named_by for e in before.entities)
+        ordinal = isinstance(place, Word) and place.cat == "label" and not own
         ordinal = ordinal and draft.tokens[place.i].low in POSITIONS
         if ordinal and unranked:
             draft.note(place.i, place.j, _PLACE_IN_A_ROW)

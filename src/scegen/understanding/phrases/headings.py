@@ -101,7 +101,7 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
             same.same_as = mention
         else:
             mention.negated = True
-            if len(mentions) == 1:
+            if len(mentions) == 1 and not _introduced(mention):
                 _pass_on(mention, title, rest)
 
 
@@ -135,6 +135,14 @@ def _comes_again(mention: Mention, rest: list[Chunk], *, old: bool) -> bool:
     return generic or any(kind == "car" or _of_kind(c, kind) for c in fresh)
 
 
+def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:
+    """``Cut-out before a stopped car: … a car that has broken down``."""
+    kind = mention.head.value if mention.head is not None else ""
+    named = [c for c in rest if isinstance(c, Mention) and not c.is_ego and _of_kind(c, kind)]
+    single = mention.head is not None and mention.head.form != "s" and not mention.label
+    return single and any(m.value == "indef" for c in named for m in c.mods[:1])
+
+
 def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     """Whether words up to a colon, or the first sentence, only name what is told after them."""
     spoken = any(_finite(c) for c in title) or any(
@@ -148,7 +156,13 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
         if mark != "." or not titled or sided or not again:
             return False
     bare = all(
-        c.pronoun is None and (not _introduced(c) or _role(c, title) or _done_to(c, title, rest))
+        c.pronoun is None
+        and (
+            not _introduced(c)
+            or _role(c, title)
+            or _done_to(c, title, rest)
+            or (mark == ":" and _introduced_again(c, rest))
+        )
         for c in titled
     )
     named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)

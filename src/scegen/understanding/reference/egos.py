@@ -72,10 +72,12 @@ def last_is_ego(roster: Roster, mention: Mention) -> None:
 
 
 def ego_by_order(roster: Roster, mention: Mention) -> None:
-    """``three cars in a row …, the ego is the last``: one of them."""
-    after = [t.low for t in roster.tokens[mention.j : mention.j + 3]]
-    named = after[:2] == ["is", "the"] and bool(after[2:])
-    position = -1 if named and after[2] == "last" else POSITIONS.get(after[2]) if named else None
+    """``three cars in a row …, the ego is the last``, ``the ego second``: one of them."""
+    after = roster.tokens[mention.j : mention.j + 3]
+    words = [t.low for t in after]
+    told = words[2:] if words[:2] == ["is", "the"] else words[1:] if words[:1] == ["is"] else words
+    alone = len(words) < 2 or told is not words or after[1].kind == "punct"
+    position = POSITIONS.get(told[0]) if told and alone else None
     if position is None or any(e.ego for e in roster.draft.entities) or not roster.groups:
         return
     members = roster.groups[-1].members
@@ -83,7 +85,7 @@ def ego_by_order(roster: Roster, mention: Mention) -> None:
         return
     chosen = members[position]
     if chosen.kind is ParticipantKind.CAR and not chosen.parked:
-        _take(chosen)
+        _take(chosen).named_by.add("ranked")
 
 
 def _of_two(roster: Roster, group: Group, mention: Mention) -> bool:

@@ -11,19 +11,27 @@ from scegen.understanding.words.tokens import Token
 def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``the ego is fifth in a row of eight cars``: one of the eight, with four in front of it.
 
+    The same is said by "the last of three cars".
+
     Args:
         chunks: the chunks of the text.
         events: its events.
         tokens: its tokens.
     """
-    for place, prep, row in zip(chunks, chunks[1:], chunks[2:], strict=False):
-        label = tokens[place.i].low if isinstance(place, Word) else ""
-        within = isinstance(prep, Word) and prep.value == "in"
+    named = [c for c in chunks if isinstance(c, Mention)]
+    for k, (place, prep, row) in enumerate(zip(chunks, chunks[1:], chunks[2:], strict=False)):
+        bare = isinstance(place, Mention) and not place.heads
+        label = tokens[place.j - 1].low if bare or isinstance(place, Word) else ""
+        within = isinstance(prep, Word) and prep.value in ({"of"} if bare else {"in"})
         if label not in POSITIONS or not within or not isinstance(row, Mention):
             continue
-        named = [c for c in chunks if isinstance(c, Mention)]
-        who = [m for m in named for p in m.pps if p.target is row]
-        who += [m for e in events for p in e.pps if p.target is row for m in e.subject]
+        is_, before = [None, None, *chunks[:k]][:-3:-1] if bare else (None, None)
+        if bare:  # "the ego is the last of three cars"
+            told = isinstance(is_, Word) and (is_.cat, is_.value) == ("aux", "be")
+            who = [before] if told and isinstance(before, Mention) else []
+        else:
+            who = [m for m in named for p in m.pps if p.target is row]
+            who += [m for e in events for p in e.pps if p.target is row for m in e.subject]
         if len(who) == 1 and row.mod("num") is not None:
             row.ranked = (who[0], POSITIONS[label])
 

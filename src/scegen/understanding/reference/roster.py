@@ -197,6 +197,7 @@ class Roster:
             kind = entity.kind in _MOTOR and (not rides or reading.kind is _RIDDEN)
         else:
             kind = entity.kind is reading.kind or self._motorbike(entity, reading)
+            kind = kind or _shortened(entity, reading)
         if reading.labels and not reading.labels <= entity.labels:
             return False
         if entity.ego and "target" in " ".join(reading.called):
@@ -251,3 +252,9 @@ class Roster:
                 Group(found, reading.vague, set(reading.dirs), specific=not reading.generic)
             )
         return found
+
+
+def _shortened(entity: Entity, reading: Reading) -> bool:
+    """``an electric scooter … the scooter``: the last word of its name."""
+    names = {name.rpartition(" ")[2] for name in entity.named_by if " " in name}
+    return reading.det == "def" and bool(reading.called) and reading.called <= names

@@ -67,6 +67,10 @@ def _walks_up(entity: Entity, _: Basis) -> None:
     entity.walks_up = True
 
 
+def _halts(entity: Entity, _: Basis) -> None:
+    entity.halts = True
+
+
 def _exits(entity: Entity, basis: Basis) -> None:
     entity.exits = entity.exits or basis
 
@@ -127,6 +131,7 @@ MARKS: dict[str, Callable[[Entity, Basis], None]] = {
     "begins_over": _begins_over,
     "goes_back": _goes_back,
     "by_ramp": _by_ramp,
+    "halts": _halts,
     "exits": _exits,
     "along": _along,
     "against": _against,

@@ -71,6 +71,7 @@ ENTITY: dict[str, EntityTest] = {
     "pulls_out": lambda e, _: e.pulls_out,
     "walks_up": lambda e, _: e.walks_up,
     "gives_way": lambda e, _: e.gives_way,
+    "halts": lambda e, _: e.halts,
     "begins_over": lambda e, _: e.begins_over,
     "goes_back": lambda e, _: e.goes_back,
     "opposite": lambda e, _: "opposite" in e.dirs,
