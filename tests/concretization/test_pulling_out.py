@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from saying import KMH, missed
 from told import first, told, who
 
 from scegen.errors import MotionInfeasibleError
@@ -55,3 +56,22 @@ def test_who_is_parked_and_said_to_stay_stays():
 def test_on_the_other_side_it_is_in_nobodys_way():
     with pytest.raises(MotionInfeasibleError, match="on the other side of the road"):
         first(told("straight", [EGO, parked("x", approach="left")]))
+
+
+@pytest.mark.parametrize("speed_kph", [10, 20, 30])
+def test_it_gains_the_speed_that_is_said_and_no_more(speed_kph):
+    speed = speed_kph * KMH
+    functional = told(
+        "straight", [EGO, who("x", "car", ["ahead"], ["straight"], parked=True, speed=speed)]
+    )
+    concrete = first(functional)
+    (phase,) = concrete.participant("x").speed_program
+    assert phase.target_speed_mps == pytest.approx(speed, abs=1e-3)
+    assert missed(functional, concrete) == set()
+    faster = phase.model_copy(update={"target_speed_mps": speed + 2.0})
+    people = tuple(
+        p.model_copy(update={"speed_program": (faster,)}) if p.id == "x" else p
+        for p in concrete.participants
+    )
+    changed = concrete.model_copy(update={"participants": people})
+    assert "speed.x" in missed(functional, changed)

@@ -13,6 +13,7 @@ from scegen.enumeration.choosing.covering import smallest_cover
 from scegen.enumeration.choosing.ranking import richest_first
 from scegen.enumeration.choosing.sampling import distance, diverse_sample
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.vocabulary import Maneuver
 
 CARS = plain_crossing((0, 1, 2, 3), 4)
 MIXED = FunctionalScenario.model_validate(
@@ -114,3 +115,22 @@ def test_coverage_counts_scenarios_and_names_what_is_missing():
         assert reached.chosen[meeting] == len([s for s in holding if s.index < 5])
         assert (meeting in reached.missing) is (reached.chosen[meeting] == 0)
     assert reached.missing
+
+
+def test_an_ego_of_which_no_turn_is_said_keeps_its_course():
+    functional = FunctionalScenario.model_validate(
+        {
+            "description": "made for a test",
+            "junction": {"kind": "t", "arms": 3},
+            "participants": [
+                {"id": "ego", "role": "ego", "entries": [0, 1]},
+                {"id": "bus", "kind": "bus", "approaches": ["left"], "maneuvers": ["left"]},
+            ],
+        }
+    )
+    every = enumerate_scenarios(functional).scenarios
+    first = min(every, key=lambda s: richest_first(s, functional))
+    assert {d.turn for d in first.drives if d.participant == "ego"} == {Maneuver.STRAIGHT}
+    assert any(
+        d.turn is not Maneuver.STRAIGHT for s in every for d in s.drives if d.participant == "ego"
+    )

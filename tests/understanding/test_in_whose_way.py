@@ -4,6 +4,7 @@ import pytest
 
 from scegen.pipeline.options import Options
 from scegen.pipeline.raising import chosen_target
+from scegen.scenario.acts import ActKind
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding import read
@@ -54,11 +55,21 @@ def test_words_in_whose_way_one_pulls_out_are_not_left_over():
     [
         "A girl runs towards the street but stops at the kerb.",
         "A woman walks towards the road and waits at the roadside as the ego passes.",
-        "A man waits at the kerb.",
+        "A child walks up to the kerb from the left and stops there.",
+        "Someone on foot comes up to the edge of the road at 4 km/h and halts there.",
     ],
 )
-def test_who_stays_at_the_kerb_stands_there(text):
+def test_who_walks_up_to_the_kerb_stops_there(text):
     scenario = read(text)
+    (act,) = scenario.acts
+    assert (act.participant, act.kind) == ("pedestrian_1", ActKind.CROSS)
+    assert act.distance_m is not None
+    assert act.distance_m.high == 0.0
+    assert not scenario.hazards
+
+
+def test_who_waits_at_the_kerb_stands_there():
+    scenario = read("A man waits at the kerb.")
     person = scenario.participant("pedestrian_1")
     assert person.maneuvers == {Maneuver.STAY}
     assert person.strip is Strip.PAVEMENT

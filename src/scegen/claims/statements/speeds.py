@@ -56,15 +56,19 @@ _FIRST_S = 0.5
 def claims(told: Told) -> Iterator[Claim]:
     """Of everybody whose speed is given and who does not stand."""
     for person in told.people:
-        if person.speed_mps is None or person.parked or person.maneuvers == {Maneuver.STAY}:
+        stays = (person.parked and not person.pulls_out) or person.maneuvers == {Maneuver.STAY}
+        if person.speed_mps is None or stays:
             continue
         crossing = told.crossing(person.id)
         test = partial(_holds, told, person, person.speed_mps)
         until = _until(told, person)
         verb = "drives"
         if _reverses(told, person.id):
-            test = partial(_backs, told, person.id, person.speed_mps)
+            test = partial(_fastest, told, person.id, person.speed_mps, -1)
             verb, until = "goes backwards at", ""
+        elif person.pulls_out:
+            test = partial(_fastest, told, person.id, person.speed_mps, 1)
+            verb, until = "pulls out and becomes as fast as", ""
         if crossing is not None:
             test = partial(_walks, crossing, person.speed_mps)
             verb, until = "goes over the road at", ""
@@ -97,12 +101,12 @@ def _reverses(told: Told, name: str) -> bool:
     )
 
 
-def _backs(told: Told, name: str, wanted: Interval, view: View) -> Judged:
-    """The greatest speed backwards, up to a contact that is said."""
+def _fastest(told: Told, name: str, wanted: Interval, sense: int, view: View) -> Judged:
+    """The greatest speed forwards or (``sense`` -1) backwards, up to a contact that is said."""
     before = np.arange(view.steps) * view.dt_s <= hit_s(told, view, name)[:, None]
-    back = np.where(before, -view.row(name, SPEED), 0.0)
-    step = back.argmax(axis=1)
-    fastest = at(back, step)
+    speed = np.where(before, sense * view.row(name, SPEED), 0.0)
+    step = speed.argmax(axis=1)
+    fastest = at(speed, step)
     return Judged(within(fastest, wanted, SPEED_MPS) * KPH, fastest * KPH, view.time_of(step))
 
 

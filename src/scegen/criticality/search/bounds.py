@@ -206,7 +206,9 @@ def _level(
 ) -> Quantity:
     """The target speed of a phase; equal speeds stay equal."""
     speed = phase.target_speed_mps
-    if stated.fixes_target(phase.act):
+    said = stated.speeds.get(participant.id)
+    its_own = said is not None and said.low == said.high and abs(said.low - speed) < _SAME_MPS
+    if stated.fixes_target(phase.act) or its_own:  # who sets off gains the speed that is said
         return Quantity(speed)
     for known, quantity in levels.items():
         if abs(known - speed) < _SAME_MPS:
@@ -216,8 +218,7 @@ def _level(
         return Quantity(0.0)
     if not isinstance(participant.motion, DriveMotion):
         bounds = speed_range(concrete, participant, speed, speed)
-        if participant.id in stated.speeds:
-            said = stated.speeds[participant.id]
+        if said is not None:
             bounds = (min(said.low, speed), max(said.high, speed))
         name = f"{participant.id}.speed_mps"
     elif not full:

@@ -27,12 +27,15 @@ def richness(scenario: LogicalScenario, functional: FunctionalScenario) -> int:
 
 def richest_first(
     scenario: LogicalScenario, functional: FunctionalScenario
-) -> tuple[int, int, int, int]:
+) -> tuple[int, bool, int, int, int]:
     """A key to sort by: rich before poor, of equally rich ones the plainest first.
 
-    But who reverses at a junction comes out of an arm, as out of a drive, where it can.
+    But who reverses at a junction comes out of an arm, as out of a drive, where it can; and an ego
+    of which no turn is said keeps its course.
     """
-    turns = sum(drive.turn is not Maneuver.STRAIGHT for drive in scenario.drives)
+    ego = functional.ego
+    turning = {d.participant for d in scenario.drives if d.turn is not Maneuver.STRAIGHT}
+    strays = not ego.maneuvers and ego.id in turning
     junction = functional.junction.kind is not JunctionKind.STRAIGHT
     odd = sum(junction and drive.reverses is Reverses.BACKS_UP for drive in scenario.drives)
-    return odd, -richness(scenario, functional), turns, scenario.index
+    return odd, strays, -richness(scenario, functional), len(turning), scenario.index

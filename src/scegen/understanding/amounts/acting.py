@@ -29,9 +29,7 @@ def read_acts(text: Telling) -> None:
     for scene in told:
         first = [*goes_first(scene, text), *arrives_first(scene, text)]
         for doing in [*_acts_of(scene, text), *first]:
-            if _goes_back(doing, scene, found):
-                found.append(doing)
-            elif not _continued(doing, found, text) and not _told_again(doing, found, text):
+            if _goes_back(doing, scene, found) or not _known(doing, found, text):
                 found.append(doing)
     for scene in described:  # "the braking car ahead": unless the text tells of it
         for doing in _acts_of(scene, text):
@@ -147,6 +145,10 @@ def _to_standstill(doing: Doing, text: Telling, upto: int | None = None) -> None
     span = text.find("standstill", doing.i, min([end, *later]))
     if span is not None:
         doing.amounts["target_speed_mps"] = Amount(STILL, Basis(*span))
+
+
+def _known(doing: Doing, found: list[Doing], text: Telling) -> bool:
+    return _continued(doing, found, text) or _told_again(doing, found, text)
 
 
 def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:

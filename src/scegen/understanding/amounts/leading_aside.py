@@ -62,7 +62,9 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         doing.side = OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
     homeward = doing.into is None or doing.into.ego
     beside = entity.beside or _comes_from(entity, context)
-    over = doing.kind is ActKind.CHANGE_LANE or any(p.value in word_list("towards") for p in event.pps)
+    over = doing.kind is ActKind.CHANGE_LANE or any(
+        p.value in word_list("towards") for p in event.pps
+    )
     if homeward and over and doing.side is None and beside:
         side, words = beside
         doing.side = OTHER[SIDES[side]] if side in SIDES else None

@@ -40,10 +40,11 @@ def granting(event: Event, state: State) -> Event | None:
         state: what the clause reader remembers.
     """
     before = [e for e in state.events if e.control == "object" and isinstance(e.object, Mention)]
-    bare = event.form == "base" and not any(word.startswith("aux:") for word in state.between)
-    let = before[-1] if before and bare and state.waiting is None else None
-    open_ = let is not None and not any(child.form == "base" for child in let.children)
-    return let if open_ else None
+    bare = event.form == "base" and state.between <= {","} and state.waiting is None
+    let = before[-1] if before and bare else None
+    if let is None or state.anchor is let.object:
+        return None
+    return None if any(child.form == "base" for child in let.children) else let
 
 
 def _share_subject(event: Event, other: Event, state: State) -> None:

@@ -45,8 +45,9 @@ def _link(event: Event, state: State) -> None:
         return
     to = state.prep is not None and state.prep.value == "to" and event.form == "base"
     helped = auxiliary(state)
-    if to:
-        infinitive(event, state)
+    let = granting(event, state)
+    if to or let is not None:
+        infinitive(event, state, None if to else let)
     elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
         gerund(event, state)
     else:
@@ -139,8 +140,6 @@ def _clause(event: Event, state: State) -> None:
         _subjectless(event, state)
     elif "conj" in between and state.events:
         coordinate(event, state)
-    elif (let := granting(event, state)) is not None and anchor is not let.object:
-        infinitive(event, state, let)
     elif "," in between:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):

@@ -54,7 +54,10 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                 end = _entered(chunks, after)
                 after = end or after
                 if end or _pointed_at(chunk, found, tokens):
-                    chunk.arm, chunk.user = CrossedArm.EXIT, who
+                    of = chunk_at(found, len(found) - 2) if is_word(before, "of") else None
+                    for place in (chunk, of):  # "the zebra crossing of the road entered"
+                        if isinstance(place, Place):
+                            place.arm, place.user = CrossedArm.EXIT, who
         elif into is not None and across_it(chunk, before):
             chunk = replace(into, i=chunk.i, j=chunk.j, arm=CrossedArm.EXIT, user=who)
         found.append(chunk)
@@ -107,7 +110,10 @@ def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
 
 
 def _entered(chunks: list[Chunk], m: int) -> int | None:
-    """Where ``(the road) being entered by the ego`` ends."""
+    """Where ``(the road) being entered by the ego``, ``(the road) it has entered`` ends."""
+    told = m + (_cat(chunks, m) == "rel")
+    if isinstance(chunk_at(chunks, told), Mention):
+        m = told + 1
     m += _cat(chunks, m) == "aux"
     verb = chunk_at(chunks, m)
     if not isinstance(verb, Event) or (verb.name, verb.form) != ("enter", "ed"):

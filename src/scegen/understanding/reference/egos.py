@@ -75,8 +75,9 @@ def ego_by_order(roster: Roster, mention: Mention) -> None:
     """``three cars in a row …, the ego is the last``, ``the ego second``: one of them."""
     after = roster.tokens[mention.j : mention.j + 3]
     words = [t.low for t in after]
-    told = words[2:] if words[:2] == ["is", "the"] else words[1:] if words[:1] == ["is"] else words
-    alone = len(words) < 2 or told is not words or after[1].kind == "punct"
+    said = words[:1] in (["is"], ["being"])
+    told = words[1 + (words[1:2] == ["the"]) :] if said else words
+    alone = said or len(words) < 2 or after[1].kind == "punct"
     position = POSITIONS.get(told[0]) if told and alone else None
     if position is None or any(e.ego for e in roster.draft.entities) or not roster.groups:
         return

@@ -32,6 +32,7 @@ def keep_along(clause: Clause, context: Context) -> bool:
     along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
     along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
     along = along or (event.name == "walk" and _ahead_in_a_lane(event.pps, context))
+    along = along or (free and event.name == "walk" and _the_same_way(clause, context))
     return aside or (along and not words & word_list("across"))
 
 
@@ -59,6 +60,12 @@ def _heads_towards(clause: Clause, context: Context) -> bool:
 def _heads_with(clause: Clause, context: Context) -> bool:
     words = _after(clause, context)
     return any(f" {w} " in words for w in word_list("with_the_traffic"))
+
+
+def _the_same_way(clause: Clause, context: Context) -> bool:
+    """``runs ahead of the ego on the right, the same way``."""
+    words = _after(clause, context)
+    return any(f" {w} " in words for w in word_list("with_the_traffic") if w.startswith("same"))
 
 
 def _from_or_to_a_vehicle(prep: Prep, context: Context) -> bool:

@@ -112,8 +112,16 @@ def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
 
 
 def head_on_somewhere(clause: Clause, context: Context) -> bool:
-    """Whether any place of a clause leads the other way, or is another's, but the one it leaves."""
-    left = {id(p.target) for p in clause.event.pps if p.value in {"from", "against"}}
+    """Whether any place of a clause leads the other way, or is another's.
+
+    Not the one it leaves, nor one that a turn leads across.
+    """
+    turns = clause.event.name in {"turn", "sharp_turn"}
+    left = {
+        id(p.target)
+        for p in clause.event.pps
+        if p.value in {"from", "against"} or (turns and context.tokens[p.word.i].low == "across")
+    }
     return any(
         head_on(clause, place, context) or any(against(e, place) for e in clause.drivers)
         for place in clause.places()

@@ -17,6 +17,8 @@ DIRECTIONS = {
     "right": Maneuver.RIGHT,
     "straight": Maneuver.STRAIGHT,
 }
+_BRANCHES = frozenset({"leg", "junction", "access"})
+"""What one takes ("the left fork")."""
 _GOALS = frozenset({"side", "leg", "access"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
@@ -54,7 +56,9 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
                     way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
                     found[way] = span(event, target.i, target.j)
     goal = event.object
-    if isinstance(goal, Place) and goal.kind in _GOALS and event.name == "move":
+    moves = isinstance(goal, Place) and goal.kind in _GOALS and event.name == "move"
+    takes = isinstance(goal, Place) and goal.kind in _BRANCHES and event.lemma == "take"
+    if isinstance(goal, Place) and (moves or takes):
         found |= {
             DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
         }
