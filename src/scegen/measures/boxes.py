@@ -9,7 +9,6 @@ import numpy as np
 
 from scegen.measures.bodies import Body, body_of
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, X, Y
-from scegen.motion.batch.between import before, between
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.batch.touching import Box
 
@@ -94,3 +93,16 @@ def box_between(track: Floats, body: Body, t: int, share: float) -> Box:
     length = sqrt(cos * cos + sin * sin)
     x, y = one.x + share * (two.x - one.x), one.y + share * (two.y - one.y)
     return Box(x, y, cos / length, sin / length, body.half_length_m, body.half_width_m)
+
+
+@inner_kernel
+def before(values: Floats, value: float) -> int:
+    """The last place, but for the end, at which rising values are not above one; 0 if none is."""
+    place = np.searchsorted(values, value, side="right") - 1
+    return int(min(max(place, 0), values.shape[0] - 2))
+
+
+@inner_kernel
+def between(values: Floats, place: int, share: float) -> float:
+    """The value so far from one place to the next."""
+    return float(values[place] + share * (values[place + 1] - values[place]))

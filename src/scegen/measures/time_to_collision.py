@@ -29,34 +29,18 @@ def box_time_to_collision(a: Box, b: Box, vx: float, vy: float) -> float:
     c = abs(a.cos * b.cos + a.sin * b.sin)
     s = abs(a.cos * b.sin - a.sin * b.cos)
     begin, end = 0.0, inf
-    begin, end = _overlap(
-        begin,
-        end,
-        dx * a.cos + dy * a.sin,
-        vx * a.cos + vy * a.sin,
-        a.half_length + b.half_length * c + b.half_width * s,
-    )
-    begin, end = _overlap(
-        begin,
-        end,
-        dy * a.cos - dx * a.sin,
-        vy * a.cos - vx * a.sin,
-        a.half_width + b.half_length * s + b.half_width * c,
-    )
-    begin, end = _overlap(
-        begin,
-        end,
-        dx * b.cos + dy * b.sin,
-        vx * b.cos + vy * b.sin,
-        b.half_length + a.half_length * c + a.half_width * s,
-    )
-    begin, end = _overlap(
-        begin,
-        end,
-        dy * b.cos - dx * b.sin,
-        vy * b.cos - vx * b.sin,
-        b.half_width + a.half_length * s + a.half_width * c,
-    )
+    reach = a.half_length + b.half_length * c + b.half_width * s
+    place, speed = dx * a.cos + dy * a.sin, vx * a.cos + vy * a.sin
+    begin, end = _overlap(begin, end, place, speed, reach)
+    reach = a.half_width + b.half_length * s + b.half_width * c
+    place, speed = dy * a.cos - dx * a.sin, vy * a.cos - vx * a.sin
+    begin, end = _overlap(begin, end, place, speed, reach)
+    reach = b.half_length + a.half_length * c + a.half_width * s
+    place, speed = dx * b.cos + dy * b.sin, vx * b.cos + vy * b.sin
+    begin, end = _overlap(begin, end, place, speed, reach)
+    reach = b.half_width + a.half_length * s + a.half_width * c
+    place, speed = dy * b.cos - dx * b.sin, vy * b.cos - vx * b.sin
+    begin, end = _overlap(begin, end, place, speed, reach)
     return begin if begin <= end else inf
 
 

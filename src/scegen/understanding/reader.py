@@ -10,19 +10,18 @@ from scegen.understanding.building.building import Builder
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.viewpoint import choose_ego
-from scegen.understanding.clauses.again import followed_again, named_again
+from scegen.understanding.clauses.again import followed_again, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
-from scegen.understanding.clauses.coming import who_comes
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.own_measures import own_measures
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
+from scegen.understanding.meaning.breaches import too_fast
 from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.manner import Manners
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
-from scegen.understanding.meaning.too_fast import too_fast
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.entries import read_entries
 from scegen.understanding.phrases.headings import announce, silence
@@ -98,7 +97,6 @@ def read(text: str) -> FunctionalScenario:
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
-    named_again(events)
     followed_again(events)
     who_comes(chunks, events)
     own_measures(chunks, events, tokens)

@@ -14,9 +14,8 @@ from scegen.checking.documents import BrokenXmlError, parse_document
 from scegen.checking.opendrive.network import Network
 from scegen.checking.opendrive.read import read_network
 from scegen.checking.opendrive.rules.described import check_described
-from scegen.checking.opendrive.rules.elevation import check_elevation
 from scegen.checking.opendrive.rules.folds import check_folds, check_overlaps
-from scegen.checking.opendrive.rules.header import check_version
+from scegen.checking.opendrive.rules.header import check_elevation, check_version
 from scegen.checking.opendrive.rules.joints import check_joints
 from scegen.checking.opendrive.rules.junctions import (
     check_connected_types,

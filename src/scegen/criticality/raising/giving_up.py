@@ -1,4 +1,7 @@
-"""Claims that no numbers can make hold: they are told as missed, and the rest is sought."""
+"""Why a search found nothing, and the claims that no numbers can make hold.
+
+They are told as missed, and the rest is sought.
+"""
 
 from __future__ import annotations
 
@@ -7,11 +10,18 @@ from collections.abc import Collection
 import numpy as np
 
 from scegen.criticality.raising.stage import Stage
-from scegen.criticality.search.optimize import folded, halton
+from scegen.criticality.search.optimize import Best, folded, halton
 from scegen.criticality.search.problem import Problem
 from scegen.criticality.search.proving import Evidence
 
 _POINTS = 24
+_MISSED = {
+    "contacts": "nobody else touching",
+    "finish": "everybody leaving in time",
+    "lateral acceleration": "bends within the tyres' grip",
+    "sameness": "being unlike the solutions known",
+}
+"""Demands in words that are neither a claim nor the target."""
 
 
 def out_of_reach(problem: Problem, before: Evidence, rng: np.random.Generator) -> frozenset[str]:
@@ -28,3 +38,18 @@ def out_of_reach(problem: Problem, before: Evidence, rng: np.random.Generator) -
 def give_up(stage: Stage, problem: Problem, claims: Collection[str]) -> None:
     """Ask no longer for these claims."""
     stage.given_up = problem.given_up = stage.given_up | frozenset(claims)
+
+
+def blocking(problem: Problem, best: Best) -> str:
+    """Which demands the best candidate misses, and whether any candidate met them at all."""
+    told = {claim.id: claim.statement for claim in problem.claims} | _MISSED
+    told["target"] = problem.target.text
+    words = []
+    for name, missed in sorted(best.missing.items(), key=lambda item: -item[1]):
+        if missed <= 0.0:
+            continue
+        never = best.least.get(name, 0.0) > 0.0
+        why = "never reached" if never else "not together with the rest"
+        words.append(f"{told.get(name, name)} ({why})")
+    tried = f"{problem.evaluations:,} candidates within what is realistic"
+    return f"blocked by {', '.join(words)} in {tried}"

@@ -11,9 +11,8 @@ from scegen.claims.hazards.scenes import Pair
 from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.proposals.advising import Advised
 from scegen.criticality.proposals.proposal import Proposer
-from scegen.criticality.raising.blocking import blocking
 from scegen.criticality.raising.braking_leader import braking_leaders
-from scegen.criticality.raising.giving_up import give_up, out_of_reach
+from scegen.criticality.raising.giving_up import blocking, give_up, out_of_reach
 from scegen.criticality.raising.refusing import too_fast, too_slow
 from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.optimize import Best, follow, search

@@ -49,9 +49,8 @@ from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import settle_positions
 from scegen.understanding.draft import Basis, Danger, Draft, Entity
 from scegen.understanding.happenings import Happenings
+from scegen.understanding.meaning.arms import settle_arms, settle_roads
 from scegen.understanding.meaning.breaches import onto_the_road
-from scegen.understanding.meaning.crossed_arms import settle_arms
-from scegen.understanding.meaning.signed_roads import settle_roads
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings

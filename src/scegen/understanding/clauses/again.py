@@ -1,31 +1,10 @@
-"""``before the braking, both drive at …``: a doing that is named once more is no further one."""
+"""Who is meant by one that follows another again, or comes from somewhere."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 
-_ALIKE = (
-    frozenset({"brake", "hard_brake", "slow", "stop"}),
-    frozenset({"lane_change", "cut_in", "cut_off", "merge", "pull_out"}),
-    frozenset({"overtake", "pass", "bypass"}),
-    frozenset({"turn", "sharp_turn"}),
-)
-"""What may be told of by each other's nouns."""
-
-
-def named_again(events: list[Event]) -> None:
-    """Who does what was told of before is not who is spoken of around its noun.
-
-    Args:
-        events: of the text, in its order.
-    """
-    for n, event in enumerate(events):
-        definite = any((m.cat, m.value) == ("det", "def") for m in event.mods)
-        if not event.nominal or not definite or event.negated:
-            continue
-        alike = next((kinds for kinds in _ALIKE if event.name in kinds), frozenset())
-        if any(e.name in alike and e.finite and not (e.negated or e.modal) for e in events[:n]):
-            event.subject = [m for m in event.subject if m.i < event.i or not _several(m)]
+_SIDES = frozenset({"left", "right"})
 
 
 def followed_again(events: list[Event]) -> None:
@@ -45,5 +24,24 @@ def followed_again(events: list[Event]) -> None:
             whom.same_as = whom.same_as or before[-1]
 
 
-def _several(mention: Mention) -> bool:
-    return len(mention.heads) > 0 and mention.heads[-1].form == "s"
+def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
+    """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no side of its own.
+
+    Args:
+        chunks: of the text.
+        events: of the text, in its order.
+    """
+    for event in events:
+        coming = (event.lemma, event.form) == ("come", "ing") and not event.finite
+        if not (coming and any(map(_from_a_side, event.pps))):
+            continue
+        if not event.subject or not all(m.is_ego for m in event.subject):
+            continue
+        named = [c for c in chunks if isinstance(c, Mention) and c.i < event.i and c.heads]
+        others = [m for m in named if m.i > event.subject[0].i and not (m.is_ego or m.possessor)]
+        event.subject = others[-1:] or event.subject
+
+
+def _from_a_side(prep: Prep) -> bool:
+    place = prep.target
+    return prep.value == "from" and isinstance(place, Place) and bool(_SIDES & {*place.dirs})

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.calling import called
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 KINDS = {kind.value: kind for kind in ParticipantKind}
@@ -161,3 +161,19 @@ def _shares_noun(mention: Mention) -> bool:
     if first is None or not first.heads or any(mod.cat == "det" for mod in mention.mods[:1]):
         return False
     return len(first.heads) == 1 and first.heads[0].value in {"ego", "adversary"}
+
+
+def called(mention: Mention, tokens: list[Token]) -> set[str]:
+    """The nouns of a mention that say more than "vehicle" or "person".
+
+    Args:
+        mention: a mention with nouns.
+        tokens: the tokens of the text.
+    """
+    nouns = {_word(head, tokens) for head in mention.heads}
+    brands = {f"brand:{_word(h, tokens)}" for h in mention.heads if h.data.get("brand")}
+    return (nouns | brands) - word_list("everybody")
+
+
+def _word(head: Term, tokens: list[Token]) -> str:
+    return " ".join(tokens[k].forms[-1][0] for k in range(head.i, head.j))

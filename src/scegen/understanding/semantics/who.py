@@ -51,14 +51,26 @@ def _leads(e: Entity, context: Context) -> bool:
     )
 
 
+def _is(name: str) -> EntityTest:
+    return lambda e, _: bool(getattr(e, name))
+
+
+def _placed(place: Approach) -> EntityTest:
+    return lambda e, c: c.placed(e, place)
+
+
+_IS = ("parked", "still", "pulls_out", "walks_up", "gives_way", "halts", "begins_over", "goes_back",
+       "ego", "circulates")  # fmt: skip
+_PLACES = {"beside": Approach.ADJACENT} | {
+    str(a): a for a in (Approach.AHEAD, Approach.BEHIND, Approach.LEFT, Approach.RIGHT)
+}
+
 ENTITY: dict[str, EntityTest] = {
     **doing.ENTITY,
     "leads": _leads,
-    "ego": lambda e, _: e.ego,
     "vehicle": lambda e, _: e.is_vehicle,
     "moving": lambda e, _: e.moving_vehicle,
-    "parked": lambda e, _: e.parked,
-    "still": lambda e, _: e.still,
+    **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
     "cyclist": lambda e, c: c.is_cyclist(e),
@@ -68,19 +80,9 @@ ENTITY: dict[str, EntityTest] = {
     "faced": lambda e, c: any(
         o.heading and FACING[o.heading] == e.heading for o in c.draft.entities
     ),
-    "pulls_out": lambda e, _: e.pulls_out,
-    "walks_up": lambda e, _: e.walks_up,
-    "gives_way": lambda e, _: e.gives_way,
-    "halts": lambda e, _: e.halts,
-    "begins_over": lambda e, _: e.begins_over,
-    "goes_back": lambda e, _: e.goes_back,
     "opposite": lambda e, _: "opposite" in e.dirs,
     "oncoming": lambda e, c: c.oncoming(e),
-    "ahead": lambda e, c: c.placed(e, Approach.AHEAD),
-    "behind": lambda e, c: c.placed(e, Approach.BEHIND),
-    "beside": lambda e, c: c.placed(e, Approach.ADJACENT),
-    "left": lambda e, c: c.placed(e, Approach.LEFT),
-    "right": lambda e, c: c.placed(e, Approach.RIGHT),
+    **{word: _placed(place) for word, place in _PLACES.items()},
     "sided": lambda e, c: c.from_the_side(e),
     "across": lambda e, c: c.comes_across(e),
     "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
@@ -98,7 +100,6 @@ ENTITY: dict[str, EntityTest] = {
     "slow": _slow,
     "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
     "numbered": lambda e, _: e.lane is not None,
-    "circulates": lambda e, _: e.circulates is not None,
     "kept_by_sign": lambda e, _: bool(e.on_minor and e.on_minor[0]) and e.stands is None,
 }
 

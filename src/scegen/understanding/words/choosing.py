@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.ahead import noun_follows
-from scegen.understanding.words.measures import names_a_measure
+from scegen.understanding.words.lookalikes import left_or_gone, names_a_measure
 from scegen.understanding.words.nominal import ORDINALS
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.sidewords import left_or_gone
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
 

@@ -18,15 +18,10 @@ def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | 
         k: index of the term.
         tokens: its tokens.
     """
-    term = terms[k]
-    if (term.cat, term.value) != ("quantity", "length"):
-        return None
-    value = term.data["quantity"].exact
-    low, high = LANE_WIDTHS_M
-    said = low <= value.low == value.high <= high
-    if said and (_before_lanes(terms, k, tokens) or _after_lanes(terms, k, tokens)):
-        return float(value.low)
-    return None
+    length = _length_m(terms[k], LANE_WIDTHS_M)
+    near = length is not None
+    near = near and (_before_lanes(terms, k, tokens) or _after_lanes(terms, k, tokens))
+    return length if near else None
 
 
 def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
@@ -37,23 +32,27 @@ def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> fl
         k: index of the term.
         tokens: its tokens.
     """
-    term = terms[k]
-    if (term.cat, term.value) != ("quantity", "length"):
-        return None
-    value = term.data["quantity"].exact
-    low, high = AUXILIARY_LENGTHS_M
-    if not low <= value.low == value.high <= high:
+    term, length = terms[k], _length_m(terms[k], AUXILIARY_LENGTHS_M)
+    if length is None:
         return None
     long = term.j < len(tokens) and tokens[term.j].low in word_list("long")
     if any("auxiliary" in t.data and t.i == term.j + long for t in terms[k + 1 : k + 3]):
-        return float(value.low)  # "a 180 m acceleration lane"
+        return length  # "a 180 m acceleration lane"
     lane = next((t for t in reversed(terms[:k]) if t.cat in {"place", "actor"}), None)
     if lane is None or "auxiliary" not in lane.data:
         return None
     between = {t.low for t in tokens[lane.j : term.i]}
     said = long or between & word_list("long") or between == {"of"}
     near = between <= word_list("between_widths") | word_list("long")
-    return float(value.low) if said and near else None
+    return length if said and near else None
+
+
+def _length_m(term: Term, limits: tuple[float, float]) -> float | None:
+    """The length that a term gives exactly, within limits."""
+    if (term.cat, term.value) != ("quantity", "length"):
+        return None
+    value = term.data["quantity"].exact
+    return float(value.low) if limits[0] <= value.low == value.high <= limits[1] else None
 
 
 def _before_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> bool:

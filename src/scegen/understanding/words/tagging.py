@@ -20,7 +20,6 @@ from scegen.understanding.words.particles import (
     suffix_form,
     then_a_noun,
 )
-from scegen.understanding.words.passages import from_side_to_side
 from scegen.understanding.words.quantities import OPENS, quantity_at
 from scegen.understanding.words.retagging import retag
 from scegen.understanding.words.somebodys import around_somebody
@@ -112,7 +111,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    crossed = _crossings(gather(from_side_to_side(terms), tokens), tokens)
+    crossed = _crossings(gather(terms, tokens), tokens)
     return who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens)
 
 

@@ -10,7 +10,6 @@ from scegen.understanding import MAX_CHARACTERS, Finding, Standing, passages
 from scegen.web.elements import Description, Form, button, drawn, node
 from scegen.web.form import form_spec, standings
 from scegen.web.pictures import junction, participant_colours, tile_picture
-from scegen.web.steps.models import model_line
 from scegen.web.steps.opening import entry_row
 from scegen.web.steps.step import Activity, Go
 from scegen.web.work import Work
@@ -269,3 +268,20 @@ def _told(finding: Finding) -> str:
     field = (finding.field or "").replace("_", " ").replace(".", " › ")
     value = f"{field} = {finding.value}" if finding.value else field
     return ": ".join(part for part in (finding.standing, value, finding.reason or "") if part)
+
+
+def model_line(work: Work) -> None:
+    """Which models are asked, and what they have cost; of keys only whether there is one."""
+    models = work.models
+    with node("footer", "model"):
+        if models is None:
+            node("span", "dot held")
+            node("span", "", "offline reader")
+            node("span", "soft", "no language model; start with --llm to ask one")
+            return
+        for name, has_key in models.keys().items():
+            node("span", f"dot {'held' if has_key else 'failed'}")
+            node("span", "", f"{name}: {'key found' if has_key else 'no key in the environment'}")
+        limit = models.settings.budget.cost_usd
+        bound = "" if limit is None else f", of at most {limit:.2f} USD"
+        node("span", "soft", f"so far {models.used.in_words()}{bound}")
