@@ -112,7 +112,6 @@ _OPEN = {
     "at the stop line of a side road": "the line is read, not the sign that goes with it",
     "a row of parked cars": "they are parked; the strip for them is left to the road",
     "in the acceleration lane": "a place in that lane asks for no ramp",
-    "takes the right-hand branch": "at a fork, a branch is a leg, and its side is no turn",
     "a deer in the lane": "who reads makes it a participant, which may run",
     "a tree trunk at the kerb": "a trunk lies, unless more is said",
     "brakes with 4 m/s2 to a standstill": "braking to no speed at all is the same act",
