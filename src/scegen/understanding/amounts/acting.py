@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.telling import Telling
@@ -29,7 +30,7 @@ def read_acts(text: Telling) -> None:
     for scene in told:
         first = [*goes_first(scene, text), *arrives_first(scene, text)]
         for doing in [*_acts_of(scene, text), *first]:
-            if _goes_back(doing, scene, found) or not _known(doing, found, text):
+            if _goes_back(doing, scene, found) or not _known(doing, scene, found, text):
                 found.append(doing)
     for scene in described:  # "the braking car ahead": unless the text tells of it
         for doing in _acts_of(scene, text):
@@ -63,14 +64,21 @@ def _halts_and_crosses(found: list[Doing]) -> None:
             found.remove(doing)
 
 
+def _moved(doing: Doing, scene: Clause, found: list[Doing]) -> Doing | None:
+    """The change of lane from which somebody goes back; of who overtakes both are one act."""
+    moved = [d for d in found if d.entity is doing.entity and d.kind is ActKind.CHANGE_LANE]
+    back = scene.event.name == "return" and doing.kind is ActKind.CHANGE_LANE
+    passes = Maneuver.OVERTAKE in doing.entity.maneuvers
+    return moved[-1] if moved and back and not passes else None
+
+
 def _goes_back(doing: Doing, scene: Clause, found: list[Doing]) -> bool:
     """``changes lanes and a moment later goes back``: to the other side, after the first."""
-    moved = [d for d in found if d.entity is doing.entity and d.kind is ActKind.CHANGE_LANE]
-    if scene.event.name != "return" or doing.kind is not ActKind.CHANGE_LANE or not moved:
+    first = _moved(doing, scene, found)
+    if first is None or first.side is None:
         return False
-    first = moved[-1]
     lane = next((p.target for p in scene.event.pps if isinstance(p.target, Place)), None)
-    doing.side = first.side and OTHER[first.side]
+    doing.side = OTHER[first.side]
     doing.side_basis = Basis(lane.i, lane.j) if lane is not None else doing.basis
     doing.into = None
     doing.when = Trigger("after", doing.basis, act=first)
@@ -147,7 +155,11 @@ def _to_standstill(doing: Doing, text: Telling, upto: int | None = None) -> None
         doing.amounts["target_speed_mps"] = Amount(STILL, Basis(*span))
 
 
-def _known(doing: Doing, found: list[Doing], text: Telling) -> bool:
+def _known(doing: Doing, scene: Clause, found: list[Doing], text: Telling) -> bool:
+    first = _moved(doing, scene, found)
+    if first is not None:  # to which side it goes back is not said
+        first.told.append(doing.i)
+        return True
     return _continued(doing, found, text) or _told_again(doing, found, text)
 
 
