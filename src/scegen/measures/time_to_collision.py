@@ -26,22 +26,24 @@ from scegen.motion.batch.touching import Box
 def box_time_to_collision(a: Box, b: Box, vx: float, vy: float) -> float:
     """When b, moving by (vx, vy) m/s relative to a, first touches a, s; inf for never."""
     dx, dy = b.x - a.x, b.y - a.y
+    begin, end = _over_axes_of(a, b, dx, dy, vx, vy, 0.0, inf)
+    begin, end = _over_axes_of(b, a, dx, dy, vx, vy, begin, end)
+    return begin if begin <= end else inf
+
+
+@inner_kernel
+def _over_axes_of(
+    a: Box, b: Box, dx: float, dy: float, vx: float, vy: float, begin: float, end: float
+) -> tuple[float, float]:
+    """The part of a span of time in which the shadows on both axes of a box overlap."""
     c = abs(a.cos * b.cos + a.sin * b.sin)
     s = abs(a.cos * b.sin - a.sin * b.cos)
-    begin, end = 0.0, inf
     reach = a.half_length + b.half_length * c + b.half_width * s
     place, speed = dx * a.cos + dy * a.sin, vx * a.cos + vy * a.sin
     begin, end = _overlap(begin, end, place, speed, reach)
     reach = a.half_width + b.half_length * s + b.half_width * c
     place, speed = dy * a.cos - dx * a.sin, vy * a.cos - vx * a.sin
-    begin, end = _overlap(begin, end, place, speed, reach)
-    reach = b.half_length + a.half_length * c + a.half_width * s
-    place, speed = dx * b.cos + dy * b.sin, vx * b.cos + vy * b.sin
-    begin, end = _overlap(begin, end, place, speed, reach)
-    reach = b.half_width + a.half_length * s + a.half_width * c
-    place, speed = dy * b.cos - dx * b.sin, vy * b.cos - vx * b.sin
-    begin, end = _overlap(begin, end, place, speed, reach)
-    return begin if begin <= end else inf
+    return _overlap(begin, end, place, speed, reach)
 
 
 @inner_kernel

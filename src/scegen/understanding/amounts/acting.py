@@ -30,7 +30,10 @@ def read_acts(text: Telling) -> None:
     for scene in told:
         first = [*goes_first(scene, text), *arrives_first(scene, text)]
         for doing in [*_acts_of(scene, text), *first]:
-            if _goes_back(doing, scene, found) or not _known(doing, scene, found, text):
+            first_change = _moved(doing, scene, found)
+            if first_change is not None:
+                _go_back(doing, first_change, scene, found)
+            elif not _continued(doing, found, text) and not _told_again(doing, found, text):
                 found.append(doing)
     for scene in described:  # "the braking car ahead": unless the text tells of it
         for doing in _acts_of(scene, text):
@@ -72,17 +75,17 @@ def _moved(doing: Doing, scene: Clause, found: list[Doing]) -> Doing | None:
     return moved[-1] if moved and back and not passes else None
 
 
-def _goes_back(doing: Doing, scene: Clause, found: list[Doing]) -> bool:
+def _go_back(doing: Doing, first: Doing, scene: Clause, found: list[Doing]) -> None:
     """``changes lanes and a moment later goes back``: to the other side, after the first."""
-    first = _moved(doing, scene, found)
-    if first is None or first.side is None:
-        return False
+    if first.side is None:  # to which side it goes back is not said
+        first.told.append(doing.i)
+        return
     lane = next((p.target for p in scene.event.pps if isinstance(p.target, Place)), None)
     doing.side = OTHER[first.side]
     doing.side_basis = Basis(lane.i, lane.j) if lane is not None else doing.basis
     doing.into = None
     doing.when = Trigger("after", doing.basis, act=first)
-    return True
+    found.append(doing)
 
 
 def _back_from_there(found: list[Doing]) -> None:
@@ -153,14 +156,6 @@ def _to_standstill(doing: Doing, text: Telling, upto: int | None = None) -> None
     span = text.find("standstill", doing.i, min([end, *later]))
     if span is not None:
         doing.amounts["target_speed_mps"] = Amount(STILL, Basis(*span))
-
-
-def _known(doing: Doing, scene: Clause, found: list[Doing], text: Telling) -> bool:
-    first = _moved(doing, scene, found)
-    if first is not None:  # to which side it goes back is not said
-        first.told.append(doing.i)
-        return True
-    return _continued(doing, found, text) or _told_again(doing, found, text)
 
 
 def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:

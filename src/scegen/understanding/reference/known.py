@@ -154,12 +154,8 @@ class Known:
         options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
         options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
         options = [e for e in options if loci & e.loci] or options  # who is known to be there
-        along = bool(
-            loci & {"ahead", "behind"}
-        )  # "a car stands at the line; the car behind hits it"
-        options = [
-            e for e in options if e.ego or e.loci or not (along and e in self.roster.subject)
-        ]
+        if loci & {"ahead", "behind"}:  # "a car stands at the line; the car behind hits it"
+            options = [e for e in options if e.ego or e.loci or e not in self.roster.subject]
         others = [e for e in options if not e.ego]
         others = [e for e in others if e.named_by & reading.called] or others
         others = [e for e in others if e.named_by & states_of(mention)] or others
