@@ -135,7 +135,7 @@ class _Instrument(ast.NodeTransformer):
         node.decorator_list = [
             d
             for d in node.decorator_list
-            if "cache" not in (kept := ast.unparse(d)) or "=1)" in kept
+            if "cache" not in (kept := ast.unparse(d)) or "=1)" in kept or "property" in kept
         ]
         empty = nothing(node)
         if empty is None or node.name.startswith("__"):

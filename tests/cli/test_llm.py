@@ -264,6 +264,43 @@ def test_benchmark_again_from_its_transcripts(
     assert "another-secret-key" not in written + first.stdout + first.stderr
 
 
+JUDGE = """
+def judge(facts, path):
+    rows = open(path).read().splitlines()
+    top = next(row for row in rows if row.startswith("Index"))
+    count = sum("Entity_Name" in cell for cell in top.split(","))
+    return [("cars", facts["cars"], count, count == facts["cars"])]
+"""
+
+
+def test_what_a_model_reads_is_played_and_judged(
+    scegen, chat_server, good_answers, story, tmp_path
+):
+    lines = [
+        {"id": f"story {k}", "text": story, "facts": {"cars": cars}} for k, cars in ((0, 4), (1, 9))
+    ]
+    (tmp_path / "told.jsonl").write_text("\n".join(map(json.dumps, lines)))
+    (tmp_path / "judge.py").write_text(JUDGE)
+    said = ("benchmark", "said", "told.jsonl", "--judge", "judge.py")
+    chat_server.answers = good_answers
+    done = scegen(*said, *llm(chat_server), "--llm-record", "talk")
+    assert done.returncode == 1, done.stderr
+    for words in (
+        "cars                           1 of 2",
+        "spoke         openai:scripted: 2 times, 1/2 (50.0 %) understood",
+        "10 requests",
+        "every fact right: 1 of 2 sentences",
+    ):
+        assert words in done.stdout
+    chat_server.answers = good_answers | {
+        "road": [chat_server.kinds["Status"](401, f"no such key {KEY}")] * 4
+    }
+    stopped = scegen(*said, "--only", "story 0", *llm(chat_server), "--json")
+    data = json.loads(stopped.stdout)
+    assert data["right"] == 1  # the offline reader spoke
+    assert data["llm"]["faults"]
+
+
 def test_doctor_tests_a_connection(scegen, chat_server):
     chat_server.answers = {"probe": {"arms": 4}}
     done = scegen("doctor", *llm(chat_server))

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from scegen.benchmark.understand import Result, StoppedError, about_the_text
 from scegen.errors import InputError
@@ -18,7 +18,6 @@ from scegen.llm import FaultKind, LlmSettings
 from scegen.llm.budget import Ledger
 from scegen.llm.usage import Usage
 from scegen.scenario.functional import FunctionalScenario
-from scegen.understanding import Case
 from scegen.understanding.agents import Understanding, understand
 
 _PATIENCE = 3
@@ -35,6 +34,18 @@ _GONE = frozenset(
     }
 )
 _LATENCY_FILE = "latency.json"
+
+
+class Described(Protocol):
+    """A description that a file holds: labelled, or with facts."""
+
+    @property
+    def id(self) -> str:
+        """What it is called in its file."""
+
+    @property
+    def text(self) -> str:
+        """The description."""
 
 
 @dataclass(slots=True)
@@ -135,7 +146,7 @@ class AgentReader:
                 "is not empty", where=f"--llm-record {folder}", hint="name a new folder"
             )
 
-    def __call__(self, case: Case, run: int) -> FunctionalScenario:
+    def __call__(self, case: Described, run: int) -> FunctionalScenario:
         """The scenario of a description.
 
         Args:
@@ -171,7 +182,7 @@ class AgentReader:
         self._time(settings, time.perf_counter() - began)
         return found.functional
 
-    def _note(self, case: Case, run: int, found: Understanding) -> None:
+    def _note(self, case: Described, run: int, found: Understanding) -> None:
         kinds = [fault.kind for fault in found.faults]
         self.measured.faults.update(kind.value for kind in kinds)
         if found.fell_back and FaultKind.BUDGET in kinds:
@@ -182,7 +193,7 @@ class AgentReader:
         self.measured.disagreements += len(found.disagreements)
         self.measured.speakers[case.id, run] = found.speaker
 
-    def _settings_for(self, case: Case, run: int) -> LlmSettings:
+    def _settings_for(self, case: Described, run: int) -> LlmSettings:
         """With a folder of its own for the transcripts of this reading."""
         place = f"{len(self._folders) + 1:03d}-" + re.sub(r"[^A-Za-z0-9._-]+", "-", case.id)[:60]
         name = Path(self._folders.setdefault(case.id, place)) / str(run)

@@ -22,12 +22,15 @@ from scegen.pipeline.generate import Result, generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load_any, read_text
+from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding import read
 
 JUDGE_FILE = "judge_catalogue.py"
 Judge = Callable[[dict[str, Any], str], list[tuple[str, Any, Any, bool]]]
 """(facts, path of a recording) → (fact, expected, measured, holds)."""
 Progress = Callable[[str], None]
+Understand = Callable[["Record", int], FunctionalScenario]
+"""Reads a description; the number counts the runs over it, from 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,9 +134,15 @@ def load_judge(file: Path) -> Judge:
     return found
 
 
+def offline(record: Record, _run: int) -> FunctionalScenario:
+    """What the offline reader makes of a description."""
+    return read(record.text)
+
+
 def run(
     records: Iterable[Record],
     judge: Judge,
+    understand: Understand = offline,
     *,
     seed: int = 0,
     only: Collection[str] = (),
@@ -144,22 +153,26 @@ def run(
     Args:
         records: what is said and what must be true.
         judge: who decides.
+        understand: who reads the descriptions.
         seed: of everything random.
         only: ids; empty for all.
         progress: told what is being worked on.
+
+    Raises:
+        StoppedError: nobody is left who could read.
     """
     for item in records:
         if only and item.id not in only:
             continue
         progress(item.id)
         with tempfile.TemporaryDirectory(prefix="scegen-said-") as folder:
-            yield _row(item, judge, seed, Path(folder))
+            yield _row(item, judge, understand, seed, Path(folder))
 
 
-def _row(item: Record, judge: Judge, seed: int, folder: Path) -> Row:
+def _row(item: Record, judge: Judge, understand: Understand, seed: int, folder: Path) -> Row:
     try:
         options = Options(seed=seed, depth=CheckDepth.NONE)
-        functional = read(item.text)
+        functional = understand(item, 1)
         made = generate(functional, folder / "made", options)
         scenario = _first(made) / SCENARIO_FILE
         concrete = load_any(scenario.with_name("concrete.yaml"))

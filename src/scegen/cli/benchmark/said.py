@@ -8,6 +8,15 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say, working
+from scegen.cli.llm import (
+    BudgetOption,
+    ModelOption,
+    RecordOption,
+    ReplayOption,
+    TimeoutOption,
+    UrlOption,
+    llm_settings,
+)
 from scegen.cli.options import JsonFlag
 
 if TYPE_CHECKING:
@@ -29,42 +38,70 @@ def said(
         ),
     ] = None,
     json: JsonFlag = False,
+    llm: ModelOption = None,
+    llm_url: UrlOption = None,
+    llm_budget: BudgetOption = None,
+    llm_timeout: TimeoutOption = None,
+    llm_record: RecordOption = None,
+    llm_replay: ReplayOption = None,
 ) -> None:
-    """From the sentence to what runs: which facts are true when the files are played."""
-    from scegen.benchmark.said import JUDGE_FILE, load_judge, load_records, run, tally
+    """From the sentence to what runs: which facts are true when the files are played.
+
+    With --llm read by language models and reader together; the budget is for all descriptions.
+    """
+    from scegen.benchmark.agents import AgentReader
+    from scegen.benchmark.said import JUDGE_FILE, load_judge, load_records, offline, run, tally
+    from scegen.benchmark.understand import Result, StoppedError
+    from scegen.cli.benchmark.scores import print_language_models
     from scegen.errors import InputError
 
     records = load_records(file)
     judging = load_judge(judge or file.with_name(JUDGE_FILE))
     if unknown := sorted({*(only or ())} - {record.id for record in records}):
         raise InputError(f"there is no description {unknown[0]!r}", where=str(file))
+    settings = llm_settings(
+        llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay, runs="*/1/run.json"
+    )
     rows: list[Row] = []
+    stopped = None
     with working() as progress:
-        for row in run(records, judging, seed=seed, only=only or (), progress=progress):
-            rows.append(row)
-            if not json:
-                _tell(row)
+        agents = None if settings is None else AgentReader(settings, progress=progress)
+        reads = agents or offline
+        try:
+            for row in run(records, judging, reads, seed=seed, only=only or (), progress=progress):
+                rows.append(row)
+                if not json:
+                    _tell(row)
+        except StoppedError as error:
+            stopped = str(error)
     right, unsaid = sum(row.right for row in rows), sum(row.unsaid for row in rows)
     facts = tally(rows)
+    held = {(row.record.id, 1): row.right for row in rows}
+    outcome = Result(readings=len(rows), understood=right, held=held)
     if json:
-        result_json(
-            {
-                "right": right,
-                "sentences": len(rows),
-                "unsaid": unsaid,
-                "facts": {name: {"right": r, "asked": n} for name, (r, n) in facts.items()},
-                "rows": [row.to_data() for row in rows],
-            }
-        )
+        data = {
+            "right": right,
+            "sentences": len(rows),
+            "unsaid": unsaid,
+            "facts": {name: {"right": r, "asked": n} for name, (r, n) in facts.items()},
+            "rows": [row.to_data() for row in rows],
+            "stopped": stopped,
+        }
+        result_json(data | ({} if agents is None else {"llm": agents.measured.to_data(outcome)}))
     else:
+        if agents is not None:
+            print_language_models(agents.measured, outcome)
         result("")
         for name, (holds, asked) in facts.items():
             result(f"  {name:28}{holds:4} of {asked}")
         players = ", ".join(sorted({row.player for row in rows if row.player}))
         result(f"every fact right: {right} of {len(rows)} sentences; played by {players or '-'}")
+    if stopped is not None:
+        say(f"stopped: {stopped}")
     if right < len(rows):
         wrong = len(rows) - right
         say(f"{wrong} sentences run otherwise than said, {unsaid} of them without a word about it")
+    if right < len(rows) or stopped is not None:
         raise typer.Exit(1)
 
 

@@ -38,7 +38,7 @@ def print_scores(outcome: Result, measured: Measured | None = None) -> None:
     _table("participants", outcome.kinds)
     _table("hazards", outcome.hazards)
     if measured is not None:
-        _language_models(measured, outcome)
+        print_language_models(measured, outcome)
     if runs > 1:
         _stability(outcome.stability)
     if outcome.stopped is not None:
@@ -46,7 +46,13 @@ def print_scores(outcome: Result, measured: Measured | None = None) -> None:
         result(f"stopped early: {outcome.left} descriptions were not read")
 
 
-def _language_models(measured: Measured, outcome: Result) -> None:
+def print_language_models(measured: Measured, outcome: Result) -> None:
+    """Prints who spoke, how well, and what it took.
+
+    Args:
+        measured: of language models.
+        outcome: how often what they read holds as a whole.
+    """
     data = measured.to_data(outcome)
     result("")
     result("language models")
