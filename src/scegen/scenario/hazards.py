@@ -186,7 +186,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     ),
     HazardKind.DELAYED_BRAKING: HazardRow(
         Definition(
-            "brakes later than it should, or is said to notice, react or stop too late",
+            "brakes later than it should or fails to, or is said to notice, react or stop too late",
             "`hard_braking`, whose danger is for those behind; `failure_to_yield`, where it takes "
             "another's way at a junction; a distance alone",
             "distracted, the driver brakes late behind the bus",
@@ -214,7 +214,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.SLOW_DRIVING: HazardRow(
         Definition(
             "moves much more slowly than the traffic around it",
-            "`hard_braking`, where it slows down; a slow speed of the ego under test",
+            "`hard_braking`, where it slows down; a number alone; a slow speed of the ego under test",
             "a tractor crawls along in front of the ego",
         ),
         causes=(Party.LEADER, Party.OTHER, Party.EGO),
@@ -227,8 +227,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.CUT_IN: HazardRow(
         Definition(
             "comes into somebody's lane from the side, close in front of it",
-            f"a lane change not called so, {CUT_IN_S:g} s or more ahead (headway), and endangering "
-            "nobody; `merging_conflict` where ways join; `failure_to_yield` across a junction",
+            f"a lane change that is not called so, endangers nobody, and is {CUT_IN_S:g} s or more ahead "
+            "(headway); `merging_conflict` where ways join; `failure_to_yield` across a junction",
             "the van squeezes in 8 m ahead of the ego",
         ),
         causes=(Party.BESIDE, Party.OTHER, Party.EGO),
