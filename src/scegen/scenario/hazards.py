@@ -214,7 +214,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.SLOW_DRIVING: HazardRow(
         Definition(
             "moves much more slowly than the traffic around it",
-            "`hard_braking`, where it slows down; a number alone; a slow speed of the ego under test",
+            "`hard_braking`, where it slows down; a number alone; the slow ego of a test",
             "a tractor crawls along in front of the ego",
         ),
         causes=(Party.LEADER, Party.OTHER, Party.EGO),
@@ -227,7 +227,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.CUT_IN: HazardRow(
         Definition(
             "comes into somebody's lane from the side, close in front of it",
-            f"a lane change that is not called so, endangers nobody, and is {CUT_IN_S:g} s or more ahead "
+            f"a lane change not called so that endangers nobody, {CUT_IN_S:g} s or more ahead "
             "(headway); `merging_conflict` where ways join; `failure_to_yield` across a junction",
             "the van squeezes in 8 m ahead of the ego",
         ),

@@ -22,6 +22,7 @@ _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
 _BACK = frozenset({"it", "him", "they"})
+_COMING_OUT = frozenset({"cross", "appear", "pull_out"})
 
 
 @dataclass(slots=True)
@@ -32,6 +33,7 @@ class _Bonds:
         unlike: whom it cannot mean: who acts on it, and whom it places.
         follows: events that drive behind it, or up to it.
         passed: what is driven around.
+        hiding: what somebody comes out from behind.
         subjects: those that a clause tells of.
         settled: those of whom the text says which way they go.
         everywhere: those that come one from each of so many sides.
@@ -40,6 +42,7 @@ class _Bonds:
     unlike: dict[int, list[NounPhrase]] = field(default_factory=lambda: defaultdict(list))
     follows: dict[int, list[Event]] = field(default_factory=lambda: defaultdict(list))
     passed: set[int] = field(default_factory=set)
+    hiding: set[int] = field(default_factory=set)
     subjects: set[int] = field(default_factory=set)
     settled: set[int] = field(default_factory=set)
     everywhere: dict[int, int] = field(default_factory=dict)
@@ -61,6 +64,8 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
     mentions = [c for c in chunks if isinstance(c, Mention)]
     for event in events:
         _done_to(event, mentions, found)
+        if _comes_out(event):
+            found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
         _going_elsewhere(event, events, found)
         _beside_another(event, found)
     for mention in mentions:
@@ -116,6 +121,12 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
         if _is_it(by) or _definite(by) or prep.value == "between":
             for beside in (by, *(m for m in mentions if m.joined is by)):
                 found.unlike[id(beside)] += event.subject  # "between the ego and the van ahead"
+
+
+def _comes_out(event: Event) -> bool:
+    """Whether somebody comes into view: on foot, or by a verb that says so."""
+    afoot = any(m.head is not None and m.head.value == "pedestrian" for m in event.subject)
+    return afoot or event.name in _COMING_OUT
 
 
 def _not_by_itself(event: Event, found: _Bonds) -> None:
@@ -183,8 +194,16 @@ def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
 
 
 def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
-    """``A truck is in front of the ego.``: of whom a sentence without a verb but "is" tells."""
-    found: set[int] = set()
+    """``A truck is in front of the ego.``: of whom a sentence without a verb but "is" tells.
+
+    So does "there is a truck", but if it stands, what follows is rather told of who comes.
+    """
+    found = {
+        id(chunk)
+        for before, chunk in pairwise(chunks)
+        if isinstance(before, Word) and before.value == "thereis" and isinstance(chunk, Mention)
+        if not any(m.cat == "state" for m in chunk.mods)
+    }
     opens: Mention | None = None
     fresh = True
     for chunk in chunks:
@@ -245,6 +264,12 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
     stands = any(e.parked for e in discourse.entities)
     if id(mention) in bonds.passed and mention.pronoun == "it" and stands:
         exclude += [e for e in discourse.entities if not e.parked]  # "drives around it"
+    if (
+        id(mention) in bonds.hiding
+        and _is_it(mention)
+        and not all(e.ego for e in discourse.entities)
+    ):
+        exclude += [e for e in discourse.entities if e.ego]  # who looks on hides nobody from itself
     discourse.resolve(
         mention,
         subject=id(mention) in bonds.subjects,
