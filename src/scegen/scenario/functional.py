@@ -470,7 +470,7 @@ class FunctionalScenario(FrozenModel):
                 raise ValueError(msg)
             if act.kind is ActKind.GIVE_WAY and act.id in moments:
                 msg = f"acts.{act.id} gives way, which has no moment of its own: "
-                msg += "leave the trigger out, or let it `wait`"
+                msg += "leave out the trigger or spacing that names it, or let it `wait`"
                 raise ValueError(msg)
 
     @property

@@ -273,6 +273,15 @@ def test_what_one_does_is_compared(differ):
     assert {str(m) for m in result.functional.participant("bus_9").maneuvers} == {"left"}
 
 
+def test_what_the_agents_conclude_stands_unless_only_the_side_differs(differ):
+    text = "The ego overtakes a truck."
+    people = [person("ego", role="ego", maneuvers=["straight"]), person("truck_1", "truck")]
+    result = differ(text, participants={"participants": people})
+    told = [d for d in result.disagreements if d.field == "participants.ego.maneuvers"]
+    assert [(d.reader, d.kept) for d in told] == [("overtake", Kept.AGENTS)]
+    assert {str(m) for m in result.functional.ego.maneuvers} == {"straight"}
+
+
 def test_where_one_comes_from_is_compared_only_with_the_same_ego(differ):
     text = "The ego car drives straight at a crossroads; a truck comes from the left."
     for ego, shown in (("car_1", True), ("truck_1", False)):
@@ -291,13 +300,13 @@ def test_where_one_comes_from_is_compared_only_with_the_same_ego(differ):
 BRAKES = "A van brakes hard at a four-way intersection; a car is there too."
 
 
-def test_a_stated_danger_wins_over_silence(differ):
+def test_a_danger_that_the_agents_do_not_name_is_shown_and_not_added(differ):
     people = [person("car_1", role="ego"), person("van_7", "van")]
     result = differ(BRAKES, participants={"participants": people})
     item = only(result)
-    assert (item.field, item.agents, item.kept) == ("hazards.hard_braking", "not said", "reader")
-    (hazard,) = result.functional.hazards
-    assert (hazard.kind, hazard.by) == ("hard_braking", ("van_7",))
+    assert (item.field, item.agents, item.kept) == ("hazards.hard_braking", "not said", "agents")
+    assert item.reader == "hard_braking by van_7"
+    assert not result.functional.hazards
 
 
 def test_another_reading_of_the_same_words_stands(differ):

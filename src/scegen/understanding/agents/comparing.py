@@ -153,7 +153,10 @@ def _ego(decider: Decider, ours: str | None) -> None:
 
 
 def compare_hazards(decider: Decider) -> None:
-    """Dangers that the text states: added where the agents are silent on their words."""
+    """Dangers that the reader finds stated: shown where the agents name another, or none.
+
+    What is a danger needs more of the text than its own words, and the agents are asked for it.
+    """
     names = pairs(decider.reader, decider.scenario)
     for theirs in decider.reader.hazards:
         path = f"hazards.{theirs.kind}"
@@ -162,35 +165,28 @@ def compare_hazards(decider: Decider) -> None:
             continue
         alike = [h for h in decider.scenario.hazards if h.kind is theirs.kind]
         renamed = _renamed(theirs, names)
+        said = _told(renamed or theirs)
         if not alike:
-            _unnamed(decider, path, words, theirs, renamed)
+            other, reason = _read_as(decider, words)
+            decider.note(path, words, said, other, Kept.AGENTS, reason)
         elif (
             renamed is not None
             and renamed.by
             and all(h.by and not {*h.by} & {*renamed.by} for h in alike)
         ):
-            said, ours = _told(renamed), "; ".join(_told(h) for h in alike)
+            ours = "; ".join(_told(h) for h in alike)
             reason = "the agents know better whose it is"
             decider.note(path, words, said, ours, Kept.AGENTS, reason)
 
 
-def _unnamed(
-    decider: Decider, path: str, words: Words, theirs: Hazard, renamed: Hazard | None
-) -> None:
-    """A danger that the agents do not have: another reading of its words stands, silence not."""
+def _read_as(decider: Decider, words: Words) -> tuple[str | None, str]:
+    """The danger that the agents find in words of the text, if any, as a reason to keep it."""
     scenario = decider.scenario
     for other in dict.fromkeys(h.kind for h in scenario.hazards):
         quoted = words_of(scenario, f"hazards.{other}")
         if quoted is not None and quoted.overlaps(words):
-            reason = f'the agents read the words "{quoted.text}" as {other}'
-            decider.note(path, words, _told(theirs), other, Kept.AGENTS, reason)
-            return
-    if renamed is None:
-        reason = "it is not clear whom of the agents' participants it concerns"
-        decider.note(path, words, _told(theirs), None, Kept.AGENTS, reason)
-        return
-    update = {"hazards": (*scenario.hazards, renamed)}
-    decider.decide(path, words, _told(renamed), None, update)
+            return other, f'the agents read the words "{quoted.text}" as {other}'
+    return None, "the agents, asked for every danger, name none here"
 
 
 def _renamed(hazard: Hazard, names: dict[str, str]) -> Hazard | None:

@@ -61,6 +61,8 @@ class Decider:
             self.scenario = self.updated(update) or self.scenario  # the same, not rounded
             return
         reason = self._read_otherwise(path, words, number=number)
+        if reason is None and _concluded(ours, theirs) and words_of(self.scenario, path) is None:
+            reason = "the agents conclude it from the text as a whole"
         combined = None if reason else self.updated(update, path, proof or path)
         if combined is None:
             reason = reason or "the reader's value does not fit the rest of the scenario"
@@ -140,6 +142,14 @@ class Decider:
         self.disagreements.append(item)
         evidence = tuple(_remarked(e, item) for e in self.scenario.evidence)
         self.scenario = self.scenario.model_copy(update={"evidence": evidence})
+
+
+def _concluded(ours: object, theirs: object) -> bool:
+    """Whether the agents say something else; not if only the side differs, which is a slip."""
+    if not isinstance(ours, frozenset) or not isinstance(theirs, frozenset):
+        return False
+    sides = [{str(word) for word in said} & {"left", "right"} for said in (ours, theirs)]
+    return bool(ours) and not (all(sides) and sides[0] != sides[1])
 
 
 def _rivals(scenario: FunctionalScenario, path: str, other: str, *, number: bool) -> bool:
