@@ -16,7 +16,7 @@ from scegen.concretization.along.doors import opens
 from scegen.concretization.along.frame import Frame, frame_of, road_of
 from scegen.concretization.along.moments import perform_waiting, time_what_is_known
 from scegen.concretization.along.overtaking import come_back, overtake
-from scegen.concretization.along.parked import park, shift_to_pass, strips_m
+from scegen.concretization.along.parked import park, passes_s, shift_to_pass, strips_m
 from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.reactions import react, traffic_of
 from scegen.concretization.along.runner import Runner
@@ -154,7 +154,7 @@ def compose_along(
     walks = lay(story)
     _stay_on_their_side(story)
     parked = park(story, walks)
-    closest = closest_s(story, ends_s(story, walks))
+    closest = closest_s(story, max(ends_s(story, walks), passes_s(story, parked)))
     lasts = min(closest + _AFTER_S, _LONGEST_S)
     planned = plan(story.functional, logical, _PLAIN_M, story.lane_count)
     frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))

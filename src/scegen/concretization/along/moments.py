@@ -91,9 +91,9 @@ def _moment_s(story: Story, act: Act) -> float:
     door = door_before(story, act.participant)
     if act.kind is ActKind.SWERVE and door is not None:
         return door.appears_s + _SHIES_S
-    if act.participant in story.merging:
-        return FIRST_ACT_S + ON_RAMP_S
-    return FIRST_ACT_S
+    first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in story.merging else 0.0)
+    told = story.acts[: story.acts.index(act)]
+    return max([first_s, *(story.begins_s[a.id] for a in told if a.id in story.begins_s)])
 
 
 def perform_waiting(story: Story, waiting: Sequence[Act]) -> list[Act]:

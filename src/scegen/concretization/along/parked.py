@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from scegen.concretization.along.crossing import BEFORE_WALKER_M
 from scegen.concretization.along.doors import middle_m, opens
 from scegen.concretization.along.runner import Runner
@@ -15,11 +17,12 @@ from scegen.road.cross_section import CARRIAGEWAY
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Standing
 from scegen.scenario.roadway import Strip
-from scegen.scenario.spacings import Measure
+from scegen.scenario.spacings import START, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _BETWEEN_M = 1.2
 _PASSED_AT_S = 5.0
+_LATEST_S, _LOOK_S = 80.0, 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,24 +59,29 @@ def strips_m(story: Story) -> dict[str, float]:
 def shift_to_pass(story: Story) -> None:
     """Let who passes parked ones keep the distance that the text gives, within its lane."""
     for spacing in story.functional.spacings:
-        if spacing.measure is not Measure.LATERAL_GAP_M:
+        if spacing.measure not in {Measure.LATERAL_GAP_M, Measure.LATERAL_OFFSET_M}:
             continue
         for standing in standings_beside(story):
             pair = {spacing.participant, spacing.reference}
             if standing.participant not in pair:
                 continue
-            name = next(iter(pair - {standing.participant}))
+            name = next(iter(pair - {standing.participant}), None)
             if name in story.runners:
-                _keep_off(story, story.runners[name], standing, spacing.value.middle)
+                _keep_off(story, story.runners[name], standing, spacing)
 
 
-def _keep_off(story: Story, runner: Runner, standing: Standing, gap_m: float) -> None:
+def _keep_off(story: Story, runner: Runner, standing: Standing, spacing: Spacing) -> None:
     left = on_left(story, standing)
     body = story.functional.participant(standing.participant).body
     sign = 1 if left else -1
-    middle = strip_middle_m(story, standing.participant)
-    inner = edge_y_m(story, left=left) + sign * (middle - body.width_m / 2)
-    wanted = inner - sign * (gap_m + runner.body.width_m / 2)
+    middle = edge_y_m(story, left=left) + sign * strip_middle_m(story, standing.participant)
+    away = spacing.value.middle
+    if spacing.measure is Measure.LATERAL_GAP_M:
+        wanted = middle - sign * (away + (body.width_m + runner.body.width_m) / 2)
+    elif spacing.participant == runner.id:
+        wanted = middle + runner.sign * away
+    else:
+        wanted = middle - runner.sign * away
     runner.offset_m += runner.sign * (wanted - runner.y_m(0.0))
 
 
@@ -112,12 +120,40 @@ def _in_a_row(
         door = story.runners[before]
         first = next(n for n, s in enumerate(row) if s.participant == before)
         middle, sense = middle_m(door, bodies[first]), door.sign
+    else:
+        first, middle = _said_m(story, row, bodies) or (first, middle)
     for n, standing in enumerate(row):
         between = bodies[min(n, first) + 1 : max(n, first)]
         away = (bodies[n].length_m + bodies[first].length_m) / 2 + _BETWEEN_M
         away += sum(body.length_m + _BETWEEN_M for body in between)
         x = middle + sense * ((n > first) - (n < first)) * away
         yield Parked(standing.participant, bodies[n], standing, x)
+
+
+def passes_s(story: Story, parked: list[Parked]) -> float:
+    """When the ego has passed all of whom it is said how far ahead they stand."""
+    said = [p.x_m for p in parked if _ahead_m(story, p.id) is not None]
+    times = np.arange(0.0, _LATEST_S, _LOOK_S)
+    passed = story.ego.track(times)[0].x >= max(said, default=-np.inf)
+    return float(times[np.argmax(passed)]) if passed.any() else 0.0
+
+
+def _said_m(story: Story, row: list[Standing], bodies: list[Body]) -> tuple[int, float] | None:
+    """Of whom in a row it is said how far from the ego it is at first, and its place."""
+    for n, standing in enumerate(row):
+        ahead_m = _ahead_m(story, standing.participant)
+        if ahead_m is not None:
+            return n, story.ego.ends_m(0.0)[1] + ahead_m + bodies[n].length_m / 2
+    return None
+
+
+def _ahead_m(story: Story, name: str) -> float | None:
+    """How far ahead of the ego's front somebody is said to stand at first."""
+    for spacing in story.functional.spacings:
+        first = spacing.measure is Measure.GAP_M and spacing.at == START
+        if first and {spacing.participant, spacing.reference} == {name, story.ego.id}:
+            return spacing.value.middle
+    return None
 
 
 def _hidden(standing: Standing, hiding: set[str], walks: list[Walk], left: bool) -> Walk | None:
