@@ -36,3 +36,20 @@ def test_who_brakes_for_one_that_joins_does_so_after_it():
     slower = trace["ego"].time_s[np.argmax(trace["ego"].speed_mps < 95 / 3.6 - 0.1)]
     moves = trace["van"].time_s[np.argmax(np.abs(np.gradient(trace["van"].y_m)) > 1e-3)]
     assert slower > moves
+
+
+def test_a_leader_that_first_gains_speed_leads_from_the_start():
+    functional = said(
+        "straight",
+        person("ego", maneuvers=["straight"], speed=50),
+        person("car", approaches=["ahead"], maneuvers=["straight"]),
+        acts=[
+            {"id": "gains", "participant": "car", "kind": "accelerate", "target_speed_mps": 20},
+            {
+                "id": "slows", "participant": "car", "kind": "brake", "target_speed_mps": 6,
+                "rate_mps2": 2, "when": {"type": "after", "act": "gains", "delay_s": 5},
+            },
+        ],
+        outcome={"kind": "avoided", "between": ["ego", "car"]},
+    )  # fmt: skip
+    assert missed(functional, made(functional).concrete) == set()

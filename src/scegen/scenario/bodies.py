@@ -77,7 +77,7 @@ BODIES: dict[ParticipantKind, Body] = {
         7.90, 2.50, 3.30, 2.20, 4.60, "vehicle.carlamotors.carlacola", 35, 2, 7, 12000
     ),
     ParticipantKind.BUS: Body(
-        10.27, 2.55, 3.40, 3.00, 5.80, "vehicle.mitsubishi.fusorosa", 33, 2, 7, 11000
+        10.27, 2.55, 3.40, 3.00, 5.80, "vehicle.mitsubishi.fusorosa", 34, 2, 7, 11000
     ),
     ParticipantKind.MOTORCYCLE: Body(
         2.20, 0.86, 1.50, 0.70, 1.45, "vehicle.yamaha.yzf", 70, 7, 9, 290, unprotected=True

@@ -268,7 +268,10 @@ def _usual(
     if leaves is not None:
         return Measure.HEADWAY_S, _LEAVES_AT_S * wider, leaves.begins_s
     if slows is not None and back.speed_mps > 0:
-        return Measure.HEADWAY_S, _headway_s(story, front, back, wider), slows.begins_s
+        # Who gains before it slows down has been as near at first.
+        gains = front.profile.way_m(slows.begins_s) > back.profile.way_m(slows.begins_s)
+        near_s = 0.0 if gains else slows.begins_s
+        return Measure.HEADWAY_S, _headway_s(story, front, back, wider), near_s
     moving_away = back.moves[0] if back.moves else None
     if front.stands and back.speed_mps > 0 and back.speed_at_mps(_AT_REST_S) == 0.0:
         return Measure.GAP_M, _STOPS_BEFORE_M, _AT_REST_S
