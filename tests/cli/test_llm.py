@@ -299,6 +299,11 @@ def test_what_a_model_reads_is_played_and_judged(
     data = json.loads(stopped.stdout)
     assert data["right"] == 1  # the offline reader spoke
     assert data["llm"]["faults"]
+    other = [line | {"text": "A car brakes in front of the ego."} for line in lines]
+    (tmp_path / "told.jsonl").write_text("\n".join(map(json.dumps, other)))
+    refused = scegen(*said, "--llm-replay", "talk")
+    assert refused.returncode == 2, refused.stderr
+    assert "--llm-replay" in refused.stderr
 
 
 def test_doctor_tests_a_connection(scegen, chat_server):

@@ -10,9 +10,9 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
-from scegen.benchmark.understand import Result, StoppedError, about_the_text
+from scegen.benchmark.understand import Described, Result, StoppedError, about_the_text
 from scegen.errors import InputError
 from scegen.llm import FaultKind, LlmSettings
 from scegen.llm.budget import Ledger
@@ -34,18 +34,6 @@ _GONE = frozenset(
     }
 )
 _LATENCY_FILE = "latency.json"
-
-
-class Described(Protocol):
-    """A description that a file holds: labelled, or with facts."""
-
-    @property
-    def id(self) -> str:
-        """What it is called in its file."""
-
-    @property
-    def text(self) -> str:
-        """The description."""
 
 
 @dataclass(slots=True)

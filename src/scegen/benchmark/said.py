@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from scegen.benchmark.understand import Understand, about_the_text, offline
 from scegen.checking.recording import Player, record
 from scegen.errors import InputError, ScegenError
 from scegen.pipeline.export import SCENARIO_FILE
@@ -22,15 +23,11 @@ from scegen.pipeline.generate import Result, generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load_any, read_text
-from scegen.scenario.functional import FunctionalScenario
-from scegen.understanding import read
 
 JUDGE_FILE = "judge_catalogue.py"
 Judge = Callable[[dict[str, Any], str], list[tuple[str, Any, Any, bool]]]
 """(facts, path of a recording) → (fact, expected, measured, holds)."""
 Progress = Callable[[str], None]
-Understand = Callable[["Record", int], FunctionalScenario]
-"""Reads a description; the number counts the runs over it, from 1."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,11 +131,6 @@ def load_judge(file: Path) -> Judge:
     return found
 
 
-def offline(record: Record, _run: int) -> FunctionalScenario:
-    """What the offline reader makes of a description."""
-    return read(record.text)
-
-
 def run(
     records: Iterable[Record],
     judge: Judge,
@@ -160,6 +152,7 @@ def run(
 
     Raises:
         StoppedError: nobody is left who could read.
+        InputError: the settings of who reads cannot be used, or a recording of it.
     """
     for item in records:
         if only and item.id not in only:
@@ -171,8 +164,13 @@ def run(
 
 def _row(item: Record, judge: Judge, understand: Understand, seed: int, folder: Path) -> Row:
     try:
-        options = Options(seed=seed, depth=CheckDepth.NONE)
         functional = understand(item, 1)
+    except InputError as error:
+        if not about_the_text(error):
+            raise
+        return Row(item, problem=error.render())
+    try:
+        options = Options(seed=seed, depth=CheckDepth.NONE)
         made = generate(functional, folder / "made", options)
         scenario = _first(made) / SCENARIO_FILE
         concrete = load_any(scenario.with_name("concrete.yaml"))

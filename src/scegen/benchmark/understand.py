@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 from scegen.benchmark.stability import Stability, facts
 from scegen.benchmark.tallies import Tally, count_hazards, count_participants, table
@@ -12,7 +12,20 @@ from scegen.errors import InfeasibleError, InputError, NotTrafficError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding import Case, read, score
 
-Understand = Callable[[Case, int], FunctionalScenario]
+
+class Described(Protocol):
+    """A description that a file holds: labelled, or with facts."""
+
+    @property
+    def id(self) -> str:
+        """What it is called in its file."""
+
+    @property
+    def text(self) -> str:
+        """The description."""
+
+
+Understand = Callable[[Described, int], FunctionalScenario]
 """Reads a description; the number counts the runs over it, from 1."""
 
 
@@ -98,9 +111,14 @@ class Result:
         }
 
 
+def offline(case: Described, _run: int) -> FunctionalScenario:
+    """What the offline reader makes of a description."""
+    return read(case.text)
+
+
 def run(
     cases: Sequence[Case],
-    understand: Understand = lambda case, _: read(case.text),
+    understand: Understand = offline,
     *,
     repeat: int = 1,
     told: Callable[[str], None] = lambda _: None,

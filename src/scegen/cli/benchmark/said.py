@@ -49,9 +49,8 @@ def said(
 
     With --llm read by language models and reader together; the budget is for all descriptions.
     """
-    from scegen.benchmark.agents import AgentReader
-    from scegen.benchmark.said import JUDGE_FILE, load_judge, load_records, offline, run, tally
-    from scegen.benchmark.understand import Result, StoppedError
+    from scegen.benchmark.said import JUDGE_FILE, load_judge, load_records, run, tally
+    from scegen.benchmark.understand import Result, StoppedError, offline
     from scegen.cli.benchmark.scores import print_language_models
     from scegen.errors import InputError
 
@@ -64,8 +63,12 @@ def said(
     )
     rows: list[Row] = []
     stopped = None
+    agents = None
     with working() as progress:
-        agents = None if settings is None else AgentReader(settings, progress=progress)
+        if settings is not None:
+            from scegen.benchmark.agents import AgentReader
+
+            agents = AgentReader(settings, progress=progress)
         reads = agents or offline
         try:
             for row in run(records, judging, reads, seed=seed, only=only or (), progress=progress):

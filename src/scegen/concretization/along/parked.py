@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from scegen.concretization.along.crossing import BEFORE_WALKER_M
 from scegen.concretization.along.doors import middle_m, opens
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m, strip_middle_m, strips_along
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
+from scegen.concretization.profile import NEVER_S
 from scegen.road.cross_section import CARRIAGEWAY
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Standing
@@ -22,7 +21,6 @@ from scegen.scenario.vocabulary import HazardKind, Side
 
 _BETWEEN_M = 1.2
 _PASSED_AT_S = 5.0
-_LATEST_S, _LOOK_S = 80.0, 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,10 +130,9 @@ def _in_a_row(
 
 def passes_s(story: Story, parked: list[Parked]) -> float:
     """When the ego has passed all of whom it is said how far ahead they stand."""
-    said = [p.x_m for p in parked if _ahead_m(story, p.id) is not None]
-    times = np.arange(0.0, _LATEST_S, _LOOK_S)
-    passed = story.ego.track(times)[0].x >= max(said, default=-np.inf)
-    return float(times[np.argmax(passed)]) if passed.any() else 0.0
+    said = [p.x_m - story.ego.x_m(0.0) for p in parked if _ahead_m(story, p.id) is not None]
+    moments = map(story.ego.profile.time_s, said)
+    return max((moment for moment in moments if moment < NEVER_S), default=0.0)
 
 
 def _said_m(story: Story, row: list[Standing], bodies: list[Body]) -> tuple[int, float] | None:

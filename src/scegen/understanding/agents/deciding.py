@@ -60,9 +60,8 @@ class Decider:
         if isinstance(theirs, float) and isinstance(ours, float) and near(theirs, ours):
             self.scenario = self.updated(update) or self.scenario  # the same, not rounded
             return
-        reason = self._read_otherwise(path, words, number=number)
-        if reason is None and _concluded(ours, theirs) and words_of(self.scenario, path) is None:
-            reason = "the agents conclude it from the text as a whole"
+        concluded = _concluded(ours, theirs)
+        reason = self._read_otherwise(path, words, number=number, concluded=concluded)
         combined = None if reason else self.updated(update, path, proof or path)
         if combined is None:
             reason = reason or "the reader's value does not fit the rest of the scenario"
@@ -72,7 +71,9 @@ class Decider:
         reason = _NUMBERS_WIN if number else _LEXICON_WINS
         self.note(path, words, theirs, ours, Kept.READER, reason)
 
-    def _read_otherwise(self, path: str, words: Words, *, number: bool) -> str | None:
+    def _read_otherwise(
+        self, path: str, words: Words, *, number: bool, concluded: bool
+    ) -> str | None:
         """What the agents make of these words, or of the field, if that is not the reader's fact.
 
         What a word or a number means the reader knows well; whose it is, the agents know better.
@@ -90,7 +91,7 @@ class Decider:
         for left in self._agents.unsupported:
             if words.overlaps(left):
                 return f"the agents find no field for these words: {left.instead}"
-        return None
+        return "the agents conclude it from the text as a whole" if concluded else None
 
     def updated(
         self, update: Mapping[str, Any], path: str | None = None, proof: str | None = None
