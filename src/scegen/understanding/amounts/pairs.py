@@ -22,6 +22,8 @@ def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
     text = figure.text
     own = {id(c.owner) for c in text.chunks if isinstance(c, Place)}  # "in the ego's lane"
     spoken = [m for m in text.mentions if figure.start <= m.i < figure.i and id(m) not in own]
+    if figure.words_around.after.startswith(" apart ") and spoken and len(spoken[-1].entities) > 1:
+        spoken = spoken[-1:]  # "the ego meets three standing cars, 10 m apart"
     members = list(dict.fromkeys(e for m in spoken for e in m.entities))
     leaders = {
         e: [x for x in members if (x, {Approach.AHEAD}) in text.stand(x, e)] for e in members

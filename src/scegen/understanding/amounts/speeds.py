@@ -144,10 +144,11 @@ def relative(figure: Figure) -> bool:
     """``20 km/h slower than the ego``: from the speed of the other."""
     text, by = figure.text, figure.quantity.exact
     word = text.low(figure.j, figure.j + 1).strip()
-    who = next((e for e in figure.actors if e.speed is None), None)
+    who = next((e for e in (*figure.actors, *figure.subject) if e.speed is None), None)
     if word not in {"slower", "faster"} or who is None:
         return False
-    other = text.counterpart(who, text.spoken_of(0, figure.i))
+    than = [e for e in text.spoken_of(figure.j + 1, text.bounds(figure.j)[1]) if e is not who]
+    other = than[0] if than else text.counterpart(who, text.spoken_of(0, figure.i))
     if other is None or other.speed is None:
         return False
     sign = 1 if word == "faster" else -1

@@ -194,6 +194,8 @@ def _after_comma(event: Event, state: State) -> None:
     beside = None if event.finite else _on_foot(event, state) or told_beside(state, "with", "by")
     if state.resumed and event.finite and who is None:
         event.subject, state.resumed = state.resumed, []
+    elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
+        event.subject = main_in_sentence(state)  # "brakes when the ego is 20 m away, swerves"
     elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
         event.subject = chain(who)  # "when a van, turning left, fails to yield"
     elif beside is not None:

@@ -47,6 +47,7 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Place):
             _remember(chunk, last, tokens)
             _remember_beside(chunk, chunks[k + 1 : k + 3], last)
+            _remember_goal(chunk, found, last)
     return found
 
 
@@ -106,6 +107,17 @@ def _remember_beside(lane: Place, after: list[Chunk], last: dict[str, Place]) ->
         sides = [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
         beside = Term("dir", "adjacent", lane.i, lane.i)
         last["lane"] = replace(lane, mods=[*lane.mods, beside, *sides]) if sides else lane
+
+
+def _remember_goal(side: Place, before: list[Chunk], last: dict[str, Place]) -> None:
+    """``the ego changes lanes to the left``: for "that lane", said later on."""
+    who, verb, word = before[-4:-1] if len(before) >= _SAID_OF_IT else (None, None, None)
+    moves = isinstance(verb, Event) and verb.name == "lane_change"
+    own = isinstance(who, Mention) and who.is_ego and isinstance(word, Word) and word.value == "to"
+    sides = [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
+    if own and moves and side.kind == "side" and sides:
+        beside = Term("dir", "adjacent", side.i, side.i)
+        last["lane"] = replace(side, kind="lane", mods=[beside, *sides])
 
 
 def _taken(mention: Mention, before: list[Chunk]) -> bool:

@@ -131,8 +131,14 @@ def _abreast(entity: Entity, site: Site) -> None:
 
 
 def _either_side(entity: Entity, site: Site) -> None:
-    """``two vans on either side of the bus``: abreast of it, one on each."""
+    """``two vans on either side of the bus``: abreast of it, one on each; parked ones in turn."""
     owner = site.place.owner.entities[0] if site.place.owner and site.place.owner.entities else None
+    if entity.parked or entity.was_parked is not None:
+        kerb = site.context.draft.kerb  # who pulls out is the first, beside the lane
+        sides = sorted(SIDES, key=lambda side: side != kerb)
+        which = sides[site.clause.actors.index(entity) % len(sides)]
+        site.context.draft.place(entity, None, {SIDES[which]}, site.basis)
+        return
     site.context.draft.place(entity, owner, {Approach.ADJACENT}, site.basis)
     pair = [e for e in site.clause.drivers if not e.ego]
     if len(pair) == len(SIDES) and (owner is None or owner.ego):

@@ -48,6 +48,8 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
         return False
     if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
         return False
+    if tokens[match.j].low in word_list("each"):
+        return True  # "drive on either side"
     noun = longest_match(tokens, match.j)
     if noun is not None and noun.has("possessive") and match.only("verb"):
         return all(e.value != "inert" for e in match.entries)  # "turns on its lights"
