@@ -15,7 +15,7 @@ from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.scenario.logical import Reverses, Walking
-from scegen.scenario.spacings import Measure
+from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import (
     ON_FOOT,
     Approach,
@@ -33,6 +33,7 @@ _SAME_WAY = 0.7
 """Cosine between the headings of two who go the same way: 45 degrees."""
 _ASIDE_M = 8.0
 _SETS_OUT_M = 1.0
+_ROUNDING_M = 0.1
 _DEG_PER_M = 10.0
 _WORDS = {
     Approach.AHEAD: "ahead of {} in its lane",
@@ -106,6 +107,7 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
         lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
         if _overlaps(told, name, reference):
             lane = max(lane, frame.half_width + box.half_width)
+        lane = max(lane, _aside_m(told, name, reference) + _ROUNDING_M)
         choices = []
         for word in words:
             if word is Approach.ADJACENT:
@@ -137,6 +139,18 @@ def _overlaps(told: Told, name: str, reference: str) -> bool:
         s.measure is Measure.OVERLAP_PERCENT and {s.participant, s.reference} == {name, reference}
         for s in told.functional.spacings
     )
+
+
+def _aside_m(told: Told, name: str, reference: str) -> float:
+    """How far to the side one is said to be at first: as far it may be out of the other's lane."""
+    said = (
+        max(-s.value.low, s.value.high)
+        for s in told.functional.spacings
+        if s.measure is Measure.LATERAL_OFFSET_M
+        and s.at == START
+        and {s.participant, s.reference} == {name, reference}
+    )
+    return max(said, default=0.0)
 
 
 def _course(view: View, name: str, frame: Boxes) -> Floats:

@@ -126,7 +126,8 @@ def _impact(told: Told, outcome: Outcome, wanted: Interval, view: View) -> Judge
         return _nowhere(view)
     met = contact(view, *pair)
     aside = seen(met.first, met.second).y
-    percent = 50.0 - 100.0 * aside / (2.0 * met.first.half_width)
+    # The middle of who is met may lie beyond the ego's side: what is hit is its edge.
+    percent = np.clip(50.0 - 100.0 * aside / (2.0 * met.first.half_width), 0.0, 100.0)
     margin = np.where(met.happens, within(percent, wanted, PERCENT), np.nan)
     return Judged(margin, percent, met.time_s)
 

@@ -80,7 +80,7 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, spacing: Spacing
         wanted = middle + runner.sign * away
     else:
         wanted = middle - runner.sign * away
-    runner.offset_m += runner.sign * (wanted - runner.y_m(0.0))
+    runner.shift(runner.sign * (wanted - runner.y_m(0.0)))
 
 
 def park(story: Story, walks: list[Walk]) -> list[Parked]:

@@ -118,9 +118,9 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
             and act.kind is ActKind.CHANGE_LANE for act in story.acts
         )  # fmt: skip
         mover, stays = story.runners[name], story.runners[reference]
-        over = any(m.lane == stays.lane != mover.lane for m in mover.moves)
+        over = _comes_in(mover, stays) is not None
         if comes_in or (over and not stays.moves):
-            return sign
+            return sign != story.lets_by(name, reference)
     if first.stands != second.stands:
         return first.stands
     order = story.ranks()
@@ -130,6 +130,11 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
         return who != story.ego.id
     names = list(story.runners)
     return names.index(who) < names.index(other)
+
+
+def _comes_in(mover: Runner, stays: Runner) -> Move | None:
+    """The move by which one comes into another's lane."""
+    return next((m for m in mover.moves if m.lane == stays.lane != mover.lane), None)
 
 
 def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool, bool, int]:
@@ -257,6 +262,9 @@ def _usual(
         closing = back.speed_mps - front.speed_at_mps(comes_in.begins_s)
         gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
         return Measure.GAP_M, gap * wider, comes_in.begins_s
+    behind = _comes_in(back, front)
+    if behind is not None and story.lets_by(back.id, front.id):
+        return Measure.HEADWAY_S, _CUTS_IN_S * wider, behind.begins_s
     if front.lane != back.lane:
         diagonal = words_between(story.functional, runner.id, other.id) & {
             Approach.AHEAD,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from itertools import takewhile
 from math import pi
 
 import numpy as np
@@ -118,6 +119,13 @@ class Runner:
         """A step that comes so long after the others are over."""
         ends_s = max((self.profile.settles_s(s.begins_s) for s in self.steps), default=0.0)
         return replace(step, begins_s=ends_s + then_s)
+
+    def shift(self, left_m: float) -> None:
+        """Go so far to its left of what it did until it first leaves its lane."""
+        self.offset_m += left_m
+        own = sum(1 for _ in takewhile(lambda move: move.lane == self.lane, self.moves))
+        moved = [replace(move, offset_m=move.offset_m + left_m) for move in self.moves[:own]]
+        self.moves = [*moved, *self.moves[own:]]
 
     @property
     def profile(self) -> Profile:

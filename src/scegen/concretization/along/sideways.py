@@ -31,10 +31,11 @@ def edge_y_m(story: Story, *, left: bool) -> float:
 
 def offset_all(story: Story) -> None:
     """Put those aside of whom the text says how far they are so, or where they are hit."""
+    told: set[str] = set()
     for spacing in story.functional.spacings:
         who, other = spacing.participant, spacing.reference
         if who == other and who in story.runners:
-            story.runners[who].offset_m += spacing.value.middle
+            story.runners[who].shift(spacing.value.middle)
         elif {who, other} <= story.runners.keys():
             mover, fixed = (who, other) if who != story.ego.id else (other, who)
             turned = mover != who
@@ -43,13 +44,15 @@ def offset_all(story: Story) -> None:
                 later = spacing.at == CONTACT or spacing.at in story.begins_s
                 aside = -left if turned else left
                 _put_aside(story.runners[mover], story.runners[fixed], aside, in_the_end=later)
+                told |= {who, other}
     outcome = story.functional.outcome
     if outcome is None or outcome.impact_percent is None:
         return
     ego = story.ego
     for name in outcome.between:
         runner = story.runners.get(name)
-        if runner is not None and runner is not ego:
+        kept = name in told and not (ego.moves or story.runners[name].moves)
+        if runner is not None and runner is not ego and not kept:
             left = (0.5 - story.impact_share) * ego.body.width_m
             _put_aside(runner, ego, left, in_the_end=True)
 
@@ -107,7 +110,7 @@ def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -
     if who.moves and in_the_end:
         who.moves[-1] = replace(who.moves[-1], offset_m=who.moves[-1].offset_m + more)
     else:
-        who.offset_m += more
+        who.shift(more)
 
 
 def put_on_strips(story: Story) -> None:

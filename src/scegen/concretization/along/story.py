@@ -122,6 +122,11 @@ class Story(Tale):
             return outcome is None and ego in pair
         return any(pair <= {*hazard.by, *hazard.to} for hazard in self.functional.hazards)
 
+    def lets_by(self, who: str, other: str) -> bool:
+        """Whether one gives way to another, and so comes into its lane behind it."""
+        mine = (a for a in self.functional.acts if a.participant == who and a.into == other)
+        return any(a.kind is ActKind.GIVE_WAY for a in mine)
+
     def stopped_before(self, act: Act) -> SpeedChange | None:
         """The stopping of another before whom one is said to stop, and so answers it."""
         said = self.rests_at(act.id)
