@@ -253,18 +253,12 @@ def _usual(
         met = back if backing is front else front
         closing_m = met.profile.way_m(_MEETS_S) * (1 if backing is front else -1)
         return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M + closing_m, 0.0
-    # Who takes the exit from an inner lane goes over those in between.
-    others = [({m.lane, *range(front.lane, m.lane)} - {front.lane}, m) for m in front.moves]
-    comes_in = next((m for lanes, m in others if back.lane in lanes), None)
-    if comes_in is not None and _side_on(story, front, back):
+    if _comes_over(front, back) is not None and _side_on(story, front, back):
         return None
-    if comes_in is not None:
-        closing = back.speed_mps - front.speed_at_mps(comes_in.begins_s)
-        gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
-        return Measure.GAP_M, gap * wider, comes_in.begins_s
-    behind = _comes_in(back, front)
-    if behind is not None and story.lets_by(back.id, front.id):
-        return Measure.HEADWAY_S, _CUTS_IN_S * wider, behind.begins_s
+    over = _coming_over(story, front, back)
+    if over is not None:
+        measure, value, time_s = over
+        return measure, value * wider, time_s
     if front.lane != back.lane:
         diagonal = words_between(story.functional, runner.id, other.id) & {
             Approach.AHEAD,
@@ -291,6 +285,23 @@ def _usual(
     if back.speed_mps == 0.0:
         return Measure.GAP_M, 2.0, 0.0
     return Measure.HEADWAY_S, _headway_s(story, front, back, wider), 0.0
+
+
+def _comes_over(front: Runner, back: Runner) -> Move | None:
+    """The move by which one comes into another's lane, or over it on its way to an exit."""
+    others = (({m.lane, *range(front.lane, m.lane)} - {front.lane}, m) for m in front.moves)
+    return next((m for lanes, m in others if back.lane in lanes), None)
+
+
+def _coming_over(story: Story, front: Runner, back: Runner) -> tuple[Measure, float, float] | None:
+    """How close one comes in before another, or behind one that it has let by, and when."""
+    comes_in = _comes_over(front, back)
+    if comes_in is not None:
+        closing = back.speed_mps - front.speed_at_mps(comes_in.begins_s)
+        gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
+        return Measure.GAP_M, gap, comes_in.begins_s
+    behind = _comes_in(back, front) if story.lets_by(back.id, front.id) else None
+    return None if behind is None else (Measure.HEADWAY_S, _CUTS_IN_S, behind.begins_s)
 
 
 def _seen_before_s(story: Story, door: Runner, other: Runner) -> float:
