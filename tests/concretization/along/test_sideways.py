@@ -95,3 +95,18 @@ def test_who_lets_a_faster_one_by_comes_into_its_lane_behind_it():
     over = np.argmax(np.abs(ego.y_m - ego.y_m[0]) > 0.1)
     along = (car.x_m - ego.x_m) * np.cos(ego.heading_rad[0])
     assert along[0] < 0 < along[over]
+
+
+def test_one_swerves_to_the_side_that_is_said_though_there_is_no_lane():
+    trace = played(
+        said(
+            "straight",
+            person("ego", maneuvers=["straight"], speed=50),
+            person("truck", "truck", approaches=["opposite"], maneuvers=["straight"], speed=50),
+            hazards=[{"kind": "oncoming_lane", "by": ["truck"], "to": ["ego"]}],
+            acts=[{"id": "dodges", "participant": "ego", "kind": "swerve", "side": "right"}],
+        )
+    )["ego"]
+    right = -(trace.y_m - trace.y_m[0]) * np.cos(trace.heading_rad[0])
+    assert right.min() > -0.05
+    assert 0.5 < right.max() < 1.0  # as far as its lane lets it

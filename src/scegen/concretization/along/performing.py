@@ -118,15 +118,14 @@ def _swerve(
         aside_m = runner.sign * copysign(max(needs, _CLEAR_OF_DOOR_M), away)
         lasts, stays_s = lasting_s(act, abs(aside_m), _SHIES_FOR_S), _PASSES_S
         there, back = (lane, runner.offset_m + aside_m), runner.offset_m
-    elif act.lateral_m is None:
-        aside = max(0, lane + outward(story.functional, side))
-        if not story.innermost <= aside <= story.lane_count:
+    elif act.lateral_m is None and (_is_lane(story, lane, side) or act.side is None):
+        if not _is_lane(story, lane, side):
             side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
-            aside = max(0, lane + outward(story.functional, side))
         lasts = lasting_s(act, runner.lane_width_m, ABRUPT_LANE_CHANGE_S)
-        there, back = (aside, 0.0), 0.0
+        there, back = (max(0, lane + outward(story.functional, side)), 0.0), 0.0
     else:
-        width = act.lateral_m.middle
+        room_m = (runner.lane_width_m - runner.body.width_m) / 2  # up to the edge of its lane
+        width = room_m if act.lateral_m is None else act.lateral_m.middle
         lasts = lasting_s(act, width, LANE_CHANGE_S)
         back = runner.moves[-1].offset_m if runner.moves else runner.offset_m
         there = lane, back + (width if side is Side.LEFT else -width)
@@ -140,6 +139,11 @@ def _swerve(
     if act.kind is not ActKind.SWERVE:
         return [_in_lane(story, out)]
     return [out, Move(out.ends_s + stays_s, lasts, lane, back, act.id, hazard)]
+
+
+def _is_lane(story: Story, lane: int, side: Side) -> bool:
+    """Whether there is a lane on that side to go into, be it that of the oncoming."""
+    return story.innermost <= max(0, lane + outward(story.functional, side)) <= story.lane_count
 
 
 def _in_lane(story: Story, move: Move) -> Move:
