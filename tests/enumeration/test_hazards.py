@@ -407,6 +407,6 @@ def test_who_comes_out_backwards_faces_away_from_the_road(describe, approach, en
     car = {"id": "car", "maneuvers": ["straight"], "approaches": [approach]}
     danger = {"kind": "reversing", "by": ["ego"], "to": ["car"]}
     found = enumerate_scenarios(describe("t", 3, [ego, car], [danger])).scenarios
-    out = [s for s in found if s.assignment("ego").reverses == "out_of_arm"]
+    out = [s for s in found if s.assignment("ego").reverses == "square"]
     assert out
     assert {s.assignment("car").entry for s in out} == {entry}

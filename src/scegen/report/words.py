@@ -41,6 +41,7 @@ REVERSES: dict[Reverses, str] = {
     Reverses.OUT_OF_ARM: "backs out",
     Reverses.FROM_RIGHT: "backs out from the right",
     Reverses.FROM_LEFT: "backs out from the left",
+    Reverses.SQUARE: "backs straight out",
 }
 
 
