@@ -30,7 +30,11 @@ def backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
 
 def passes_behind(functional: FunctionalScenario, name: str, reference: str) -> bool:
     """Whether somebody comes from one side of another, who reverses towards it."""
-    sides = [r.approaches for r in functional.relations if (r.participant, r.reference) == (name, reference)]
+    sides = [
+        r.approaches
+        for r in functional.relations
+        if (r.participant, r.reference) == (name, reference)
+    ]
     if reference == functional.ego.id:
         sides.append(functional.participant(name).approaches)
     aside = any(said and said <= _ASIDE for said in sides)

@@ -23,7 +23,6 @@ from scegen.scenario.logical import (
     Crossing,
     Drive,
     Heading,
-    Reverses,
     Walking,
 )
 from scegen.scenario.spacings import Measure
@@ -37,8 +36,6 @@ _TURNS = {
     Maneuver.U_TURN: "turns back",
     Maneuver.STRAIGHT: "goes straight on",
 }
-_ENDS = 2
-_SQUARE_DEG = 5.0
 _POINTS, _BETWEEN_M = 160, 1.0
 """Of a way that are looked at, to find where it crosses another; what lies between them."""
 
@@ -98,9 +95,6 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
         does = f"{name} is in the lane beside {drive.beside}{on} at the start"
         test = partial(_in_lane_beside, name, drive.beside, drive.beside_on)
         yield _claim(ClaimKind.BESIDE, f"{name}.{drive.beside}", does, drive, "approaches", test)
-    if drive.reverses is Reverses.SQUARE:
-        does = f"{name} backs straight out, square to the road"
-        yield _claim(ClaimKind.ENTRY, name, does, drive, "maneuvers", partial(_square, drive), "deg")
     if drive.reverses is not None:
         return
     if drive.circulating:
@@ -120,23 +114,6 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
         does = f"{name} {leaves} and leaves by arm {drive.exit}, if nothing holds it up"
         test = partial(_goes_out, told, drive)
         yield _claim(ClaimKind.EXIT, name, does, drive, "maneuvers", test)
-
-
-def _square(drive: Drive, view: View) -> Judged:
-    """How far its heading is at most from away from the road, beside which it starts, or junction.
-
-    Of a road without a junction it starts beside the lane by which it would come in.
-    """
-    arm, box = arms_of(view)[drive.entry], boxes(view, drive.participant)
-    out = -arm.facing(box)
-    if len(view.concrete.road.arms) == _ENDS:
-        out = arm.inward * (box.sin * arm.cos - box.cos * arm.sin)
-        off = arm.inward * arm.place(box)[1][:, 0] > max(arm.edges_m)
-        out = np.where(off[:, None], out, -1.0)
-    turned = np.degrees(np.arccos(np.clip(out, -1.0, 1.0)))
-    step = turned.argmax(axis=1)
-    most = turned[np.arange(view.count), step]
-    return Judged(_SQUARE_DEG - most, most, view.time_of(step))
 
 
 def _who_come_later(told: Told, name: str) -> list[Drive]:
