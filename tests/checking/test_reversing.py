@@ -21,7 +21,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
 from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
 from scegen.scenario.logical import Reverses
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Role
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind, Role
 
 OWN = ("opendrive", "openscenario")
 HOW = [*Reverses]
@@ -31,15 +31,17 @@ HOW = [*Reverses]
 def made(tmp_path_factory, write):
     """A folder for every way in which somebody reverses."""
     folders = {}
-    for junction in (
-        Junction(kind=JunctionKind.STRAIGHT, arms=2),
-        Junction(kind=JunctionKind.T, arms=3),
+    t = Junction(kind=JunctionKind.T, arms=3)
+    for junction, ways in (
+        (Junction(kind=JunctionKind.STRAIGHT, arms=2), frozenset()),
+        (t, frozenset()),
+        (t, frozenset({Maneuver.STRAIGHT})),
     ):
         functional = FunctionalScenario(
             description="for tests",
             junction=junction,
             participants=(
-                Participant(id="van", kind=ParticipantKind.VAN),
+                Participant(id="van", kind=ParticipantKind.VAN, maneuvers=ways),
                 Participant(id="ego", role=Role.EGO),
             ),
             hazards=(Hazard(kind=HazardKind.REVERSING, by=("van",), to=("ego",)),),

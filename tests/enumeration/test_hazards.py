@@ -7,7 +7,7 @@ import pytest
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import NoScenarioError
 from scegen.scenario.logical import ConflictKind
-from scegen.scenario.vocabulary import Maneuver, Reduction
+from scegen.scenario.vocabulary import DrivingSide, Maneuver, Reduction
 
 EGO = {"id": "ego", "role": "ego"}
 CAR = {"id": "car"}
@@ -302,6 +302,28 @@ def test_who_reverses_at_a_junction_is_ahead_or_comes_from_an_arm(describe):
     assert manners(describe, "roundabout", 4) == ring
 
 
+@pytest.mark.parametrize(
+    ("approach", "side", "same"),
+    [
+        ("left", "right", False),
+        ("right", "right", True),
+        ("left", "left", True),
+    ],
+)
+def test_who_comes_past_behind_one_that_stands_square_to_a_plain_road(
+    describe, approach, side, same
+):
+    """It faces away from the road, beside the lane by which it would come in."""
+    car = CAR | {"approaches": [approach]}
+    danger = hazard("reversing", by="ego", to="car")
+    functional = describe("straight", 2, [EGO, car], [danger])
+    junction = functional.junction.model_copy(update={"driving_side": DrivingSide(side)})
+    functional = functional.model_copy(update={"junction": junction})
+    for _, past, ego in listed(functional):
+        assert ego.reverses == "square"
+        assert (past.entry == ego.entry) == same
+
+
 def test_who_stops_first_does_not_come_out_backwards(describe):
     found = manners(describe, "t", 3, extra=[hazard("stopping")])
     assert {how for how, _ in found} == {"backs_up"}
@@ -407,6 +429,6 @@ def test_who_comes_out_backwards_faces_away_from_the_road(describe, approach, en
     car = {"id": "car", "maneuvers": ["straight"], "approaches": [approach]}
     danger = {"kind": "reversing", "by": ["ego"], "to": ["car"]}
     found = enumerate_scenarios(describe("t", 3, [ego, car], [danger])).scenarios
-    out = [s for s in found if s.assignment("ego").reverses == "out_of_arm"]
+    out = [s for s in found if s.assignment("ego").reverses == "square"]
     assert out
     assert {s.assignment("car").entry for s in out} == {entry}

@@ -21,21 +21,22 @@ from scegen.road import build_network
 from scegen.road.model import LaneType
 from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
 from scegen.scenario.logical import Reverses
-from scegen.scenario.vocabulary import HazardKind, JunctionKind, Role
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Role
 
 WORDS = {
     Reverses.BACKS_UP: ("backs up", "m back from"),
     Reverses.FROM_RIGHT: ("backs out from the right", "comes out backwards from the right"),
     Reverses.FROM_LEFT: ("backs out from the left", "comes out backwards from the left"),
     Reverses.OUT_OF_ARM: ("backs out, ", "comes backwards out of arm "),
+    Reverses.SQUARE: ("backs straight out", "m straight back, square to the road"),
 }
 
 
-def listed(kind, arms):
+def listed(kind, arms, ways=frozenset()):
     functional = FunctionalScenario(
         description="for tests",
         junction=Junction(kind=kind, arms=arms),
-        participants=(Participant(id="car"), Participant(id="ego", role=Role.EGO)),
+        participants=(Participant(id="car", maneuvers=ways), Participant(id="ego", role=Role.EGO)),
         hazards=(Hazard(kind=HazardKind.REVERSING, by=("car",), to=("ego",)),),
     )
     return functional, enumerate_scenarios(functional).scenarios
@@ -45,8 +46,13 @@ def listed(kind, arms):
 def found():
     """One scenario for every way to reverse."""
     ways = {}
-    for kind, arms in ((JunctionKind.STRAIGHT, 2), (JunctionKind.T, 3)):
-        functional, scenarios = listed(kind, arms)
+    straight = frozenset({Maneuver.STRAIGHT})
+    for kind, arms, *said in (
+        (JunctionKind.STRAIGHT, 2),
+        (JunctionKind.T, 3),
+        (JunctionKind.T, 3, straight),
+    ):
+        functional, scenarios = listed(kind, arms, *said)
         for scenario in scenarios:
             ways.setdefault(scenario.assignment("car").reverses, (functional, scenario))
     return ways

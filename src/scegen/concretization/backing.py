@@ -6,6 +6,8 @@ creeps the last bit and comes to rest within a centimetre or two.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,6 +29,7 @@ from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Array
 from scegen.motion.standing import side_sign
+from scegen.scenario.acts import ActKind
 from scegen.scenario.logical import Reverses
 from scegen.scenario.reversing import BacksOut, BacksUp
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -53,6 +56,9 @@ _ROOM_M = 0.5
 _SAMPLE_M = 0.1
 _OUT_OF_ARM_M = 2.0
 _BEFORE_END_M = 15.0
+_REACH_M = 60.0
+_WAY_ON_M = 0.3
+"""The way of one that stays where it has come to ends a little farther on: it has not left."""
 
 
 def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
@@ -140,6 +146,52 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
     draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
     _go_back(scene, draft, _WAITS_S)
+
+
+def stand_square(
+    scene: Setup, draft: DriveDraft, *, more_m: float = 0.0, straight_m: float = _REACH_M
+) -> None:
+    """Let it stand square to the road, beside its lane or on its arm, and go straight back.
+
+    ``more_m`` farther off than just clear of it.
+    """
+    plain = scene.network.plain
+    off_m = draft.body.rear_m + (_ROOM_M if plain else _OUT_OF_ARM_M) + more_m
+    kerb = Side(scene.functional.junction.driving_side.value)
+    draft.joins_m = round(
+        draft.laid.turning_starts_m - (_BEFORE_END_M if plain else _BEFORE_JUNCTION_M), 3
+    )
+    draft.reversal = BacksOut(
+        side=kerb if plain else None,
+        arm=None if plain else draft.drive.entry,
+        setback_m=round(off_m, 3),
+        straight_m=round(straight_m + _WAY_ON_M, 3),
+    )
+    require_room(draft.id, draft.joins_m, _LEAST_RUN_UP_M)
+    draft.lay(scene.network)
+
+
+def back_straight(scene: Setup, draft: DriveDraft, speed: float, stop: SpeedChange) -> float:
+    """Stand, go back and stop before the way ends; returns where it begins to."""
+    begins_s, ends_s = draft.laid.path.backwards[0]
+    scene.note(f"{draft.id}.reversal.setback_m", ends_s - begins_s, "reversing: comes so far back")
+    draft.alone_s_m = (0.0, ends_s + _ROOM_M)
+    act = scene.first_act(draft.id, ActKind.REVERSE)
+    back = SpeedChange(
+        speed, REVERSING_MPS2, act=act.id if act is not None else None,
+        hazard=HazardKind.REVERSING, sort=Sort.GOES_ON, then_s=_WAITS_S,
+    )  # fmt: skip
+    # It hardly rolls forwards, slower and slower.
+    draft.marks.append(SpeedChange(0.0, CREEP_MPS**2 / (2 * begins_s), s_m=0.0, then=back))
+    braking_m = speed**2 / (2 * stop.rate_mps2)
+    draft.marks.append(replace(stop, s_m=ends_s - braking_m - _WAY_ON_M))
+    return begins_s
+
+
+def reversing_mps(scene: Setup, draft: DriveDraft) -> float:
+    """How fast it goes back."""
+    said = scene.functional.participant(draft.id).speed_mps
+    return said.middle if said is not None else sum(REVERSING_MPS) / 2
 
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:

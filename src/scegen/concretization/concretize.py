@@ -125,7 +125,8 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
-    meetings = [*reverse(scene), *leave_lanes(scene)]
+    backing = reverse(scene)
+    meetings = [*backing, *leave_lanes(scene)]
     meetings += shape_maneuvers(scene)
     go_round_stationary(scene)
     place_obstacles(scene)
@@ -135,7 +136,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, meetings)
     _start(scene, meetings)
-    go_back_as_they_come(scene)
+    go_back_as_they_come(scene, backing)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 

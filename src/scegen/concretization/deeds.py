@@ -15,6 +15,7 @@ from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s
 from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
+from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
 
 STOOD_S = 200.0
@@ -38,7 +39,7 @@ def do_acts(scene: Setup) -> None:
         if draft.stands:
             draft.offset_s = -STOOD_S
             continue
-        if draft.parked_s_m is not None:
+        if draft.parked_s_m is not None or draft.drive.reverses is Reverses.SQUARE:
             continue
         marks = list(marks_of(scene, draft))
         if not marks:

@@ -78,6 +78,12 @@ class OnStrip(Predicate):
     id: ConstantStr
 
 
+class SquareToRoad(Predicate, name="square_to_road"):
+    """A vehicle that goes straight back, square to the road, if it backs out."""
+
+    id: ConstantStr
+
+
 class Ego(Predicate):
     """The vehicle under test."""
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from clorm import Predicate
 
 from scegen.enumeration import predicates as p
+from scegen.enumeration.backing import backs_square, passes_behind
 from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Junction, Participant
@@ -91,6 +92,7 @@ def stated(functional: FunctionalScenario) -> Stated:
     out.facts += junction_facts(functional.junction)
     out.facts += [p.Vehicle(v.id) for v in vehicles] + [p.VehicleCount(len(vehicles))]
     out.facts += [p.OnStrip(v.id) for v in vehicles if v.strip is not None]
+    out.facts += [p.SquareToRoad(v.id) for v in vehicles if backs_square(functional, v)]
     out.facts += [p.Crosser(c.id) for c in crossers] + [p.Ego(functional.ego.id)]
     out.facts += [p.Position(m.id, i) for i, m in enumerate((*vehicles, *crossers), start=1)]
     limit = out.number(f"at most {QUEUE_LIMIT} vehicles fit on one arm")
@@ -179,6 +181,7 @@ def _approaches(out: Stated, functional: FunctionalScenario) -> None:
         number = out.number(told)
         out.facts.append(p.Approach(number, name, reference))
         open_road = functional.junction.kind is JunctionKind.STRAIGHT and name not in reversing
+        open_road &= not passes_behind(functional, name, reference)
         on_foot = name not in drivers
         words = _places(said, open_road=open_road and not on_foot)
         out.facts += [p.Says(name, reference, word) for word in words]

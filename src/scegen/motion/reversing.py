@@ -15,14 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Array, LaneSpan, Path
 from scegen.motion.polyline import CURVE_STEP_M, LINE_STEP_M, LaidDrive, lay_polyline, passed_m
 from scegen.motion.routing import walk_route
 from scegen.motion.standing import side_sign
 from scegen.motion.stretches import Stretch
+from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import DriveMotion
 from scegen.scenario.reversing import BacksOut, BacksUp
+from scegen.scenario.vocabulary import Side
 
 ROLLS_M = 0.3
 """Everybody rolls forwards so far, at least, before reversing: players take the sense in which a
@@ -86,6 +89,9 @@ def lay_way(
         return lay_polyline(stretches, start_m, end_m)
     if isinstance(reversal, BacksUp):
         parts = _up_and_back(reversal, stretches, start_m, end_m, who)
+    elif reversal.straight_m is not None:
+        outwards = _straight_out(network, motion, reversal, stretches, reversal.straight_m, who)
+        parts = [outwards.last(ROLLS_M), outwards.driven_back()]
     else:
         onwards = _Part.of(lay_polyline(stretches, start_m, end_m))
         if reversal.arm is not None:
@@ -146,13 +152,47 @@ def _into_arm(
     )
 
 
+def _straight_out(
+    network: RoadNetwork,
+    motion: DriveMotion,
+    reversal: BacksOut,
+    stretches: tuple[Stretch, ...],
+    straight_m: float,
+    who: str,
+) -> _Part:
+    """Forwards on a straight line to where it stands, on its arm or square to its road."""
+    if reversal.arm is not None:
+        road = network.arm_road(reversal.arm)
+        t = road.lane_centre_t_m(arm_lane_id(road, 1, inbound=False))
+        stands = road.line.pose(road.length_m - reversal.setback_m, t).reversed()
+    else:
+        side = _side_of(reversal, who)
+        road, sign = network.arm_road(motion.entry), side_sign(side)
+        lane = lay_polyline(stretches, motion.start_m, motion.start_m + 1.0).path.start
+        t = road.lane_centre_t_m(arm_lane_id(road, motion.entry_lane, inbound=True))
+        aside = sign * (abs(road.edge_t_m(sign) - t) + reversal.setback_m)
+        beside = lane.shifted(left_m=aside)
+        stands = Pose(beside.x_m, beside.y_m, lane.heading_rad + sign * pi / 2)
+    away = np.linspace(-straight_m, 0.0, max(1, ceil(straight_m / LINE_STEP_M)) + 1)
+    return _Part(
+        np.full_like(away, motion.start_m),
+        stands.x_m + away * np.cos(stands.heading_rad),
+        stands.y_m + away * np.sin(stands.heading_rad),
+        np.full_like(away, stands.heading_rad),
+    )
+
+
+def _side_of(reversal: BacksOut, who: str) -> Side:
+    if reversal.side is None:
+        raise MotionInfeasibleError("backs out of nowhere", where=who)
+    return reversal.side
+
+
 def _beside(
     network: RoadNetwork, motion: DriveMotion, reversal: BacksOut, onwards: _Part, who: str
 ) -> _Part:
     """Forwards from where the drive starts, in a quarter turn and straight on, off the road."""
-    side = reversal.side
-    if side is None:
-        raise MotionInfeasibleError("backs out of nowhere", where=who)
+    side = _side_of(reversal, who)
     road = network.arm_road(motion.entry)
     sign = side_sign(side)
     lane = next(

@@ -20,6 +20,7 @@ from scegen.report.plan import (
     walking_line,
 )
 from scegen.report.raster import text_width
+from scegen.report.square_line import square_line
 from scegen.report.strokes import (
     MIDDLE,
     arrow,
@@ -32,7 +33,14 @@ from scegen.report.strokes import (
 from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import REVERSES
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Walking
+from scegen.scenario.logical import (
+    Assignment,
+    Crossing,
+    Drive,
+    LogicalScenario,
+    Reverses,
+    Walking,
+)
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
@@ -102,7 +110,12 @@ def tile_body(
         is_ego = name == functional.ego.id
         if isinstance(assignment, Drive):
             behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
-            way_ = lines[name] = drive_line(plan, assignment, spreads[name], behind)
+            square = assignment.reverses is Reverses.SQUARE
+            way_ = lines[name] = (
+                square_line(plan, assignment)
+                if square
+                else drive_line(plan, assignment, spreads[name], behind)
+            )
             drawing = arrow(way_, colour[name], theme, ego=is_ego)
             if assignment.reverses is not None:
                 badges.append(reverse_badge(way_, colour[name], theme))

@@ -41,6 +41,7 @@ REVERSES: dict[Reverses, str] = {
     Reverses.OUT_OF_ARM: "backs out",
     Reverses.FROM_RIGHT: "backs out from the right",
     Reverses.FROM_LEFT: "backs out from the left",
+    Reverses.SQUARE: "backs straight out",
 }
 
 
@@ -97,6 +98,8 @@ def reversal_words(reversal: Reversal | None) -> str:
         return ""
     if isinstance(reversal, BacksUp):
         return f", goes {reversal.length_m:.1f} m back from {reversal.from_m:.1f} m"
+    if reversal.straight_m is not None:
+        return f", comes {reversal.straight_m:.1f} m straight back, square to the road"
     if reversal.arm is not None:
         return f", comes backwards out of arm {reversal.arm}"
     return f", comes out backwards from the {reversal.side}"

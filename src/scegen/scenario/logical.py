@@ -23,13 +23,15 @@ class Reverses(StrEnum):
 
     ``backs_up``: it stops on its way and goes back on it. The others come out backwards, rear
     first, into the lane of whoever suffers it, and drive on from there: ``out_of_arm`` from the
-    arm where it enters, ``from_right`` and ``from_left`` from beside a road without a junction.
+    arm where it enters, ``from_right`` and ``from_left`` from beside a road without a junction;
+    or they stand ``square`` to the road, on that arm or beside that lane, and go straight back.
     """
 
     BACKS_UP = "backs_up"
     OUT_OF_ARM = "out_of_arm"
     FROM_RIGHT = "from_right"
     FROM_LEFT = "from_left"
+    SQUARE = "square"
 
 
 class Heading(StrEnum):

@@ -32,7 +32,7 @@ class BacksOut(FrozenModel):
     ``setback_m`` (rear axle) beyond the edge of the carriageway on ``side``, seen by entering
     traffic, at right angles to the road; or, with ``arm``, that far from the inner end of that
     arm, in the lane that leads away from the junction. Beside a road it comes out in a quarter
-    turn of ``radius_m``.
+    turn of ``radius_m``. With ``straight_m`` it only goes straight back, so far, and stays there.
     """
 
     type: Literal["backs_out"] = "backs_out"
@@ -40,6 +40,7 @@ class BacksOut(FrozenModel):
     arm: int | None = Field(default=None, ge=0)
     setback_m: float = Field(gt=0, le=50)
     radius_m: float = Field(default=5.0, ge=2.0, le=50)
+    straight_m: float | None = Field(default=None, gt=0, le=MOST_BACK_M)
 
     @model_validator(mode="after")
     def _from_one_place(self) -> BacksOut:

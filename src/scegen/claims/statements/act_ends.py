@@ -1,4 +1,7 @@
-"""When an act has ended: a change of speed is over, a stop has been left, a move aside is done."""
+"""When an act has ended: a change of speed is over, a stop has been left, a move aside is done.
+
+Who drives backwards has done so once it slows down.
+"""
 
 from __future__ import annotations
 
@@ -18,8 +21,9 @@ from scegen.claims.moments import (
     rest,
 )
 from scegen.claims.told import Told
+from scegen.claims.tolerances import STANDS_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Floats, Ints
 from scegen.scenario.acts import LEAVING, Act, ActKind
 
 SWERVES_M = 0.3
@@ -34,6 +38,10 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
     if act.kind in SLOWING | GAINING:
         run = act_run(view, told.functional, act)
         return np.where(run.happens, run.end, view.steps)
+    if act.kind is ActKind.REVERSE:
+        back = -view.row(act.participant, SPEED)
+        fast = (back > back.max(axis=1, keepdims=True) - STANDS_MPS) & (back > STANDS_MPS)
+        return np.where(fast, np.arange(view.steps), begins[:, None]).max(axis=1)
     if act.kind is ActKind.WAIT:
         return rest(view, told.functional, act)[1]
     if act.kind is ActKind.OVERTAKE and _comes_back_by_another(told, act):

@@ -16,7 +16,7 @@ from scegen.motion.batch.arrays import Bools, Floats
 from scegen.road.cross_section import LANE_TYPES
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import Drive
+from scegen.scenario.logical import Drive, Reverses
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Maneuver, Side
 
@@ -64,6 +64,8 @@ def _on_it(told: Told, name: str, strip: Strip, view: View, *, stays: bool) -> J
     _, offset = arm.place(boxes(view, name))
     out: Floats = sign * offset
     inside = np.minimum(out - band[0], band[1] - out)
+    if isinstance(assignment, Drive) and assignment.reverses is Reverses.SQUARE:
+        inside = out - band[0]  # a bay square to the road is as deep as that takes
     later: Bools = np.arange(view.steps) > (view.last_step[:, None] if stays else 0)
     worst = np.where(later, NEVER, inside)
     step = worst.argmin(axis=1)

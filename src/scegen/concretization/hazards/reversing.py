@@ -6,7 +6,7 @@ will have to brake.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import hypot
 
@@ -19,6 +19,7 @@ from scegen.concretization.backing import (
 )
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import culprits, same_arm, victims
+from scegen.concretization.hazards.square import back_straight_out
 from scegen.concretization.meetings import DANGER, Meeting
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
@@ -99,6 +100,10 @@ def reverse(scene: Setup) -> list[Meeting]:
         if draft.reversal is not None:
             continue
         crossing = [n for h in scene.functional.hazards if draft.id in h.to for n in h.by]
+        if draft.drive.reverses is Reverses.SQUARE and other is not None:
+            met = back_straight_out(scene, draft, other)
+            meetings.append(met or _braked_for(draft, other))
+            continue
         walk = next((n for n in (*hazard.to, *crossing) if n in scene.walks), None)
         if other is not None and draft.drive.reverses not in {None, Reverses.BACKS_UP}:
             back_out(scene, draft)
@@ -107,14 +112,12 @@ def reverse(scene: Setup) -> list[Meeting]:
         else:
             back_up(scene, draft, other)
         if other is not None:
-            event_s, brakes_s = _encounter(draft, other)
-            reason = "reversing: brakes when it comes back"
-            meetings.append(Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason))
+            meetings.append(_braked_for(draft, other))
     return meetings
 
 
-def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
-    """Where the one is when the other has to brake, and where that one is then."""
+def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
+    """The one is so far when the other has to brake."""
     s, its, touching = in_each_others_way(draft, other)
     begins_s, ends_s = draft.laid.path.backwards[0]
     back = (s >= begins_s) & (s <= ends_s)
@@ -130,15 +133,17 @@ def _encounter(draft: DriveDraft, other: DriveDraft) -> tuple[float, float]:
     event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
     brakes_s = brakes_from(other, stops_s, other.braking_mps2(_BRAKING_MPS2), 0.0)
     require_room(other.id, brakes_s, _LEAST_RUN_UP_M)
-    return event_s, brakes_s
+    reason = "reversing: brakes when it comes back"
+    return Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason)
 
 
-def go_back_as_they_come(scene: Setup) -> None:
-    """It begins to reverse when the other is so many seconds short of where it brakes."""
-    for _, draft, other in _each(scene):
-        if other is None or draft.reversal is None:
-            continue
-        brakes_s = _encounter(draft, other)[1]
+def go_back_as_they_come(scene: Setup, meetings: Sequence[Meeting]) -> None:
+    """It begins to reverse when the other is so many seconds short of where they meet."""
+    for met in meetings:
+        draft, other = scene.drives[met.first], scene.drives[met.second]
+        square = draft.drive.reverses is Reverses.SQUARE
+        # What either does by then may have changed how late the other can brake.
+        brakes_s = (met if square else _braked_for(draft, other)).second_s_m
         begins_s, _ = draft.laid.path.backwards[0]
         goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
         at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)

@@ -75,6 +75,8 @@ def _drive(
             message = f"vertex {number} {at} lies on no driving lane"
             yield error("xosc.off_road", name, message)
             break
+    if isinstance(motion.reversal, BacksOut) and motion.reversal.straight_m is not None:
+        return  # it stays where it has come to
     if situation.network is not None and not situation.network.junctions and _is_aside(motion):
         return  # off the middle of its lane: which lane is below it says nothing
     arm = situation.arms[motion.exit]
@@ -101,9 +103,16 @@ def _is_aside(motion: DriveMotion) -> bool:
 
 
 def _comes_from_beside(motion: DriveMotion, trajectory: Trajectory) -> int:
-    """How many vertices lead one that backs out from beside the road onto it."""
+    """How many vertices lead one that backs out from beside the road onto it.
+
+    Straight back it may come across, and beyond it.
+    """
     reversal = motion.reversal
-    if not isinstance(reversal, BacksOut) or reversal.side is None:
+    if not isinstance(reversal, BacksOut):
+        return 0
+    if reversal.straight_m is not None:
+        return len(trajectory.points)
+    if reversal.side is None:
         return 0
     last = max((ends for _, ends in backwards_m(trajectory)), default=0.0)
     passed = np.abs(np.diff(trajectory.points)).cumsum()
