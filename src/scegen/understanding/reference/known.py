@@ -15,6 +15,8 @@ from scegen.understanding.reference.reference import elsewhere
 from scegen.understanding.reference.roster import Roster
 
 _A_PAIR = 2
+_LOOKS_WITHIN = 3
+"""Words in which a driver "who looks forward" is said to."""
 _ALONG = {"front": "ahead", "rear": "behind"}
 
 
@@ -70,9 +72,13 @@ class Known:
         before = [t.low for t in self.roster.tokens[max(0, mention.i - 2) : mention.i]]
         seen_by = before[-1:] == ["by"] and reading.det == "def"
         view = before[-1:] == ["of"] and before[0] in word_list("views_of")
+        after = [t.low for t in self.roster.tokens[mention.j : mention.j + _LOOKS_WITHIN]]
+        forward = bool({"forward", "forwards"} & {*after})  # "a driver who faces forward"
         drive = [e for e in self.roster.draft.entities if e.is_vehicle]
+        if forward and len(drive) > 1:
+            drive = [e for e in drive if e.ego]
         alone = len(drive) == 1 and reading.driver and not reading.labels
-        return drive if alone and (seen_by or view) else []
+        return drive if alone and (seen_by or view or forward) else []
 
     def _other(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``the other car``: the only one beside the ego, or beside who was just spoken of."""
