@@ -10,7 +10,6 @@ from scegen.claims.boxes import Boxes
 from scegen.concretization.amounts import ASIDE, OUT_AND_BACK
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.others import gained
 from scegen.concretization.setup import Setup
 from scegen.concretization.traffic import Traffic
 from scegen.concretization.walkers import leaves_s
@@ -39,6 +38,8 @@ def _during(scene: Setup, act: Act) -> tuple[float, float]:
     name = act.participant
     if name in scene.walks:
         begins, walk = leaves_s(scene, name), scene.walks[name]
+        if act.kind is ActKind.STOP and walk.stops_after_m is not None:
+            return begins + walk.slows_s(), begins + walk.rests_s()
         return begins, begins + walk.runs_s(walk.path.length_m)
     if name not in scene.drives:
         return 0.0, 0.0
@@ -79,7 +80,7 @@ def track(scene: Setup, name: str, times_s: Array) -> tuple[Boxes, Array]:
         return box_on(draft.laid.path, draft.body, way), speed
     if name in scene.walks:
         walk = scene.walks[name]
-        way, speed = gained(walk.speed_mps, walk.rate_mps2, times_s - leaves_s(scene, name))
+        way, speed = walk.gone(times_s - leaves_s(scene, name))
         way = np.minimum(way, walk.path.length_m)
         return box_on(walk.path, walk.body, way), speed
     still = np.zeros(len(times_s))

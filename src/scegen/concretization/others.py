@@ -19,7 +19,8 @@ from scegen.scenario.concrete import CrossingMotion, SpeedPhase, StandingMotion,
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
-_STOPS_SHORT_M = 0.15
+STOPS_SHORT_M = 0.15
+"""Who comes to rest on its way does so this far before its way ends."""
 _ABREAST_M = 0.9
 _CROSSES = {
     ParticipantKind.PEDESTRIAN: HazardKind.CROSSING_PEDESTRIAN,
@@ -46,8 +47,9 @@ def abreast_m(number: int) -> float:
 class Walker:
     """One who goes across a road, on foot or by bicycle, at a steady pace from where it starts.
 
-    ``act`` is the one of the text that this is, ``setback_m`` how far outside the carriageway it
-    starts, ``stops_after_m`` where its way ends if it does not go across.
+    ``act`` is the one of the text that this is, ``stop`` the one by which it stops on its way,
+    ``setback_m`` how far outside the carriageway it starts, ``stops_after_m`` where its way ends
+    if it does not go across.
     """
 
     id: str
@@ -58,6 +60,7 @@ class Walker:
     act: Act | None
     setback_m: float = field(default=0.0, kw_only=True)
     stops_after_m: float | None = field(default=None, kw_only=True)
+    stop: Act | None = field(default=None, kw_only=True)
 
     @property
     def timed(self) -> bool:
@@ -78,6 +81,25 @@ class Walker:
         """How long it takes from setting off until so much way is behind it."""
         return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
 
+    def slows_s(self) -> float:
+        """How long after setting off one begins to come to rest who does not go across."""
+        return self.runs_s((self.stops_after_m or 0.0) - STOPS_SHORT_M - self.gains_m)
+
+    def rests_s(self) -> float:
+        """How long after setting off that one has come to rest."""
+        return self.slows_s() + self.speed_mps / self.rate_mps2
+
+    def gone(self, since_s: Array) -> tuple[Array, Array]:
+        """(way, speed) by the time since setting off, up to where it comes to rest on its way."""
+        way, speed = gained(self.speed_mps, self.rate_mps2, since_s)
+        if self.stops_after_m is None:
+            return way, speed
+        lost = np.clip(since_s - self.slows_s(), 0.0, self.speed_mps / self.rate_mps2)
+        slower = np.minimum(speed, self.speed_mps - self.rate_mps2 * lost)
+        rests = max(0.0, self.stops_after_m - STOPS_SHORT_M)
+        left = slower**2 / (2 * self.rate_mps2)
+        return np.where(lost > 0.0, rests - left, np.minimum(way, rests)), slower
+
     def motion_at(self, from_junction_m: float) -> CrossingMotion:
         """Its way across, so far from the inner end of its arm."""
         stops = self.stops_after_m
@@ -93,7 +115,7 @@ class Walker:
         self, met: Iterable[Comes], sets_off_s: float, length_m: float
     ) -> tuple[SpeedPhase, SpeedPhase]:
         """Set off as one has come so far who is met, and come to rest just before its way ends."""
-        end = max(0.0, length_m - self.gains_m - _STOPS_SHORT_M)
+        end = max(0.0, length_m - self.gains_m - STOPS_SHORT_M)
         return (
             SpeedPhase(
                 trigger=as_they_come(() if self.timed else met, sets_off_s),
@@ -107,6 +129,7 @@ class Walker:
                 target_speed_mps=0.0,
                 rate_mps2=self.rate_mps2,
                 hazard=None if self.stops_after_m is None else HazardKind.STOPPING,
+                act=None if self.stop is None else self.stop.id,
             ),
         )
 
@@ -128,8 +151,7 @@ class Walk(Walker):
 
     def track(self, times_s: Array) -> tuple[Boxes, Array]:
         """Its boxes over time, and its speeds."""
-        way, speed = gained(self.speed_mps, self.rate_mps2, times_s - self.sets_off_s)
-        way = way if self.stops_after_m is None else np.minimum(way, self.stops_after_m)
+        way, speed = self.gone(times_s - self.sets_off_s)
         into = -1.0 if self.from_left else 1.0
         x, cos, sin = (np.full_like(way, value) for value in (self.x_m, 0.0, into))
         y = self.from_y_m + into * (way + self.body.centre_ahead_m)

@@ -7,8 +7,13 @@ from math import sin, sqrt
 
 from scegen.concretization.amounts import BRAKING, pace_across_mps
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
-from scegen.concretization.others import WalkDraft, Walker, abreast_m
+from scegen.concretization.meetings import (
+    MeetingPoint,
+    before_front_m,
+    crossing_at,
+    meeting_point,
+)
+from scegen.concretization.others import STOPS_SHORT_M, WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
@@ -16,6 +21,7 @@ from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
+from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import HazardKind, Side
 
 _SETBACK_M, _BEYOND_STRIP_M = 1.5, 0.6
@@ -26,8 +32,9 @@ BEHIND_KERB_M, _BEHIND_SCREEN_M = 0.2, 0.8
 room there."""
 _PASSES_BEFORE_S = 0.5
 """Who is just missed has left the way of the vehicle so long before it comes."""
-_STOP_SHORT_M = 0.15
 _STEPS_OFF_M = 0.5
+STOOD_S = 1.0
+"""Who stops in somebody's way has stood there so long when that one comes."""
 _OF_PEAK = 0.9
 """Of the pace at which one who sets off must begin to stop, the share that is used."""
 OWES = HazardKind.FAILURE_TO_YIELD
@@ -45,6 +52,48 @@ def pace_mps(tale: Tale, participant: Participant, width_m: float) -> float:
 def goes_far_m(act: Act | None) -> float | None:
     """How far onto the road one is said to go, None if across it."""
     return None if act is None or act.distance_m is None else act.distance_m.middle
+
+
+def stops(tale: Tale, name: str) -> bool:
+    """Whether one who goes across is said to stop on its way."""
+    return HazardKind.STOPPING in tale.kinds_by(name) or bool(tale.first_act(name, ActKind.STOP))
+
+
+def rests_m(
+    tale: Tale,
+    walk: Walker,
+    met: str,
+    body: Body,
+    *,
+    middle_m: float,
+    centre_m: float,
+    to_left: int,
+) -> float:
+    """The way that one who stops has gone by then: as is said, else into the other's way.
+
+    Args:
+        tale: what is told.
+        walk: who stops.
+        met: whom it meets, or would.
+        body: of that one.
+        middle_m: its own way when the middle of its body is amid that one's way.
+        centre_m: the same of the middle of the road.
+        to_left: 1 if it goes to that one's left, else -1.
+    """
+    ends = {CONTACT, *((walk.stop.id,) if walk.stop is not None else ())}
+    for said in tale.functional.spacings:
+        if walk.id not in {said.participant, said.reference} or said.at not in ends:
+            continue
+        value = said.value.middle
+        if said.participant == said.reference:
+            return centre_m + value
+        if said.measure is Measure.LATERAL_OFFSET_M:
+            return middle_m + to_left * (value if said.participant == walk.id else -value)
+        if said.measure is Measure.LATERAL_GAP_M:
+            return middle_m - (body.width_m + walk.body.length_m) / 2 - value
+    if tale.contact_wanted(walk.id, met):
+        return middle_m + to_left * (0.5 - tale.impact_share) * body.width_m
+    return middle_m
 
 
 def setback_m(walk: Walker, strip_m: float, *, hidden: bool = False) -> float:
@@ -173,6 +222,12 @@ def rendezvous(
     return place, way
 
 
+def _by_the_road(scene: Setup, walk: WalkDraft) -> bool:
+    """Whether it is told by the road alone where one stops."""
+    own = (s for s in scene.functional.spacings if s.participant == s.reference == walk.id)
+    return any(walk.stop is not None and said.at == walk.stop.id for said in own)
+
+
 def leaves_s(scene: Setup, name: str) -> float:
     """When one who stands at first sets off: as is said, or to meet whom it is to meet."""
     walk = scene.walks[name]
@@ -183,18 +238,37 @@ def leaves_s(scene: Setup, name: str) -> float:
         return 1.0
     draft, point = found
     place, way_m = rendezvous(scene, draft, walk, point)
-    return draft.offset_s + draft.course.time_at(place) - walk.runs_s(way_m)
+    there_s = draft.offset_s + draft.course.time_at(place)
+    leaves = there_s - walk.runs_s(way_m)
+    if walk.stops_after_m is None or not stops(scene, name):
+        return leaves
+    left_m = max(0.0, point.first_s_m - draft.body.front_m - place)  # it brakes from there on
+    comes_s = there_s + left_m / max(draft.course.speed_at(place), 1.0)
+    return min(leaves, comes_s - walk.rests_s() - STOOD_S)
 
 
 def stop_in_the_way(scene: Setup) -> None:
-    """End the ways of those who are said to stop where the driver whom they meet comes by."""
-    for hazard in scene.of_kind(HazardKind.STOPPING):
-        for walk in (scene.walks[n] for n in hazard.by if n in scene.walks):
-            found = partner_of(scene, walk)
-            if found is None or walk.stops_after_m is not None:
-                continue
-            length = min(found[1].second_s_m + _STOP_SHORT_M, walk.path.length_m)
-            # Nobody reaches its full pace on a way too short to stop from it.
-            walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)
-            walk.stops_after_m = length
-            walk.lay(scene.network)
+    """End the ways of those who are said to stop, where is said or whom they meet comes by."""
+    for walk in scene.walks.values():
+        found = partner_of(scene, walk) if stops(scene, walk.id) else None
+        if found is None or walk.stops_after_m is not None:
+            continue
+        draft, point = found
+        walk.stop = scene.first_act(walk.id, ActKind.STOP)
+        _, middle_m, turn = crossing_at(draft.laid.path, walk.path, point)
+        ahead_m, to_left = walk.body.centre_ahead_m, 1 if sin(turn) > 0 else -1
+        rests = rests_m(
+            scene, walk, draft.id, draft.body,
+            middle_m=middle_m - ahead_m,
+            centre_m=walk.path.length_m / 2 - ahead_m,
+            to_left=to_left,
+        )  # fmt: skip
+        if not _by_the_road(scene, walk):
+            aside_m = to_left * (rests + ahead_m - middle_m)
+            reach_m = draft.body.front_m + walk.body.width_m / 2
+            rests = before_front_m(draft.laid.path, walk.path, point, reach_m, aside_m) - ahead_m
+        length = min(rests + STOPS_SHORT_M, walk.path.length_m)
+        # Nobody reaches its full pace on a way too short to stop from it.
+        walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)
+        walk.stops_after_m = length
+        walk.lay(scene.network)

@@ -58,7 +58,7 @@ def claims(told: Told) -> Iterator[Claim]:
             f"is {amount(spacing.value)} {unit}{on} {when}",
             field=f"spacings.{number}",
             unit=unit,
-            test=partial(_judge, told, spacing),
+            test=partial(judge_spacing, told, spacing),
             tolerance=tolerances.OF_MEASURE[spacing.measure],
             scale=20.0 if unit == "%" else 2.0 if unit == "m" else 0.5,
         )
@@ -70,8 +70,15 @@ def _to(spacing: Spacing) -> str:
 
 
 def _off_its_lane(told: Told, name: str, view: View, step: Ints) -> Floats:
-    """How far to its own left of the middle of the lane that it is in (c,)."""
-    drive = told.drive(name)
+    """How far to its own left of the middle of the lane that it is in (c,).
+
+    Of one who goes across, how far beyond the middle of the road.
+    """
+    drive, crossing = told.drive(name), told.crossing(name)
+    if crossing is not None:
+        across = arms_of(view)[crossing.arm]
+        beyond = across.place(box_at(view, name, step))[1] - sum(across.edges_m) / 2.0
+        return np.asarray(-beyond if crossing.start is Side.LEFT else beyond)
     if drive is None:
         return np.full(view.count, np.nan)
     arm, box = arms_of(view)[drive.entry], box_at(view, name, step)
@@ -81,10 +88,11 @@ def _off_its_lane(told: Told, name: str, view: View, step: Ints) -> Floats:
     return np.asarray(off * np.where(arm.facing(box) >= 0.0, 1.0, -1.0))
 
 
-def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
+def judge_spacing(told: Told, spacing: Spacing, view: View) -> Judged:
+    """How far apart two are at the moment that is meant."""
     who, reference = spacing.participant, spacing.reference
     tolerance = tolerances.OF_MEASURE[spacing.measure]
-    if spacing.at == CONTACT:
+    if spacing.at == CONTACT or _where_it_stands(told, spacing):
         # Where no contact is said, what counts is when they are nearest.
         met = contact(view, reference, who)
         nearest = view.of_pair("closest_s", reference, who)
@@ -105,6 +113,7 @@ def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
             step = act_ends(told, act, view)
         elif spacing.since == "end":
             other = reference if who == act.participant else who
+            other = act.participant if told.crossing(act.participant) else other
             step = comes_to_rest(view, told.functional, told.logical, act, other)
     if who == reference:
         value = _off_its_lane(told, who, view, step)
@@ -122,6 +131,18 @@ def _judge(told: Told, spacing: Spacing, view: View) -> Judged:
         margin = np.where(passes, np.maximum(margin, tolerance), margin)
     margin = np.where(step < view.steps, margin, np.nan)
     return Judged(margin, value, view.time_of(step))
+
+
+def _where_it_stands(told: Told, spacing: Spacing) -> bool:
+    """Whether it is how far aside of another's line one who goes across comes to rest.
+
+    That is seen as the other comes by: before, its line may be another.
+    """
+    aside = spacing.measure in {Measure.LATERAL_OFFSET_M, Measure.LATERAL_GAP_M}
+    two = spacing.participant != spacing.reference
+    stops = (a for a in told.functional.acts if a.kind in SLOWING and a.id == spacing.at)
+    across = any(told.crossing(act.participant) for act in stops)
+    return aside and two and across and spacing.since == "end"
 
 
 def measure_at(

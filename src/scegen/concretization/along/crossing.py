@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import chain
 from math import ceil
 
@@ -11,20 +12,23 @@ from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import Walk, abreast_m, gained
+from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m, gained
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
     BEHIND_KERB_M,
     OWES,
+    STOOD_S,
     aim_m,
     goes_far_m,
     pace_mps,
+    rests_m,
     setback_m,
+    stops,
 )
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.logical import Crossing
-from scegen.scenario.spacings import LENGTHWISE, Measure
-from scegen.scenario.vocabulary import HazardKind, Side
+from scegen.scenario.spacings import LENGTHWISE, START, Measure
+from scegen.scenario.vocabulary import Side
 
 _MEETS_S = 6.0
 _HOLDS_S = 0.6
@@ -32,7 +36,6 @@ _HOLDS_S = 0.6
 _LEAST_LEAD_S = 1.0
 BEFORE_WALKER_M = 0.9
 """Who is parked and hides somebody stands so far before that one's line."""
-_STAYS_M = 0.3
 _LOOK_S = 0.05
 
 
@@ -54,37 +57,46 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     pace = pace_mps(story, participant, width)
     who = participant.id, participant.kind, body, crossing, pace, act
     walk = Walk(*who, from_left, meets=meets.id)
-    far, into = goes_far_m(act), -1 if from_left else 1
+    into = -1 if from_left else 1
     edge, strip = edge_y_m(story, left=from_left), strips.get("left" if from_left else "right", 0.0)
     middle = (meets.y_m(0.0) - edge) * into - body.centre_ahead_m
     met = meets.id, meets.body, meets.speed_mps
-    to_aim = aim_m(story, walk, *met, middle_m=middle, to_left=into * meets.sign)
+    to_left = into * meets.sign
+    to_aim = aim_m(story, walk, *met, middle_m=middle, to_left=to_left)
+    walk.stop = story.first_act(walk.id, ActKind.STOP)
+    far, stands = goes_far_m(act), stops(story, walk.id)
+    if far is None and stands:
+        centre = -edge * into - body.centre_ahead_m
+        whom = meets.id, meets.body
+        far = STOPS_SHORT_M + rests_m(
+            story, walk, *whom, middle_m=middle, centre_m=centre, to_left=to_left
+        )
     steady = to_aim if far is None else min(to_aim, far - walk.gains_m)
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
     walk.setback_m = max(walk.gains_m + least, setback_m(walk, strip))
-    soon_s = _until_met_s(story, participant.id, meets, act)
+    soon_s = _until_met_s(story, walk, meets)
     if soon_s is not None:  # so near that the other does not come by first
         way = float(gained(pace, walk.rate_mps2, np.array([soon_s]))[0][0]) - to_aim
         nearest = max(strip, body.front_m + BEHIND_KERB_M)
         if way > nearest or story.contact_wanted(participant.id, meets.id):
             walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
-    if said is not None:  # it waits so far aside of the other
+    if said is not None and said.at == START:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
         walk.setback_m = max(0.0, (edge - meets.y_m(0.0) - meets.sign * left) * into)
     takes, number = walk.runs_s(to_aim + walk.setback_m), len(walks)
-    _time(story, walk, meets, act, takes)
+    if far is not None:
+        walk.stops_after_m = walk.setback_m + far
+        if stands:
+            takes = walk.rests_s() + STOOD_S
+    _time(story, walk, meets, takes)
     if walks and crossing.arm in story.functional.junction.crosswalks:
         walk.x_m = walks[0].x_m
         if not walk.timed:
             walk.sets_off_s = max(walks[0].arrives_s - takes, _LEAST_LEAD_S)
     walk.arrives_s = walk.sets_off_s + takes
     walk.x_m += abreast_m(number)
-    if far is not None:
-        walk.stops_after_m = walk.setback_m + far
-    elif HazardKind.STOPPING in story.kinds_by(walk.id):
-        walk.stops_after_m = walk.setback_m + abs(meets.y_m(0.0) - edge) + _STAYS_M
     walk.from_y_m = edge - into * walk.setback_m
     return walk
 
@@ -99,36 +111,49 @@ def _meets(story: Story, name: str) -> str:
     return next(chain(owing, suffering), story.ego.id)
 
 
-def _until_met_s(story: Story, name: str, meets: Runner, act: Act | None) -> float | None:
+def _until_met_s(story: Story, walk: Walk, meets: Runner) -> float | None:
     """How long the other takes to its line from when it sets off, where that is said."""
-    spacing = _spacing(story, name, meets.id, act)
-    if spacing is None or not spacing[2] or meets.speed_mps <= 0.0:
+    spacing = _spacing(story, walk, meets.id)
+    if spacing is None or spacing[2] is None or spacing[2] is walk.stop or meets.speed_mps <= 0.0:
         return None
-    measure, value, _ = spacing
+    measure, value, _, _ = spacing
     return value / meets.speed_mps if measure is Measure.GAP_M else value
 
 
-def _time(story: Story, walk: Walk, meets: Runner, act: Act | None, takes: float) -> None:
+def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
     """When it sets off and where its line lies, so that it ``takes`` as long as the other does."""
     half = walk.body.width_m / 2
-    when = act.when if act is not None else None
-    spacing = _spacing(story, walk.id, meets.id, act)
+    when = walk.act.when if walk.act is not None else None
+    spacing = _spacing(story, walk, meets.id)
     walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, _LEAST_LEAD_S)
     if isinstance(when, AfterStart):
         walk.sets_off_s = when.delay_s.middle
     if spacing is None:
         arrival = walk.sets_off_s + takes
-        walk.x_m = meets.x_m(arrival) + meets.towards * (meets.leading_m + half)
+        walk.x_m = _unbraked(story, meets).x_m(arrival) + meets.towards * (meets.leading_m + half)
         return
-    measure, value, as_it_sets_off = spacing
-    if as_it_sets_off and not walk.timed:
+    measure, value, act, since = spacing
+    if act is not None and not walk.timed:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
-    moment = walk.sets_off_s if as_it_sets_off else 0.0
+    moment = 0.0
+    if act is not None:
+        moment = walk.sets_off_s + (_after_s(walk, since) if act is walk.stop else 0.0)
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
-    if not as_it_sets_off and not walk.timed:
+    if act is None and not walk.timed:
         arrival = meets.profile.time_s(away)
         walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
+
+
+def _unbraked(story: Story, meets: Runner) -> Runner:
+    """Who is met as it drives until it brakes for whom it meets: when is found later."""
+    loose = story.loose(meets.steps, meets.speed_mps)
+    return replace(meets, steps=[step for step in meets.steps if step is not loose])
+
+
+def _after_s(walk: Walk, since: str) -> float:
+    """How long after setting off it begins to stop, or has come to rest."""
+    return walk.rests_s() if since == "end" else walk.slows_s()
 
 
 def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
@@ -141,13 +166,18 @@ def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
     return 0.0
 
 
-def _spacing(
-    story: Story, name: str, other: str, act: Act | None
-) -> tuple[Measure, float, bool] | None:
-    """A distance along the road that is said between the two; whether as it sets off, or first."""
-    when = act.when if act is not None else None
-    if isinstance(when, WhenMeasure):
-        return when.measure, when.value.middle + _hidden_behind_m(story, when), True
-    said = story.between(name, other, *LENGTHWISE)
-    own = said is not None and act is not None and said.at == act.id
-    return None if said is None else (said.measure, said.value.middle, own)
+def _spacing(story: Story, walk: Walk, other: str) -> tuple[Measure, float, Act | None, str] | None:
+    """A distance along the road that is said between the two: as an act begins or ends, or first.
+
+    Of its setting off and its stopping.
+    """
+    for act in (walk.act, walk.stop):
+        when = act.when if act is not None else None
+        if isinstance(when, WhenMeasure):
+            return when.measure, when.value.middle + _hidden_behind_m(story, when), act, "begin"
+    pair, own = {walk.id, other}, {a.id: a for a in (walk.act, walk.stop) if a is not None}
+    for said in story.functional.spacings:
+        along = {said.participant, said.reference} == pair and said.measure in LENGTHWISE
+        if along and (said.since == "begin" or said.at in own):
+            return said.measure, said.value.middle, own.get(said.at), said.since
+    return None
