@@ -238,6 +238,29 @@ def test_cut_in_is_quick_and_close(length_m, gap_m, expected):
     assert happens("cut_in", changing(length_m, gap_m=gap_m)).happened is expected
 
 
+@pytest.mark.parametrize(("gap_m", "expected"), [(12, True), (0, True), (-12, False)])
+@pytest.mark.parametrize("kind", ["cut_in", "merging_conflict"])
+def test_who_comes_in_does_so_ahead(kind, gap_m, expected):
+    """However close behind it comes in, that endangers nobody; two that touch are level."""
+    part = happens(kind, changing(20, gap_m=gap_m)).parts[-1]
+    assert (part.name, part.happened) == ("front ahead as it comes in", expected)
+
+
+@pytest.mark.parametrize("kind", ["hard_braking", "stopping", "slow_driving"])
+@pytest.mark.parametrize(("gap_m", "expected"), [(30.0, True), (-90.0, False)])
+def test_who_slows_down_behind_another_does_not_endanger_it(kind, gap_m, expected):
+    speeds = steady(5) if kind == "slow_driving" else ramp(10, 0, 7.0)
+    assert happens(kind, following(steady(10), speeds, gap_m)).happened is expected
+
+
+@pytest.mark.parametrize(("starts_m", "expected"), [(150.0, True), (60.0, False)])
+def test_who_goes_over_the_line_behind_one_that_has_passed_does_not_endanger_it(starts_m, expected):
+    paths = (line(starts_m, 0, 180), line(0, 3.5, 0))
+    crosses = way(OTHER, paths[1], changes=((50.0, 70.0, 3.5, 0),))
+    made = view((EGO, OTHER), paths, (steady(10), steady(10)), other=crosses)
+    assert happens("oncoming_lane", made).happened is expected
+
+
 @pytest.mark.parametrize(("length_m", "expected"), [(20, True), (60, False)])
 def test_swerving_is_quick(length_m, expected):
     assert happens("swerving", changing(length_m)).happened is expected

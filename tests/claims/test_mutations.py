@@ -46,6 +46,16 @@ def earlier_change(c, metres):
     return changed(c, "van", {"lane_changes": (moved,)})
 
 
+def comes_in_behind(c):
+    """As far behind as it was ahead, and the ego drives on."""
+    (change,) = c.participant("van").motion.lane_changes
+    van, ego = c.participant("van").body, c.ego.body
+    back = 2 * 15.0 + van.length_m + ego.length_m
+    moved = change.model_copy(update={"position_m": change.position_m - back})
+    c = changed(c, "van", {"start_m": start(c, "van") - back, "lane_changes": (moved,)})
+    return changed(c, "ego", speed_program=())
+
+
 def other_lane(c):
     (change,) = c.participant("van").motion.lane_changes
     out = change.model_copy(update={"lane_after": 2})
@@ -124,6 +134,8 @@ MUTATIONS = {
         lambda c: changed(c, "van", {"lane_changes": (), "exit_lane": 2}),
         "act.cut.side",
     ),
+    "it comes in as far behind": (CUTS_IN, comes_in_behind, "spacing.0"),
+    "who cuts in does so behind": (CUTS_IN, comes_in_behind, "hazard.0.cut_in"),
     "it cuts in earlier": (CUTS_IN, lambda c: earlier_change(c, 15.0), "spacing.0"),
     "it is another kind of vehicle": (
         CUTS_IN,

@@ -12,6 +12,7 @@ from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.concrete import Change
 from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.parameters import ParameterRange
@@ -63,17 +64,6 @@ def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> Functi
 def outward(functional: FunctionalScenario, side: Side) -> int:
     """1 if that side of one who drives is towards the kerb, -1 if towards the centre line."""
     return 1 if side.value == functional.junction.driving_side.value else -1
-
-
-def words_between(functional: FunctionalScenario, name: str, reference: str) -> frozenset[Approach]:
-    """Where somebody is said to be, seen from another; nothing is said of things."""
-    found: frozenset[Approach] = frozenset()
-    if reference == functional.ego.id:
-        found = found.union(*(p.approaches for p in functional.participants if p.id == name))
-    for relation in functional.relations:
-        if (relation.participant, relation.reference) == (name, reference):
-            found |= relation.approaches
-    return found
 
 
 def side_of(functional: FunctionalScenario, name: str, reference: str) -> Side | None:

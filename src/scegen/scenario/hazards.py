@@ -117,6 +117,7 @@ class HazardRow:
         moves: along or across the lane.
         needs: what it needs of the ways of both; empty: nothing.
         breaks: the rule of the road that it breaks.
+        then: how who causes it stands to who suffers it when it does so, of two in one line.
         acts: what who causes it does, where the text gives no act of it.
         speed_share: low, high and usual share of the limit that who causes it drives.
         more_of: the quantity of who causes it that makes more of it, and in which direction.
@@ -128,6 +129,7 @@ class HazardRow:
     moves: Motion
     needs: Mapping[Case, tuple[Arrangement, ...]] = field(default_factory=dict)
     breaks: RoadRule | None = None
+    then: Literal[Arrangement.AHEAD, Arrangement.BEHIND] | None = None
     acts: tuple[ActKind, ...] = ()
     speed_share: tuple[float, float, float] | None = None
     more_of: tuple[str, Literal[1, -1]] | None = None
@@ -180,6 +182,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=_FOLLOWED,
         suffers=(Party.FOLLOWER, *_EGO_OR_OTHERS),
         moves=Motion.ALONG,
+        then=Arrangement.AHEAD,
         needs=_BEHIND_ONE,
         acts=(ActKind.BRAKE,),
         more_of=("rate_mps2", 1),
@@ -194,6 +197,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=(Party.EGO, Party.FOLLOWER, Party.OTHER),
         suffers=(Party.LEADER, Party.CROSSING, *_EGO_OR_OTHERS),
         moves=Motion.ALONG,
+        then=Arrangement.BEHIND,
         needs={Case.ONE_ARM: (Arrangement.BEHIND,), Case.APART: (Arrangement.MEET,)},
         acts=(ActKind.BRAKE,),
         more_of=("rate_mps2", 1),
@@ -208,6 +212,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=_FOLLOWED,
         suffers=(Party.FOLLOWER, *_EGO_OR_OTHERS),
         moves=Motion.ALONG,
+        then=Arrangement.AHEAD,
         needs=_BEHIND_ONE,
         acts=(ActKind.STOP,),
     ),
@@ -220,6 +225,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=(Party.LEADER, Party.OTHER, Party.EGO),
         suffers=(Party.FOLLOWER, *_EGO_OR_OTHERS),
         moves=Motion.ALONG,
+        then=Arrangement.AHEAD,
         needs=_BEHIND_ONE,
         speed_share=(0.2, 0.5, 0.35),
         more_of=("speed_mps", -1),
@@ -234,6 +240,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=(Party.BESIDE, Party.OTHER, Party.EGO),
         suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
+        then=Arrangement.AHEAD,
         needs={
             Case.RING: (Arrangement.ONE_RING,),
             Case.ONE_ARM: (Arrangement.TOGETHER,),
@@ -262,6 +269,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=(Party.FOLLOWER, Party.OTHER, Party.EGO),
         suffers=(Party.LEADER, *_EGO_OR_OTHERS),
         moves=Motion.ALONG,
+        then=Arrangement.BEHIND,
         needs={Case.ANYWHERE: (Arrangement.BEHIND,)},
         breaks=RoadRule.SAFE_DISTANCE,
         more_of=("start_m", 1),
@@ -276,6 +284,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
         suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
+        then=Arrangement.AHEAD,
         needs={
             Case.PLAIN_ROAD: (Arrangement.TOGETHER,),
             Case.ANYWHERE: (Arrangement.MERGE,),

@@ -84,6 +84,18 @@ def test_what_is_usual_is_stretched_and_what_is_said_is_not(wider):
     assert tail == pytest.approx(wider * 1.8 * 60 / 3.6)
 
 
+def test_who_cuts_in_is_ahead_by_then_wherever_it_comes_from():
+    people = [ego(80), one("fast", "car", ["behind", *LEFT_LANE], speed=100)]
+    changes = act("changes", "fast", "change_lane", side="right", into="ego")
+    gap = apart("fast", "ego", "gap_m", 10.0, "changes")
+    told = story(road(people, acts=[changes], hazards=[("cut_in", "fast", "ego")], spacings=[gap]))
+    time_what_is_known(told)
+    place_all(told)
+    fast, moment = told.runners["fast"], told.begins_s["changes"]
+    assert gap_m(fast, told.ego, moment) == pytest.approx(10.0)
+    assert fast.at_m < told.ego.at_m
+
+
 def test_who_comes_over_is_ahead_of_the_one_into_whose_lane_it_comes():
     people = [ego(80, []), one("fast", "car", LEFT_LANE, speed=100)]
     told = story(road(people, acts=[act("changes", "ego", "change_lane", side="left")]))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
+from scegen.claims.hazards.in_line import leads, leads_once
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.view import View, lasting, longest_run
 from scegen.motion.friction import GRAVITY_MPS2
@@ -103,8 +104,8 @@ def stopping(view: View, by: str, _: str) -> list[Part]:
 
 
 SPEEDING = Predicate(speeding, pairwise=False, conflict=True)
-SLOW_DRIVING = Predicate(slow_driving, pairwise=False, conflict=True)
+SLOW_DRIVING = Predicate(slow_driving, pairwise=False, order=leads_once)
 SUDDEN_ACCELERATION = Predicate(sudden_acceleration, pairwise=False, conflict=True)
-HARD_BRAKING = Predicate(hard_braking, pairwise=False, conflict=True)
+HARD_BRAKING = Predicate(hard_braking, pairwise=False, order=leads)
 DELAYED_BRAKING = Predicate(delayed_braking)
-STOPPING = Predicate(stopping, pairwise=False, conflict=True)
+STOPPING = Predicate(stopping, pairwise=False, order=leads)

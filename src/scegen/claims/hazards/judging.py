@@ -36,9 +36,12 @@ class Couple:
 
 def hazard_pairs(hazard: Hazard) -> list[tuple[str, str]]:
     """(cause, sufferer) whom a predicate looks at; alone, both are the same."""
-    if not PREDICATES[hazard.kind].pairwise:
-        return [(by, by) for by in hazard.by]
-    return both_sides(hazard)
+    predicate = PREDICATES[hazard.kind]
+    if predicate.pairwise:
+        return both_sides(hazard)
+    others = hazard.to if predicate.order else ()
+    pairs = ([(by, to) for to in others if to != by] or [(by, by)] for by in hazard.by)
+    return [pair for those in pairs for pair in those]
 
 
 def both_sides(hazard: Hazard) -> list[tuple[str, str]]:
@@ -55,6 +58,17 @@ def decisive(view: View, hazard: Hazard) -> tuple[Floats, Floats]:
     if not best:
         return np.full(view.count, NEVER), np.full(view.count, np.nan)
     return _chosen(best, np.argmax if hazard.kind in _ANY_CULPRIT else np.argmin)
+
+
+def in_order(view: View, hazard: Hazard, time_s: Floats) -> Floats:
+    """Relative margin by which its causes are where they belong to endanger somebody (c,)."""
+    order = PREDICATES[hazard.kind].order
+    rows: dict[str, list[Floats]] = {}
+    for by, to in hazard_pairs(hazard):
+        if order is not None and by != to:
+            rows.setdefault(by, []).append(order(view, by, to, time_s).relative)
+    best = [np.max(margins, axis=0) for margins in rows.values()]
+    return np.asarray(np.min([*best, np.full(view.count, -NEVER)], axis=0))
 
 
 def _chosen(
@@ -115,8 +129,11 @@ def number(value: float) -> float | None:
 def _couples(view: View, hazard: Hazard) -> Iterator[list[Couple]]:
     """By cause, the couples with every sufferer."""
     groups: dict[str, list[Couple]] = {}
+    predicate = PREDICATES[hazard.kind]
     for by, to in hazard_pairs(hazard):
-        parts = PREDICATES[hazard.kind].test(view, by, to)
+        parts = predicate.test(view, by, to)
+        if predicate.order is not None and by != to:
+            parts = [*parts, predicate.order(view, by, to, parts[0].time_s)]
         weakest = _chosen([(part.relative, part.time_s) for part in parts], np.argmin)
         groups.setdefault(by, []).append(Couple(by, to, parts, *weakest))
     yield from groups.values()

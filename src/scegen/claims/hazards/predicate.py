@@ -35,6 +35,8 @@ class Part:
 
 Test = Callable[[View, str, str], list[Part]]
 """Conditions between who causes and who suffers; alone, both are the same."""
+Order = Callable[[View, str, str, Floats], Part]
+"""Where who causes it is, seen from who suffers it, when it does so (c,)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,12 +44,13 @@ class Predicate:
     """How a danger is recognised.
 
     ``pairwise``: between two; else one alone does it. ``conflict``: those two come near each
-    other by it, so that a target is about them.
+    other by it, so that a target is about them. ``order``: a condition that no amounts replace.
     """
 
     test: Test
     pairwise: bool = True
     conflict: bool = True
+    order: Order | None = None
 
 
 def at_least(

@@ -8,6 +8,7 @@ from scegen.claims.boxes import passes
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.conflict import conflict
 from scegen.claims.hazards.driving import braking_part
+from scegen.claims.hazards.in_line import comes_in_ahead, faces
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.view import View
 from scegen.claims.ways import Sideways
@@ -108,9 +109,9 @@ def sudden_turn(view: View, by: str, _: str) -> list[Part]:
     return [at_least("lateral acceleration", lateral.max(axis=1), limit, view.when(lateral), bound)]
 
 
-CUT_IN = Predicate(cut_in)
+CUT_IN = Predicate(cut_in, order=comes_in_ahead)
 SWERVING = Predicate(swerving, pairwise=False)
 LOSS_OF_CONTROL = Predicate(loss_of_control, pairwise=False)
-ONCOMING_LANE = Predicate(oncoming_lane, pairwise=False)
+ONCOMING_LANE = Predicate(oncoming_lane, pairwise=False, order=faces)
 OVERTAKING = Predicate(overtaking)
 SUDDEN_TURN = Predicate(sudden_turn, pairwise=False)

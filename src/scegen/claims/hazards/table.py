@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.claims.hazards.conflict import BEFORE, CONFLICT, DOES_NOT_YIELD, DRIVES_ON
+from scegen.claims.hazards.conflict import BEFORE, DOES_NOT_YIELD, DRIVES_ON, MERGING
 from scegen.claims.hazards.driving import (
     DELAYED_BRAKING,
     HARD_BRAKING,
@@ -30,7 +30,7 @@ PREDICATES: dict[HazardKind, Predicate] = {
     HazardKind.CROSSING_CYCLIST: BEFORE,
     HazardKind.CROSSING_ANIMAL: BEFORE,
     HazardKind.UNPROTECTED_LEFT_TURN: BEFORE,
-    HazardKind.MERGING_CONFLICT: CONFLICT,
+    HazardKind.MERGING_CONFLICT: MERGING,
     HazardKind.CUT_IN: CUT_IN,
     HazardKind.RED_LIGHT_RUNNING: DRIVES_ON,
     HazardKind.FAILURE_TO_YIELD: DOES_NOT_YIELD,

@@ -53,6 +53,7 @@ CONFLICT_WITHIN_M = 5.0
 """A TTC counts only for those who come this close."""
 DRIVES_ON = Threshold(1.4, "m/s", 0.5, "own: at least walking pace where it should stop")
 IN_TIME = Threshold(0.0, "s", 0.5, "own: who comes when the other has left endangers nobody")
+AHEAD = Threshold(0.0, "m", 2.0, "own: on its side of the other, however far")
 PASSES = Threshold(0.0, "m", 2.0, "own: from wholly behind to wholly ahead")
 ONCOMING = Threshold(1.0, "s", 0.5, "own: a second over the centre line")
 OCCLUDED = Threshold(0.4, "s", 0.2, "[UN157]: as long as a careful driver takes to see a risk")

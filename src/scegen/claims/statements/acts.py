@@ -42,6 +42,7 @@ from scegen.scenario.acts import (
     WhenMeasure,
 )
 from scegen.scenario.concrete import door_of
+from scegen.scenario.in_line import is_said_ahead
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
@@ -468,9 +469,10 @@ def _lasts_aside(told: Told, act: Act, view: View) -> Judged:
 def _at_measure(told: Told, act: Act, when: WhenMeasure, view: View) -> Judged:
     """The value somewhere within the step in which it begins."""
     step = _begins(told, act, view)
+    who, reference = when.participant, when.reference
+    ahead = is_said_ahead(told.functional, told.hazards, who, reference, act.id)
     values = [
-        measure_at(view, when.measure, when.participant, when.reference, step + n)
-        for n in (-1, 0, 1)
+        measure_at(view, when.measure, who, reference, step + n, ahead=ahead) for n in (-1, 0, 1)
     ]
     low, high = np.min(values, axis=0), np.max(values, axis=0)
     tolerance = tolerances.OF_MEASURE[when.measure]

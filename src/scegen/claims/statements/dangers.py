@@ -7,8 +7,8 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import Claim, ClaimKind, Judged, yes_or_no
-from scegen.claims.hazards.judging import decisive
+from scegen.claims.claim import Claim, ClaimKind, Judged
+from scegen.claims.hazards.judging import decisive, in_order
 from scegen.claims.moments import act_begins, speed_runs
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, plain
@@ -19,6 +19,8 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
 _SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
+_CLEARLY = 1.0
+"""The margin of what either happens or not: more than a search asks for."""
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _CROSSING = frozenset(
     {
@@ -108,13 +110,14 @@ def measured_out(told: Told, hazard: Hazard) -> list[Act]:
 
 
 def _as_said(told: Told, hazard: Hazard, view: View) -> Judged:
-    """What is said of it happens: its amounts are claims of their own."""
-    never = view.steps
+    """What is said of it happens, where it endangers somebody: its amounts are other claims."""
     begins = [
         act_begins(view, told.functional, told.logical, act) for act in measured_out(told, hazard)
     ]
     step = np.max(begins, axis=0)
-    return yes_or_no(step < never, view.time_of(step), view.time_of(step))
+    time_s = view.time_of(np.minimum(step, view.steps - 1))
+    margin = np.where(step < view.steps, _CLEARLY, -_CLEARLY)
+    return Judged(np.minimum(margin, in_order(view, hazard, time_s)), time_s, time_s)
 
 
 def _slower(told: Told, hazard: Hazard, view: View) -> Judged:
@@ -125,8 +128,10 @@ def _slower(told: Told, hazard: Hazard, view: View) -> Judged:
         for by in hazard.by
         for to in others
     ]
+    start_s = np.zeros(view.count)
     gain = np.min([*gains, np.full(view.count, np.inf)], axis=0)
-    return yes_or_no(gain > 0.0, np.zeros(view.count), np.zeros(view.count))
+    margin = np.where(gain > 0.0, _CLEARLY, -_CLEARLY)
+    return Judged(np.minimum(margin, in_order(view, hazard, start_s)), start_s, start_s)
 
 
 def _happens(told: Told, hazard: Hazard, view: View) -> Judged:

@@ -17,7 +17,8 @@ from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.scenario.concrete import door_of
-from scegen.scenario.spacings import CONTACT, START, Measure, Spacing
+from scegen.scenario.in_line import is_said_ahead
+from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
 from scegen.scenario.vocabulary import Side
 
 _COVERED_M = 0.02
@@ -51,10 +52,11 @@ def claims(told: Told) -> Iterator[Claim]:
                 does = "come to rest" if stops else f"ended its {plain(act.kind)}"
                 when = f"when {act.participant} has {does}"
         on = f" on the {spacing.side}" if spacing.side else ""
+        ahead = _is_ahead(told, spacing)
         yield Claim(
             id=f"spacing.{number}",
             kind=ClaimKind.SPACING,
-            statement=f"{_NAMES[spacing.measure]} of {spacing.participant} to {_to(spacing)} "
+            statement=f"{_NAMES[spacing.measure]} of {spacing.participant} {_to(spacing, ahead)} "
             f"is {amount(spacing.value)} {unit}{on} {when}",
             field=f"spacings.{number}",
             unit=unit,
@@ -64,9 +66,18 @@ def claims(told: Told) -> Iterator[Claim]:
         )
 
 
-def _to(spacing: Spacing) -> str:
+def _is_ahead(told: Told, spacing: Spacing) -> bool | None:
+    """Whether it is ahead of its reference then, where that is told."""
+    if spacing.measure not in LENGTHWISE:
+        return None
+    who, reference = spacing.participant, spacing.reference
+    return is_said_ahead(told.functional, told.hazards, who, reference, spacing.at, spacing.since)
+
+
+def _to(spacing: Spacing, ahead: bool | None) -> str:
     alone = spacing.participant == spacing.reference
-    return "the middle of its lane" if alone else spacing.reference
+    to = {None: "to", True: "ahead of", False: "behind"}[ahead]
+    return "to the middle of its lane" if alone else f"{to} {spacing.reference}"
 
 
 def _off_its_lane(told: Told, name: str, view: View, step: Ints) -> Floats:
@@ -90,7 +101,7 @@ def _off_its_lane(told: Told, name: str, view: View, step: Ints) -> Floats:
 
 def judge_spacing(told: Told, spacing: Spacing, view: View) -> Judged:
     """How far apart two are at the moment that is meant."""
-    who, reference = spacing.participant, spacing.reference
+    who, reference, ahead = spacing.participant, spacing.reference, _is_ahead(told, spacing)
     tolerance = tolerances.OF_MEASURE[spacing.measure]
     if spacing.at == CONTACT or _where_it_stands(told, spacing):
         # Where no contact is said, what counts is when they are nearest.
@@ -119,13 +130,13 @@ def judge_spacing(told: Told, spacing: Spacing, view: View) -> Judged:
         value = _off_its_lane(told, who, view, step)
         margin = within(value, spacing.value, tolerance)
         return Judged(np.where(step < view.steps, margin, np.nan), value, view.time_of(step))
-    value = measure_at(view, spacing.measure, who, reference, step, spacing.side)
+    value = measure_at(view, spacing.measure, who, reference, step, spacing.side, ahead)
     margin = within(value, spacing.value, tolerance)
     if spacing.at != START and spacing.measure is not Measure.LATERAL_GAP_M:
         # Somewhere within the step in which the act begins, or while it fades out.
         fades = round(_FADES_S / view.dt_s) if spacing.since == "end" else 1
         later = np.minimum(step + fades, view.steps - 1)
-        after = measure_at(view, spacing.measure, who, reference, later, spacing.side)
+        after = measure_at(view, spacing.measure, who, reference, later, spacing.side, ahead)
         low, high = np.minimum(value, after), np.maximum(value, after)
         passes = (low <= spacing.value.high) & (high >= spacing.value.low)
         margin = np.where(passes, np.maximum(margin, tolerance), margin)
@@ -146,9 +157,13 @@ def _where_it_stands(told: Told, spacing: Spacing) -> bool:
 
 
 def measure_at(
-    view: View, measure: Measure, who: str, reference: str, step: Ints, side: Side | None = None
-) -> Floats:
-    """A measure of somebody to a reference at a step of each candidate (c,)."""
+    view: View, measure: Measure, who: str, reference: str, step: Ints,
+    side: Side | None = None, ahead: bool | None = None,
+) -> Floats:  # fmt: skip
+    """A measure of somebody to a reference at a step of each candidate (c,).
+
+    One along the road is negative where who is said to be ahead, or not, is not there.
+    """
     if measure is Measure.LATERAL_GAP_M:
         return _alongside(view, who, reference, step)
     if measure in {Measure.LATERAL_OFFSET_M, Measure.OVERLAP_PERCENT}:
@@ -157,14 +172,17 @@ def measure_at(
     # A vehicle whose door opens is as near as its door, which heads across the road.
     doors = [name for name in (door_of(who), door_of(reference)) if name in view.index]
     if doors:
-        who, reference = doors[0], reference if doors[0] == door_of(who) else who
+        who, reference, ahead = doors[0], reference if doors[0] == door_of(who) else who, None
     # Along the ego's heading where it is one of the two: the other may go across.
     own, other = (who, reference) if who == view.concrete.ego.id else (reference, who)
     frame, box = box_at(view, own, step), box_at(view, other, step)
-    gap = gap_m(frame, box)
+    clear = free(frame, box)
+    gap, along = np.maximum(clear.front, clear.rear), same_way(frame, box)
+    if ahead is not None:
+        there = clear.front if ahead == (other == who) else clear.rear
+        gap = np.where(along > 0.0, there, gap)
     if measure is Measure.GAP_M:
         return gap
-    along = same_way(frame, box)
     follows = (seen(frame, box).x > 0.0) | (along < 0.0)
     speed, others = (at(view.speed_mps(name), step) for name in (own, other))
     if measure is Measure.HEADWAY_S:

@@ -12,11 +12,12 @@ from itertools import product
 
 from scegen.concretization.along.doors import endangered, inner_doors
 from scegen.concretization.along.story import Story
-from scegen.concretization.tale import SWERVING, outward, side_of, words_between
+from scegen.concretization.tale import SWERVING, outward, side_of
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
 from scegen.scenario.hazards import FROM_BESIDE
+from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import Assignment, Drive, InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure

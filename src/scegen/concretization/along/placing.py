@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Literal
 
+from scegen.concretization.along.ahead import comes_in, is_ahead
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import (
     JUST_M,
@@ -18,8 +20,8 @@ from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M, SLOWING
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.concretization.profile import NEVER_S
-from scegen.concretization.tale import words_between
-from scegen.scenario.acts import Act, ActKind, WhenMeasure
+from scegen.scenario.acts import Act, WhenMeasure
+from scegen.scenario.in_line import is_said_ahead, words_between
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
 from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
 
@@ -73,21 +75,25 @@ def _place(story: Story, gap: GapAt) -> None:
 
 
 def _said(story: Story) -> Iterator[GapAt]:
-    """The ties of the text: spacings along the road, and measures that set acts off."""
+    """The ties of the text: spacings along the road, and measures that set acts off.
+
+    Who has passed another comes back so far ahead of it as is said, wherever it starts.
+    """
+    back = {act.id for act in story.acts if story.comes_back(act)}
     for spacing in story.functional.spacings:
         pair = {spacing.participant, spacing.reference}
         known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
-        if known and spacing.at != CONTACT:
+        if known and spacing.at != CONTACT and spacing.at not in back:
             time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
             if spacing.since == "end":
                 time_s = _ends_s(story, story.act(spacing.at), pair, time_s)
-            yield _gap_at(story, spacing, time_s)
+            yield _gap_at(story, spacing, time_s, spacing.at, spacing.since)
     for act in story.acts:
         when = act.when
         if not isinstance(when, WhenMeasure) or when.measure not in LENGTHWISE:
             continue
         if {when.participant, when.reference} <= story.runners.keys() and act.id in story.begins_s:
-            yield _gap_at(story, when, story.begins_s[act.id])
+            yield _gap_at(story, when, story.begins_s[act.id], act.id)
 
 
 def _ends_s(story: Story, act: Act, pair: set[str], since_s: float) -> float:
@@ -98,43 +104,19 @@ def _ends_s(story: Story, act: Act, pair: set[str], since_s: float) -> float:
     return max((r for r in rests if r < NEVER_S), default=since_s)
 
 
-def _gap_at(story: Story, told: Spacing | WhenMeasure, time_s: float) -> GapAt:
+def _gap_at(
+    story: Story, told: Spacing | WhenMeasure, time_s: float, at: str,
+    since: Literal["begin", "end"] = "begin",
+) -> GapAt:  # fmt: skip
     who, other = told.participant, told.reference
-    ahead = is_ahead(story, who, other)
+    functional, same_way = (
+        story.functional,
+        story.runners[who].forward == story.runners[other].forward,
+    )
+    ahead = is_said_ahead(functional, functional.hazards, who, other, at, since)
+    if ahead is None or not same_way:
+        ahead = is_ahead(story, who, other)
     return GapAt(who, other, told.measure, told.value.middle, time_s, ahead, said=True)
-
-
-def is_ahead(story: Story, who: str, other: str) -> bool:
-    """Whether one is ahead of another as that one drives."""
-    first, second = story.runners[who], story.runners[other]
-    if first.forward != second.forward:
-        return True
-    for name, reference, sign in ((who, other, True), (other, who, False)):
-        words = words_between(story.functional, name, reference)
-        if (Approach.AHEAD in words) != (Approach.BEHIND in words):
-            return (Approach.AHEAD in words) == sign
-        comes_in = any(
-            act.participant == name and act.into == reference
-            and act.kind is ActKind.CHANGE_LANE for act in story.acts
-        )  # fmt: skip
-        mover, stays = story.runners[name], story.runners[reference]
-        over = _comes_in(mover, stays) is not None
-        if comes_in or (over and not stays.moves):
-            return sign != story.lets_by(name, reference)
-    if first.stands != second.stands:
-        return first.stands
-    order = story.ranks()
-    if order[who] != order[other]:
-        return order[who] < order[other]
-    if story.ego.id in {who, other}:
-        return who != story.ego.id
-    names = list(story.runners)
-    return names.index(who) < names.index(other)
-
-
-def _comes_in(mover: Runner, stays: Runner) -> Move | None:
-    """The move by which one comes into another's lane."""
-    return next((m for m in mover.moves if m.lane == stays.lane != mover.lane), None)
 
 
 def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool, bool, int]:
@@ -295,12 +277,12 @@ def _comes_over(front: Runner, back: Runner) -> Move | None:
 
 def _coming_over(story: Story, front: Runner, back: Runner) -> tuple[Measure, float, float] | None:
     """How close one comes in before another, or behind one that it has let by, and when."""
-    comes_in = _comes_over(front, back)
-    if comes_in is not None:
-        closing = back.speed_mps - front.speed_at_mps(comes_in.begins_s)
+    over = _comes_over(front, back)
+    if over is not None:
+        closing = back.speed_mps - front.speed_at_mps(over.begins_s)
         gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
-        return Measure.GAP_M, gap, comes_in.begins_s
-    behind = _comes_in(back, front) if story.lets_by(back.id, front.id) else None
+        return Measure.GAP_M, gap, over.begins_s
+    behind = comes_in(back, front) if story.lets_by(back.id, front.id) else None
     return None if behind is None else (Measure.HEADWAY_S, _CUTS_IN_S, behind.begins_s)
 
 

@@ -43,13 +43,14 @@ def give_up(stage: Stage, problem: Problem, claims: Collection[str]) -> None:
 def blocking(problem: Problem, best: Best) -> str:
     """Which demands the best candidate misses, and whether any candidate met them at all."""
     told = {claim.id: claim.statement for claim in problem.claims} | _MISSED
-    told["target"] = problem.target.text
     words = []
     for name, missed in sorted(best.missing.items(), key=lambda item: -item[1]):
-        if missed <= 0.0:
+        if missed <= 0.0 or name == "target":
             continue
         never = best.least.get(name, 0.0) > 0.0
         why = "never reached" if never else "not together with the rest"
         words.append(f"{told.get(name, name)} ({why})")
+    if not problem.space.variables:
+        return "what is said leaves no number open that could change it"
     tried = f"{problem.evaluations:,} candidates within what is realistic"
-    return f"blocked by {', '.join(words)} in {tried}"
+    return f"blocked by {', '.join(words)} in {tried}" if words else f"reached by none of {tried}"

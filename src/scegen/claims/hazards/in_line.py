@@ -1,0 +1,75 @@
+"""How who causes a danger stands to who suffers it, of two in one line.
+
+Amounts that the text gives take the place of thresholds; these conditions hold all the same.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scegen.claims.boxes import boxes, free, offset, same_way, seen
+from scegen.claims.hazards import thresholds as limits
+from scegen.claims.hazards.predicate import Part, at_least
+from scegen.claims.moments import first
+from scegen.claims.view import View
+from scegen.motion.batch.arrays import Bools, Floats
+
+_SAME_WAY = 0.9
+
+
+def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
+    """Its front is ahead of the other's middle when it comes from beside into that one's way.
+
+    Of those who do not touch one is wholly ahead then. Open where it never comes in, or touches
+    the other before.
+    """
+    frame, box = boxes(view, to), boxes(view, by)
+    clear = free(frame, box)
+    beside = np.maximum(clear.left, clear.right) > 0.0
+    inside = ~beside & (same_way(frame, box) > _SAME_WAY)
+    time = np.arange(view.steps) * view.dt_s
+    touch = np.nan_to_num(view.of_pair("contact_s", by, to), nan=np.inf)[:, None]
+    comes = np.maximum.accumulate(beside, axis=1) & _begins(inside) & (time <= touch + view.dt_s)
+    front = np.where(comes, seen(frame, box).front, -np.inf)
+    ahead = np.where(comes.any(axis=1), front.max(axis=1), np.inf)
+    return at_least("front ahead as it comes in", ahead, limits.AHEAD, view.when(front))
+
+
+def _begins(flags: Bools) -> Bools:
+    """The steps in which something is so that was not before (c, t)."""
+    before = np.zeros_like(flags)
+    before[:, 1:] = flags[:, :-1]
+    return flags & ~before
+
+
+def leads(view: View, by: str, to: str, time_s: Floats) -> Part:
+    """It does not drive behind the other then."""
+    gap = view.gap_m(by, to)[np.arange(view.count), view.step_of(time_s)]
+    return _not_behind(gap, time_s)
+
+
+def leads_once(view: View, by: str, to: str, time_s: Floats) -> Part:
+    """It does not drive behind the other all the time."""
+    return _not_behind(view.gap_m(by, to).min(axis=1), time_s)
+
+
+def _not_behind(gap_m: Floats, time_s: Floats) -> Part:
+    """By how much it is behind; open for two who are not in one line."""
+    ahead = np.where(np.isnan(gap_m), np.inf, -gap_m)
+    return at_least("not behind the other", ahead, limits.AHEAD, time_s)
+
+
+def faces(view: View, by: str, to: str, time_s: Floats) -> Part:
+    """Who comes towards it has not gone past yet when it has come over the centre line."""
+    frame, box = boxes(view, by), boxes(view, to)
+    towards = same_way(frame, box)[:, 0] < -_SAME_WAY
+    past = first(offset(frame, box)[0] < 0.0)
+    passes = np.where(towards & (past < view.steps), view.time_of(past), np.inf)
+    outs = [
+        view.reaches_s(by, (change.start_m + change.end_m) / 2)
+        for change in view.ways[by].changes
+        if change.change.lane_after == 0
+    ]
+    out = np.min([*outs, np.full(view.count, np.inf)], axis=0)
+    left = np.where(np.isfinite(out), passes - np.where(np.isfinite(out), out, 0.0), np.nan)
+    return at_least("over the line before the other is past", left, limits.IN_TIME, time_s)

@@ -1,0 +1,92 @@
+"""Who is ahead of whom when something is done, where a danger, an act or words tell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Literal
+
+from scegen.scenario.acts import LEAVING, Act, ActKind
+from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.hazards import HAZARDS, Arrangement, Motion
+from scegen.scenario.vocabulary import Approach, Maneuver
+
+_IN_LINE = frozenset({Maneuver.STRAIGHT, Maneuver.STAY})
+_SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
+
+
+def is_said_ahead(
+    functional: FunctionalScenario,
+    hazards: Iterable[Hazard],
+    who: str,
+    other: str,
+    at: str,
+    since: Literal["begin", "end"] = "begin",
+) -> bool | None:
+    """Whether one is ahead of another when an act begins or ends; None where nothing tells.
+
+    Who cuts in comes in ahead and who overtakes ends ahead, wherever they came from; who brakes
+    is ahead of whom that endangers. Else words of the start count, until one goes aside.
+    """
+    act = next((a for a in functional.acts if a.id == at), None)
+    if act is None:
+        return None
+    if act.participant in {who, other}:
+        passive = other if act.participant == who else who
+        ahead = _by_act(functional, hazards, act, passive, since)
+        if ahead is not None:
+            return ahead == (act.participant == who)
+    before = _are_still_in_line(functional, act, since, {who, other})
+    return _by_words(functional, who, other) if before else None
+
+
+def words_between(functional: FunctionalScenario, name: str, reference: str) -> frozenset[Approach]:
+    """Where somebody is said to be, seen from another; nothing is said of things."""
+    found: frozenset[Approach] = frozenset()
+    if reference == functional.ego.id:
+        found = found.union(*(p.approaches for p in functional.participants if p.id == name))
+    for relation in functional.relations:
+        if (relation.participant, relation.reference) == (name, reference):
+            found |= relation.approaches
+    return found
+
+
+def _by_act(
+    functional: FunctionalScenario, hazards: Iterable[Hazard], act: Act, other: str, since: str
+) -> bool | None:
+    """Whether who acts is ahead of another: as the danger that it makes has it."""
+    if act.kind is ActKind.OVERTAKE and other in functional.overtaken(act.participant):
+        return since == "end"
+    found = {
+        HAZARDS[hazard.kind].then is Arrangement.AHEAD
+        for hazard in hazards
+        if HAZARDS[hazard.kind].then and act.participant in hazard.by and other in hazard.to
+        and _makes(functional, act, hazard, other)
+    }  # fmt: skip
+    return found.pop() if len(found) == 1 else None
+
+
+def _makes(functional: FunctionalScenario, act: Act, hazard: Hazard, other: str) -> bool:
+    """Whether it is by this act that somebody endangers another; one comes in by its last one."""
+    if HAZARDS[hazard.kind].moves is not Motion.ACROSS:
+        return act.kind in _SLOWING
+    own = [a for a in functional.acts if a.participant == act.participant and a.kind in LEAVING]
+    into = [a for a in own if a.into == other and a.kind is not ActKind.OVERTAKE]
+    return act in own and act == (into or own)[-1]
+
+
+def _are_still_in_line(functional: FunctionalScenario, act: Act, since: str, two: set[str]) -> bool:
+    """Whether neither of two has gone aside or turned by an act: who is to do so, does it later."""
+    number = functional.acts.index(act) + (since == "end")
+    aside = [{a.participant for a in acts if a.kind in LEAVING}
+             for acts in (functional.acts[:number], functional.acts[number:])]  # fmt: skip
+    strays = {p.id for p in functional.participants if p.id in two and p.maneuvers - _IN_LINE}
+    return not two & aside[0] and strays <= aside[1]
+
+
+def _by_words(functional: FunctionalScenario, who: str, other: str) -> bool | None:
+    """Whether one is said to be ahead of another at the start."""
+    for name, reference, ahead in ((who, other, True), (other, who, False)):
+        words = words_between(functional, name, reference) & {Approach.AHEAD, Approach.BEHIND}
+        if len(words) == 1:
+            return (Approach.AHEAD in words) is ahead
+    return None
