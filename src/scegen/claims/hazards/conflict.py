@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
-from scegen.claims.hazards.in_line import comes_in_ahead
+from scegen.claims.hazards.in_line import merges_ahead
 from scegen.claims.hazards.predicate import NEVER, Part, Predicate, at_least
 from scegen.claims.view import View
 from scegen.claims.ways import Way
@@ -109,7 +109,7 @@ def _pace_mps(way: Way) -> float:
     return max((phase.target_speed_mps for phase in way.participant.speed_program), default=0.0)
 
 
-MERGING = Predicate(conflict, order=comes_in_ahead)
+MERGING = Predicate(conflict, order=merges_ahead)
 BEFORE = Predicate(before)
 DRIVES_ON = Predicate(drives_on)
 DOES_NOT_YIELD = Predicate(does_not_yield)

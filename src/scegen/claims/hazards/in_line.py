@@ -35,6 +35,13 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     return at_least("front ahead as it comes in", ahead, limits.AHEAD, view.when(front))
 
 
+def merges_ahead(view: View, by: str, to: str, time_s: Floats) -> Part:
+    """The same for one that changes lanes; where roads join, either may come first."""
+    if view.ways[by].changes:
+        return comes_in_ahead(view, by, to, time_s)
+    return at_least("front ahead", np.full(view.count, np.inf), limits.AHEAD, time_s)
+
+
 def _begins(flags: Bools) -> Bools:
     """The steps in which something is so that was not before (c, t)."""
     before = np.zeros_like(flags)
