@@ -41,7 +41,8 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
     if act.kind is ActKind.REVERSE:
         back = -view.row(act.participant, SPEED)
         fast = (back > back.max(axis=1, keepdims=True) - STANDS_MPS) & (back > STANDS_MPS)
-        return np.where(fast, np.arange(view.steps), begins[:, None]).max(axis=1)
+        last: Ints = np.where(fast, np.arange(view.steps), begins[:, None]).max(axis=1)
+        return last
     if act.kind is ActKind.WAIT:
         return rest(view, told.functional, act)[1]
     if act.kind is ActKind.OVERTAKE and _comes_back_by_another(told, act):
