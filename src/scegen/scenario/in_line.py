@@ -56,6 +56,8 @@ def _by_act(
     """Whether who acts is ahead of another: as the danger that it makes has it."""
     if act.kind is ActKind.OVERTAKE and other in functional.overtaken(act.participant):
         return since == "end"
+    if act.kind is ActKind.CHANGE_LANE and act.into == other and _passes(functional, act, other):
+        return True
     found = {
         HAZARDS[hazard.kind].then is Arrangement.AHEAD
         for hazard in hazards
@@ -63,6 +65,12 @@ def _by_act(
         and _makes(functional, act, hazard, other)
     }  # fmt: skip
     return found.pop() if len(found) == 1 else None
+
+
+def _passes(functional: FunctionalScenario, act: Act, other: str) -> bool:
+    """Whether it is how one who has passed another comes back in front of it."""
+    ways = functional.participant(act.participant).maneuvers
+    return Maneuver.OVERTAKE in ways or other in functional.overtaken(act.participant)
 
 
 def _makes(functional: FunctionalScenario, act: Act, hazard: Hazard, other: str) -> bool:
