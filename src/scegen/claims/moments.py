@@ -13,7 +13,7 @@ from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
-from scegen.scenario.acts import LEAVING, Act, ActKind
+from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.concrete import door_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -30,8 +30,6 @@ TURNS_RAD = 0.1
 ASIDE_MPS = 0.05
 """Who goes sideways faster than this is on its way to there."""
 _GOES_ON_S = 0.4
-SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
-GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 
 
 def first(flags: Bools) -> Ints:

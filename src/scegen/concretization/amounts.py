@@ -12,13 +12,11 @@ from scegen.concretization.limits import (
     STOPPING_MPS2,
     SUDDEN_ACCELERATION_MPS2,
 )
-from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterAct, When
+from scegen.scenario.acts import GAINING, LETS_BY, SLOWING, Act, ActKind, AfterAct, When
 from scegen.scenario.bodies import Body
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind
 
-SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
-GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 OUT_AND_BACK = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
 ASIDE = OUT_AND_BACK | {ActKind.CHANGE_LANE}
 BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import takewhile
 
-from scegen.concretization.amounts import GAINING, change_of_speed, falls_back, goes_on_when_free
+from scegen.concretization.amounts import change_of_speed, falls_back, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
@@ -14,7 +14,7 @@ from scegen.concretization.moments import begins_s
 from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s
-from scegen.scenario.acts import ActKind, AfterAct, AfterStart, BeforeJunction
+from scegen.scenario.acts import GAINING, ActKind, AfterAct, AfterStart, BeforeJunction
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
 

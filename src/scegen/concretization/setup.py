@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from scegen.concretization.amounts import AS_LONG_AS_NEEDED_S, GAINING, SLOWING, spelled_out
+from scegen.concretization.amounts import AS_LONG_AS_NEEDED_S, spelled_out
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.others import StandDraft, WalkDraft
 from scegen.concretization.tale import Tale
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import RoadNetwork, Route
-from scegen.scenario.acts import Act, ActKind, AfterAct
+from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS

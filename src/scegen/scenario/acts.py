@@ -101,11 +101,12 @@ LASTING = frozenset(ActKind) - {
     ActKind.REVERSE,
 }
 """What may take as long as is said; the others follow from ways and speeds."""
+SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
+GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
+"""Acts by which somebody becomes slower, or faster."""
 LEAVING = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
 """Acts by which somebody leaves its lane."""
-FAR = frozenset(
-    {ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF, ActKind.REVERSE}
-) | {ActKind.CROSS}
+FAR = SLOWING | GAINING | {ActKind.REVERSE, ActKind.CROSS}
 """What may go on for as far as is said; who crosses then stops there, before the far kerb."""
 
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal
 
-from scegen.scenario.acts import LEAVING, Act, ActKind
+from scegen.scenario.acts import LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Motion
 from scegen.scenario.vocabulary import Approach, Maneuver
 
 _IN_LINE = frozenset({Maneuver.STRAIGHT, Maneuver.STAY})
-_SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 
 
 def is_said_ahead(
@@ -76,7 +75,7 @@ def _passes(functional: FunctionalScenario, act: Act, other: str) -> bool:
 def _makes(functional: FunctionalScenario, act: Act, hazard: Hazard, other: str) -> bool:
     """Whether it is by this act that somebody endangers another; one comes in by its last one."""
     if HAZARDS[hazard.kind].moves is not Motion.ACROSS:
-        return act.kind in _SLOWING
+        return act.kind in SLOWING
     own = [a for a in functional.acts if a.participant == act.participant and a.kind in LEAVING]
     into = [a for a in own if a.into == other and a.kind is not ActKind.OVERTAKE]
     return act in own and act == (into or own)[-1]

@@ -8,23 +8,12 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import (
-    ASIDE_MPS,
-    GAINING,
-    SLOWING,
-    act_begins,
-    act_run,
-    at,
-    first,
-    is_level,
-    passed,
-    rest,
-)
+from scegen.claims.moments import ASIDE_MPS, act_begins, act_run, at, first, is_level, passed, rest
 from scegen.claims.told import Told
 from scegen.claims.tolerances import STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Floats, Ints
-from scegen.scenario.acts import LEAVING, Act, ActKind
+from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
 
 SWERVES_M = 0.3
 """Less to the side is no swerve."""

@@ -12,17 +12,7 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import box_at, boxes, contact, free, offset, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always, within
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import (
-    GAINING,
-    SLOWING,
-    act_begins,
-    act_run,
-    at,
-    first,
-    passed,
-    rest,
-    sideways_begin,
-)
+from scegen.claims.moments import act_begins, act_run, at, first, passed, rest, sideways_begin
 from scegen.claims.statements.act_ends import SWERVES_M, act_ends, aside_over
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
@@ -32,7 +22,9 @@ from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
 from scegen.motion.doors import WAY_M
 from scegen.scenario.acts import (
+    GAINING,
     LEAVING,
+    SLOWING,
     Act,
     ActKind,
     AfterAct,

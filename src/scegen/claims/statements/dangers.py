@@ -14,11 +14,10 @@ from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 
-_SLOWS = frozenset({ActKind.BRAKE, ActKind.STOP})
 _CLEARLY = 1.0
 """The margin of what either happens or not: more than a search asks for."""
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
@@ -30,10 +29,10 @@ _CROSSING = frozenset(
     }
 )
 MADE_BY: dict[HazardKind, frozenset[ActKind]] = {
-    HazardKind.HARD_BRAKING: _SLOWS,
-    HazardKind.DELAYED_BRAKING: _SLOWS,
-    HazardKind.STOPPING: _SLOWS,
-    HazardKind.SUDDEN_ACCELERATION: frozenset({ActKind.ACCELERATE, ActKind.SET_OFF}),
+    HazardKind.HARD_BRAKING: SLOWING,
+    HazardKind.DELAYED_BRAKING: SLOWING,
+    HazardKind.STOPPING: SLOWING,
+    HazardKind.SUDDEN_ACCELERATION: GAINING,
     HazardKind.CUT_IN: _ASIDE,
     HazardKind.SWERVING: _ASIDE,
 }

@@ -11,11 +11,12 @@ from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, same_way, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import SLOWING, act_begins, at, comes_to_rest
+from scegen.claims.moments import act_begins, at, comes_to_rest
 from scegen.claims.statements.act_ends import act_ends
 from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.scenario.acts import SLOWING
 from scegen.scenario.concrete import door_of
 from scegen.scenario.in_line import is_said_ahead
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
@@ -60,7 +61,7 @@ def claims(told: Told) -> Iterator[Claim]:
             f"is {amount(spacing.value)} {unit}{on} {when}",
             field=f"spacings.{number}",
             unit=unit,
-            test=partial(judge_spacing, told, spacing),
+            test=partial(judge_spacing, told, spacing, ahead=ahead),
             tolerance=tolerances.OF_MEASURE[spacing.measure],
             scale=20.0 if unit == "%" else 2.0 if unit == "m" else 0.5,
         )
@@ -99,9 +100,9 @@ def _off_its_lane(told: Told, name: str, view: View, step: Ints) -> Floats:
     return np.asarray(off * np.where(arm.facing(box) >= 0.0, 1.0, -1.0))
 
 
-def judge_spacing(told: Told, spacing: Spacing, view: View) -> Judged:
-    """How far apart two are at the moment that is meant."""
-    who, reference, ahead = spacing.participant, spacing.reference, _is_ahead(told, spacing)
+def judge_spacing(told: Told, spacing: Spacing, view: View, *, ahead: bool | None = None) -> Judged:
+    """How far apart two are at the moment that is meant; ``ahead``: which way round, if told."""
+    who, reference = spacing.participant, spacing.reference
     tolerance = tolerances.OF_MEASURE[spacing.measure]
     if spacing.at == CONTACT or _where_it_stands(told, spacing):
         # Where no contact is said, what counts is when they are nearest.

@@ -10,20 +10,13 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import (
-    GAINING,
-    SLOWING,
-    act_begins,
-    at,
-    first,
-    speed_runs,
-)
+from scegen.claims.moments import act_begins, at, first, speed_runs
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, plain, speed_words
 from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Floats, Ints
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import GAINING, SLOWING, ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Crossing

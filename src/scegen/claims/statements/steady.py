@@ -12,12 +12,12 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind, Judged
-from scegen.claims.moments import GAINING, STANDS_MPS, at
+from scegen.claims.moments import STANDS_MPS, at
 from scegen.claims.statements.speeds import SPEED_CHANGES
 from scegen.claims.told import KPH, Told
 from scegen.claims.tolerances import SPEED_MPS
 from scegen.claims.view import View
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import GAINING, ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import JunctionKind, Maneuver

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import ASIDE, GAINING, SLOWING, spelled_out
-from scegen.scenario.acts import Act, ActKind, AfterAct
+from scegen.concretization.amounts import ASIDE, spelled_out
+from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive

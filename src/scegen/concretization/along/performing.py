@@ -8,12 +8,12 @@ from scegen.concretization.along.auxiliary import GAINS_MPS2, LOSES_MPS2, RAMP_M
 from scegen.concretization.along.doors import door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import GAINING, SLOWING, change_of_speed, lasting_s
+from scegen.concretization.amounts import change_of_speed, lasting_s
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S, REACTION_S
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import outward, pace_of
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterStart
 from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.vocabulary import HazardKind, Side
 

@@ -17,10 +17,10 @@ from scegen.concretization.along.spacing import (
     place_just_missed,
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
-from scegen.concretization.amounts import CLOSEST_M, SLOWING
+from scegen.concretization.amounts import CLOSEST_M
 from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
 from scegen.concretization.profile import NEVER_S
-from scegen.scenario.acts import Act, WhenMeasure
+from scegen.scenario.acts import SLOWING, Act, WhenMeasure
 from scegen.scenario.in_line import is_said_ahead, words_between
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
 from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
@@ -109,12 +109,10 @@ def _gap_at(
     since: Literal["begin", "end"] = "begin",
 ) -> GapAt:  # fmt: skip
     who, other = told.participant, told.reference
-    functional, same_way = (
-        story.functional,
-        story.runners[who].forward == story.runners[other].forward,
-    )
-    ahead = is_said_ahead(functional, functional.hazards, who, other, at, since)
-    if ahead is None or not same_way:
+    ahead, functional = None, story.functional
+    if story.runners[who].forward == story.runners[other].forward:
+        ahead = is_said_ahead(functional, functional.hazards, who, other, at, since)
+    if ahead is None:
         ahead = is_ahead(story, who, other)
     return GapAt(who, other, told.measure, told.value.middle, time_s, ahead, said=True)
 
@@ -235,12 +233,12 @@ def _usual(
         met = back if backing is front else front
         closing_m = met.profile.way_m(_MEETS_S) * (1 if backing is front else -1)
         return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M + closing_m, 0.0
-    if _comes_over(front, back) is not None and _side_on(story, front, back):
-        return None
-    over = _coming_over(story, front, back)
+    over = _comes_over(front, back)
     if over is not None:
-        measure, value, time_s = over
-        return measure, value * wider, time_s
+        return None if _side_on(story, front, back) else _cutting_in(front, back, over, wider)
+    let_by = comes_in(back, front) if story.lets_by(back.id, front.id) else None
+    if let_by is not None:
+        return Measure.HEADWAY_S, _CUTS_IN_S * wider, let_by.begins_s
     if front.lane != back.lane:
         diagonal = words_between(story.functional, runner.id, other.id) & {
             Approach.AHEAD,
@@ -275,15 +273,13 @@ def _comes_over(front: Runner, back: Runner) -> Move | None:
     return next((m for lanes, m in others if back.lane in lanes), None)
 
 
-def _coming_over(story: Story, front: Runner, back: Runner) -> tuple[Measure, float, float] | None:
-    """How close one comes in before another, or behind one that it has let by, and when."""
-    over = _comes_over(front, back)
-    if over is not None:
-        closing = back.speed_mps - front.speed_at_mps(over.begins_s)
-        gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
-        return Measure.GAP_M, gap, over.begins_s
-    behind = comes_in(back, front) if story.lets_by(back.id, front.id) else None
-    return None if behind is None else (Measure.HEADWAY_S, _CUTS_IN_S, behind.begins_s)
+def _cutting_in(
+    front: Runner, back: Runner, over: Move, wider: float
+) -> tuple[Measure, float, float]:
+    """How close one comes over before another, and when."""
+    closing = back.speed_mps - front.speed_at_mps(over.begins_s)
+    gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
+    return Measure.GAP_M, gap * wider, over.begins_s
 
 
 def _seen_before_s(story: Story, door: Runner, other: Runner) -> float:

@@ -14,7 +14,6 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import (
     CHANGES_MPS,
     CLOSEST_M,
-    SLOWING,
     falls_back,
     goes_on_when_free,
     hardest_mps2,
@@ -32,7 +31,7 @@ from scegen.concretization.traffic import (
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.motion.trigger_steps import STEP_S
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
-from scegen.scenario.acts import AfterAct
+from scegen.scenario.acts import SLOWING, AfterAct
 
 _LATEST_S = 40.0
 _TIMES_S = np.arange(0.0, _LATEST_S, STEP_S)

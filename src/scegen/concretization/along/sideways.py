@@ -51,10 +51,12 @@ def offset_all(story: Story) -> None:
     ego = story.ego
     for name in outcome.between:
         runner = story.runners.get(name)
-        kept = name in told and not (ego.moves or story.runners[name].moves)
-        if runner is not None and runner is not ego and not kept:
-            left = (0.5 - story.impact_share) * ego.body.width_m
-            _put_aside(runner, ego, left, in_the_end=True)
+        if runner is None or runner is ego:
+            continue
+        if name in told and not (ego.moves or runner.moves):
+            continue  # it stays where it is said to be
+        left = (0.5 - story.impact_share) * ego.body.width_m
+        _put_aside(runner, ego, left, in_the_end=True)
 
 
 def _in_passing(story: Story, spacing: Spacing) -> bool:

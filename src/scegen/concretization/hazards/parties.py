@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.concretization.amounts import GAINING
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import drives_meet
 from scegen.concretization.setup import Setup
 from scegen.measures.grounds import grounds
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import GAINING, ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind
 

@@ -12,7 +12,7 @@ from math import cos, sin
 
 import numpy as np
 
-from scegen.concretization.amounts import SLOWING, change_of_speed
+from scegen.concretization.amounts import change_of_speed
 from scegen.concretization.backing import back_straight, reversing_mps, stand_square
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import REVERSING_MPS2
@@ -20,6 +20,7 @@ from scegen.concretization.meetings import DANGER, Meeting, sampled
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
+from scegen.scenario.acts import SLOWING
 from scegen.scenario.vocabulary import BodySide
 
 _HELD_S = 1.5

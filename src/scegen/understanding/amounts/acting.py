@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
@@ -17,7 +17,6 @@ from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import quantity_at
 
 _CHANGING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
-_SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
 
@@ -52,7 +51,7 @@ def _come_to_rest(found: list[Doing]) -> None:
     for entity in resting.values():
         for basis in entity.rests:
             at = basis.i or 0
-            slowed = [d for d in found if d.entity is entity and d.kind in _SLOWING and d.i < at]
+            slowed = [d for d in found if d.entity is entity and d.kind in SLOWING and d.i < at]
             for doing in slowed[-1:]:
                 doing.told.append(at)
                 if doing.kind is ActKind.BRAKE:
@@ -177,7 +176,7 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     """Whether the same is only told another time: no words of order, and no other sentence part."""
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if before is None or before.kind is not doing.kind:
-        if before is None or not {before.kind, doing.kind} <= _SLOWING:
+        if before is None or not {before.kind, doing.kind} <= SLOWING:
             return False
         if before.kind is ActKind.STOP:  # "stops with a deceleration of 3 m/s²"
             same = text.bounds(before.i) == text.bounds(doing.i) and doing.nominal
