@@ -17,6 +17,9 @@ _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
                    ActKind.OPEN_DOOR})  # fmt: skip
 
+_BEGINNING = frozenset({"try", "light", "inert"})
+"""``starts to brake``: what is begun is told after it."""
+
 
 def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doing | str:
     """An act, the contact or the start.
@@ -47,7 +50,7 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     here_into = [a for a in here if a.kind in _INTO] + pulls_out
     if not here_into and (measure is Measure.TTC_S or figure.words_around.closes("at_that")):
         # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
-        here_into = [a for a in here if told & a.places]
+        here_into = [a for a in here if told & a.places] or _opens_with(figure, acts)
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
 
 
@@ -59,6 +62,15 @@ def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing
     leader = text.in_file(one, other)[1]
     later = next((a for a in acts if a.kind in _ANSWERING and a.always), None)
     return later if later is not None and later.entity is leader else START
+
+
+def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
+    """``at a TTC of 2 s the lead car brakes``: what the clause tells that it opens."""
+    text = figure.text
+    if any(figure.start <= m.i < figure.i for m in text.mentions):
+        return []
+    verbs = [c.event for c in text.within(figure.j, figure.end) if c.event.name not in _BEGINNING]
+    return [a for a in acts if a.places & {verb.i for verb in verbs[:1]}]
 
 
 def _in_trigger(doing: Doing, figure: Figure) -> bool:

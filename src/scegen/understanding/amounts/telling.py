@@ -14,7 +14,7 @@ from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 
 ANY: frozenset[ActKind] = frozenset(ActKind)
-_ENDS = frozenset({".", ";", "!", "?", "\n"})
+_ENDS = frozenset({".", ";", "!", "?"})
 
 
 class Telling:

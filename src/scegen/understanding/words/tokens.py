@@ -8,13 +8,14 @@ from unicodedata import normalize
 
 from scegen.understanding.lexicon import load
 from scegen.understanding.words.lemmas import lemmas
+from scegen.understanding.words.lines import laid_out
 from scegen.understanding.words.spelling import meant
 
 _TOKEN = re.compile(
     r"(?P<plain>[A-Za-z]{3,}(?=[ ,.]))"
     r"|(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
     r"|(?P<bound>\b[NSEWnsew]/[Bb]\b)"
-    r"|(?P<unit>(?:\b|(?<=\d))(?:m|ft)\s?(?:/|per)\s?s(?:ec)?\.?(?:\^|\*\*)?[2²]|%)"
+    r"|(?P<unit>(?:\b|(?<=\d))(?i:m|ft)\s?(?:/|(?i:per))\s?(?i:s(?:ec)?)\.?(?:\^|\*\*)?[2²]|%)"
     r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
     r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
     r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
@@ -24,6 +25,7 @@ _TOKEN = re.compile(
     r"|(?P<arrow>→|⇒|[-–=]{1,2}>)"
     r"|(?P<tolerance>±|\+\s?/?\s?[-−–])"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
+    r"|(?P<mark>[-–—/|])"
 )
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
              "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
@@ -35,6 +37,8 @@ _POINT = re.compile(
 """A full stop that only shortens a word: a sentence would go on with a capital letter."""
 _WITHIN = re.compile(r"\.(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d|[MEGS]\b)")
 """What every such full stop has after it, as few others have."""
+_LAYOUT = re.compile(r"\n|,[^,.;!?]{1,40}:|\s[-–—/|]|—|^\W*\(?\w{1,2}[.)]\s")
+"""What texts have whose layout says something."""
 _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
@@ -69,7 +73,7 @@ class Token:
 
 
 def tokenize(text: str) -> list[Token]:
-    """Tokens in order; hyphens, slashes and other marks only separate.
+    """Tokens in order; hyphens, slashes and other marks within words only separate.
 
     Args:
         text: any string.
@@ -82,11 +86,16 @@ def tokenize(text: str) -> list[Token]:
     if _WITHIN.search(text):
         points = {m.start(m.lastgroup or 0) for m in _POINT.finditer(text)}
     known = load().words
+    layout = laid_out(text) if _LAYOUT.search(text) else {}
     for match in _TOKEN.finditer(text):
         start, end = match.span()
-        if start in points:
-            continue
         group, written = match.lastgroup or "punct", match.group()
+        mark = layout.get(start, "" if group == "mark" else None)
+        if start in points or mark == "":
+            continue
+        if mark is not None:
+            found.append(Token(written, mark, start, end, "punct", ((mark, "base"),)))
+            continue
         kind = _KINDS.get(group, group)
         low = written.lower() if group in _BARE else _spelt(written, group)
         inflected = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
