@@ -8,7 +8,8 @@ from scegen.understanding import read
 from scegen.understanding.words.tokens import tokenize
 
 LEAD = [
-    "The ego drives at 50 km/h behind a car at 30 km/h. The gap is 20 m. The car brakes with 5 m/s2.",
+    "The ego drives at 50 km/h behind a car at 30 km/h. The gap is 20 m. The car brakes with "
+    "5 m/s2.",
     "Ego: 50 km/h\nLead car: 30 km/h\nGap: 20 m\nLead car brakes with 5 m/s2",
     "- Ego: 50 km/h\n- Lead car: 30 km/h\n- Gap: 20 m\n- Lead car brakes with 5 m/s2",
     "* Ego 50 km/h\n* Lead car 30 km/h, gap 20 m\n* Lead car brakes with 5 m/s2",
@@ -35,8 +36,7 @@ CUT_IN = [
     "Ego:\n- speed 50 km/h\n- right lane\nTarget:\n- car in the left lane\n- 60 km/h\n"
     "- cuts in 15 m ahead of the ego",
     "Cut-in - ego 50 km/h, a car at 60 km/h from the left lane cuts in 15 m ahead of it.",
-    "Cut-in of a car\nEgo: 50 km/h\nTarget: car, left lane, 60 km/h, cuts in 15 m ahead of "
-    "the ego",
+    "Cut-in of a car\nEgo: 50 km/h\nTarget: car, left lane, 60 km/h, cuts in 15 m ahead of the ego",
     "Title: Cut-in from the left\nDescription: A car at 60 km/h in the left lane cuts in 15 m "
     "ahead of the ego, which drives at 50 km/h.",
 ]

@@ -63,6 +63,7 @@ class Mention(NounPhrase):
         joined: the mention that it is joined to by "and".
         same_as: the mention that it describes further ("vehicle 1, a sedan, …").
         partitive: one of a set named after it ("one of the cars").
+        listed: one of those who were counted before ("two cars, a taxi and a van").
         whole: the set that it is a part of.
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
         landmark: others are placed by it ("behind it there is a van").
@@ -91,6 +92,7 @@ class Mention(NounPhrase):
     joined: Mention | None = None
     same_as: Mention | None = None
     partitive: bool = False
+    listed: bool = False
     whole: Mention | None = None
     ranked: tuple[Mention, int] | None = None
     landmark: bool = False

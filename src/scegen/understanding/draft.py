@@ -76,6 +76,8 @@ class Entity:
     dirs: set[str] = field(default_factory=set)
     named_by: set[str] = field(default_factory=set)
     loci: set[str] = field(default_factory=set)
+    nears: bool = False
+    """It comes towards somebody, from wherever."""
     approaches: set[Approach] = field(default_factory=set)
     approach_basis: Basis | None = None
     maneuvers: set[Maneuver] = field(default_factory=set)

@@ -27,6 +27,7 @@ from scegen.understanding.phrases.entries import read_entries
 from scegen.understanding.phrases.headings import announce, silence
 from scegen.understanding.phrases.identity import in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
+from scegen.understanding.phrases.listed import list_them
 from scegen.understanding.phrases.on_sides import each_of
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat
@@ -93,7 +94,7 @@ def read(text: str) -> FunctionalScenario:
     chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
     chunks = name_turned_into(name_roads(name_hiders(chunks), tokens), tokens)
     chunks = read_entries(in_brackets(under_test(chunks, tokens)))
-    chunks = spell_out(announce(each_of(chunks)))
+    chunks = spell_out(announce(list_them(each_of(chunks))))
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)

@@ -33,12 +33,13 @@ def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
 
 
 def _alike(text: Telling) -> None:
-    """``equally fast``, ``at the same speed``: as fast as the other."""
+    """``equally fast``, ``at the same speed``: as fast as the other, or as who is told of."""
     span = text.find("alike", 0, len(text.tokens))
     if span is not None:
         named = text.spoken_of(*text.bounds(span[0]))
         who = list(dict.fromkeys(e for e in reversed(named) if not e.parked))
-        known = [e for e in who if e.speed is not None]
+        before = reversed(text.spoken_of(0, span[0]))
+        known = [e for e in (*who, *before) if e.speed is not None]
         for model in known[:1]:
             _give(who, model, Basis(*span), "as fast as the other")
 

@@ -12,6 +12,7 @@ from scegen.understanding.happenings import Item
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 
+_ANY = ThingKind.OBSTACLE.value
 _MOST = 5
 _NEAR = 4
 _SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
@@ -55,12 +56,20 @@ def _lie_in_the_way(danger: Danger, text: Telling) -> None:
     if listed and any(e.still for e in text.draft.entities):
         text.draft.dangers = [d for d in text.draft.dangers if d is not danger]
         return  # "two obstacles: a pedestrian and a bus"
+    named = [t for k, t in enumerate(named) if not _again(t, named[:k])]
     for thing in named:
         number = thing.mod("num")
         for _ in range(min(int(number.data["number"]), _MOST) if number is not None else 1):
             item = item_of(thing, text)
             item.blocks, item.blocked = True, _who_reacts(thing, text)
             _add(item, danger, text)
+
+
+def _again(thing: Thing, before: list[Thing]) -> bool:
+    """``a crate lies there; the ego hits the crate``, ``… the obstacle``: named already."""
+    known = {kind_of(t) for t in before}
+    definite = any(m.value == "def" for m in thing.mods) and thing.mod("num") is None
+    return definite and (kind_of(thing) in known or (bool(known) and kind_of(thing) == _ANY))
 
 
 def _who_reacts(thing: Thing, text: Telling) -> Entity | None:
@@ -77,7 +86,7 @@ def _who_reacts(thing: Thing, text: Telling) -> Entity | None:
 def _stands_for_others(thing: Thing, text: Telling) -> bool:
     """``two obstacles …: a pedestrian …``: a word for those who are named."""
     colon = " : " in text.low(thing.j, text.bounds(thing.i)[1])
-    return colon and kind_of(thing) == ThingKind.OBSTACLE.value
+    return colon and kind_of(thing) == _ANY
 
 
 def _hide(danger: Danger, text: Telling) -> None:

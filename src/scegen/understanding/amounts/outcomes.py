@@ -140,11 +140,16 @@ def _before_it(event: Event, text: Telling) -> bool:
 
 def _of_phrases(text: Telling) -> list[Ending]:
     spans = {n: text.find(n, 0, len(text.tokens)) for n in ("near_miss", "avoided", "collision")}
-    return [
-        Ending(OutcomeKind(name), Basis(*span), _around(span[0], None, text))
-        for name, span in spans.items()
-        if span is not None
-    ]
+    found = []
+    for name, span in spans.items():
+        if span is None:
+            continue
+        between = _around(span[0], None, text)
+        named = text.spoken_of(*text.bounds(span[0]))
+        if text.ego in named and text.ego not in between:
+            between = []  # "sees two walkers and lets them get across unharmed"
+        found.append(Ending(OutcomeKind(name), Basis(*span), between))
+    return found
 
 
 def _of_nouns(text: Telling) -> list[Ending]:

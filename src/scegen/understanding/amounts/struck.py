@@ -25,7 +25,12 @@ def struck(ending: Ending, text: Telling) -> None:
     start, end = text.bounds(ending.basis.i or 0)
     places = [c for c in text.chunks if isinstance(c, Place) and start <= c.i < end]
     roads = [c for c in text.chunks if isinstance(c, Place) and c.kind in _ROADS]
-    for place in [p for p in places if p.kind in _BODY]:
+    parts = [(p, _portion(p, text)) for p in places]  # "the right corner of its front"
+    portions = {id(portion) for place, portion in parts if portion is not place}
+    for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
+        held = place.prep is not None and place.prep.value == "with"
+        if held and place.i < (ending.basis.i or 0):
+            continue  # "with his back to the ego he is hit"
         of_road = any(c.i == place.j + 1 for c in roads) and text.tokens[place.j].low == "of"
         if text.tokens[place.i - 2].low == "overlap" or of_road:
             continue

@@ -126,8 +126,11 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     """
     verb, target = state.last, prep.target
     if isinstance(target, Place):
-        passed = verb is not None and verb.passive and verb.name in _PASSING
-        return passed and target.kind == "side" and prep.value == "in"
+        passed = verb is not None and verb.name in _PASSING and prep.value == "in"
+        side = verb is not None and verb.passive and target.kind == "side"
+        # "passes a truck in the left lane"; who is in the right lane is passed
+        lane = verb is not None and verb.object is whom and target.kind == "lane"
+        return passed and (side or (lane and "left" in target.dirs))
     if not isinstance(target, Mention) or target.pronoun is None or prep.word.cat != "locus":
         return False
     if whom.prep is not None and whom.prep.value == "of":

@@ -75,13 +75,18 @@ def _rates(thing: Thing, tokens: list[Token]) -> bool:
 
 
 def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
-    """``a bus (length 12 m, speed 45 km/h)``: the noun that the brackets follow."""
+    """``a bus (length 12 m, speed 45 km/h)``: the noun that the brackets follow.
+
+    In "the van ahead of the ego (70 km/h) brakes" they follow all that is said of the van.
+    """
+    after = next((c for c in chunks[k + 1 :] if getattr(c, "value", "") != ")"), None)
     for m in range(k - 1, max(0, k - _FARTHEST), -1):
         if isinstance(chunks[m], Mention | Event) or getattr(chunks[m], "value", "") == ")":
             return None
         if getattr(chunks[m], "value", "") == "(":
             before = chunks[m - 1]
-            own = isinstance(before, Mention) and before.prep is None and not before.possessor
+            own = isinstance(before, Mention) and not before.possessor
+            own = own and (before.prep is None or not isinstance(after, Event))
             return before if own and isinstance(before, Mention) else None
     return None
 

@@ -49,11 +49,15 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     if not opens or event.form not in {"base", "ing"}:
         return None
     verb = replace(event, form="s", nominal=False)
-    after, who_else = chunk_at(chunks, k + 1), chunk_at(chunks, k + 2)
-    if event.name in _MADE and is_word(after, ",") and isinstance(who_else, Mention):
-        rest = chunks[k + 3 : sentence_end(chunks, k + 3)]
+    after = chunk_at(chunks, k + 1)
+    where = chunks[k + 1 : k + 3] if isinstance(chunk_at(chunks, k + 2), Place) else []
+    m = k + 1 + len(where)
+    who_else = chunk_at(chunks, m + 1)
+    if event.name in _MADE and is_word(chunk_at(chunks, m), ",") and isinstance(who_else, Mention):
+        rest = chunks[m + 2 : sentence_end(chunks, m + 2)]
         done = any(isinstance(c, Event) for c in rest)
-        return None if done else ([who_else, verb], k + 3)  # "Left turn, ego at 12 km/h"
+        # "Left turn, ego at 12 km/h", "Left turn at a junction, ego 12 km/h"
+        return None if done else ([who_else, verb, *where], m + 2)
     m = k + 1 + isinstance(after, Thing)  # "manoeuvre"
     named: dict[str, list[Chunk]] = {}
     while (group := _group(m, chunks)) and group[0] not in named:

@@ -82,7 +82,11 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Ego: left turn.``, ``Hard-braking coach: 0.55 g from 26 m/s``: of who is named before."""
     who = title[0] if len(title) == 1 else None
     named = isinstance(who, Mention) and any("mass" not in h.data for h in who.heads)
-    return named and bool(rest) and not isinstance(rest[0], Mention)
+    told = rest[0] if rest else None
+    if isinstance(told, Event) and told.form == "ing":  # "Runner: coming from the left, a boy …"
+        comma = next((k for k, c in enumerate(rest) if getattr(c, "value", "") == ","), len(rest))
+        told = rest[comma + 1] if comma + 1 < len(rest) else told
+    return named and told is not None and not isinstance(told, Mention)
 
 
 def _silence(title: list[Chunk], rest: list[Chunk]) -> None:

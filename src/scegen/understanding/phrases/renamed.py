@@ -36,11 +36,15 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 
 def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``cuts the van off`` is "cut off" with its object inside."""
-    if not any(isinstance(c, Event) and c.name == "cut" for c in chunks):
-        return chunks
+    """``cuts the van off``, ``runs him over``: "cut off" and "run over" with the object inside."""
     dropped: set[int] = set()
     for k, chunk in enumerate(chunks):
+        if isinstance(chunk, Event) and tokens[chunk.i].forms[-1][0] == "run":
+            whom, over, after = (*chunks[k + 1 : k + 4], None, None, None)[:3]
+            ends = after is None or getattr(after, "cat", "") in {"punct", "conj"}
+            if isinstance(whom, Mention) and _is_over(over, tokens) and ends:
+                chunk.name = "collide"
+                dropped.add(id(over))
         if not (isinstance(chunk, Event) and chunk.name == "cut"):
             continue
         chunk.name = "cut_in"
@@ -49,3 +53,7 @@ def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                 chunk.name = "cut_off"
                 dropped.add(id(following))
     return [c for c in chunks if id(c) not in dropped]
+
+
+def _is_over(chunk: Chunk | None, tokens: list[Token]) -> bool:
+    return isinstance(chunk, Word) and tokens[chunk.i].low == "over"

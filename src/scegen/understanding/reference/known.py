@@ -49,8 +49,8 @@ class Known:
         if counted is not None:
             return counted
         included = self.roster.included(reading, mention)
-        if included:
-            return included
+        if included or mention.listed:
+            return included or self.roster.claim(1, exclude, reading)
         if reading.plural and det == "other":
             if mention.mod("num") is not None:
                 return self.roster.claim(reading.count, exclude, reading)
@@ -188,8 +188,12 @@ class Known:
 def _from_there(entity: Entity, reading: Reading) -> bool:
     """``the crossing car``: one that comes from either side.
 
-    In "follows a car … the lead vehicle" who is followed is the one ahead.
+    In "follows a car … the lead vehicle" who is followed is the one ahead; "the oncoming car" is
+    one that comes towards the ego, if nothing says from where.
     """
+    placed = entity.dirs or entity.loci or entity.sides
+    if entity.nears and not placed and reading.dirs == {"opposite"}:
+        return True
     across = {"left", "right"} if "lateral" in reading.dirs else set[str]()
     if any(known and known <= reading.dirs | across for known in (entity.dirs, entity.sides)):
         return True

@@ -6,7 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
@@ -34,6 +34,7 @@ class _Bonds:
         follows: events that drive behind it, or up to it.
         passed: what is driven around.
         hiding: what somebody comes out from behind.
+        nearing: who comes towards somebody.
         subjects: those that a clause tells of.
         settled: those of whom the text says which way they go.
         everywhere: those that come one from each of so many sides.
@@ -43,6 +44,7 @@ class _Bonds:
     follows: dict[int, list[Event]] = field(default_factory=lambda: defaultdict(list))
     passed: set[int] = field(default_factory=set)
     hiding: set[int] = field(default_factory=set)
+    nearing: set[int] = field(default_factory=set)
     subjects: set[int] = field(default_factory=set)
     settled: set[int] = field(default_factory=set)
     everywhere: dict[int, int] = field(default_factory=dict)
@@ -64,6 +66,8 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
     mentions = [c for c in chunks if isinstance(c, Mention)]
     for event in events:
         _done_to(event, mentions, found)
+        if event.name == "approach" or any(isinstance(p.target, Mention) for p in _to(event)):
+            found.nearing |= {id(m) for m in event.subject}
         if _comes_out(event):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
         _going_elsewhere(event, events, found)
@@ -76,6 +80,10 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
             elif isinstance(by, Place) and (whose := by.beside or by.owner) is not None:
                 found.unlike[id(whose)].append(mention)  # "two vans on either side of it"
     return found
+
+
+def _to(event: Event) -> list[Prep]:
+    return [p for p in event.pps if p.value == "to"]
 
 
 def _beside_another(event: Event, found: _Bonds) -> None:
@@ -281,6 +289,8 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
         _seen_from_the_ego(mention, placed)
     for event in bonds.follows[id(mention)]:
         _in_front_of_the_ego(mention, event)
+    for entity in mention.entities if id(mention) in bonds.nearing else []:
+        entity.nears = not entity.ego
 
 
 def _in_front_of_the_ego(mention: Mention, event: Event) -> None:

@@ -125,6 +125,7 @@ class Roster:
             head = head.joined
         word = head.prep
         listed = word is not None and self.tokens[word.i].low in word_list("including")
+        listed = listed or mention.listed
         listed = listed or (head.i > 0 and self.tokens[head.i - 1].low == ":")
         listed = listed or self._after_colon(reading, mention)
         if not listed or reading.generic:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Mention, NounPhrase, Place
+from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Entity
 from scegen.understanding.semantics.context import Clause, Context
 
@@ -28,17 +28,21 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
         return None
     goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low == "into"]
     goals += [event.object] if tokens[event.j - 1].low == "into" else []
-    return next((g for g in goals if isinstance(g, NounPhrase) and _touched(g, clause)), None)
+    nouns = (g for g in goals if isinstance(g, NounPhrase))
+    return next((g for g in nouns if _touched(g, clause, context)), None)
 
 
-def _touched(goal: NounPhrase, clause: Clause) -> bool:
+def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
+    if isinstance(goal, Thing):
+        return any(goal is thing for thing in context.draft.lying)
     if isinstance(goal, Mention):
         mass = clause.event.lemma not in {"run", "drive"}  # "pulls out into the traffic"
         mass = mass and any("mass" in h.data for h in goal.heads)
         road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
         free = not (mass or road or goal.possessor)
         nobody = goal.negated or goal.pronoun in _NOBODY
-        return free and (nobody or bool(goal.entities))
+        lying = goal.pronoun == "it" and bool(context.draft.lying)  # "a crate …, drives into it"
+        return free and (nobody or lying or bool(goal.entities))
     if not isinstance(goal, Place) or goal.kind not in _BODY:
         return False
     end = bool({"front", "rear"} & set(goal.dirs))

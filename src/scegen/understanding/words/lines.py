@@ -39,7 +39,7 @@ def laid_out(text: str) -> dict[int, str]:
     for mark in _BETWEEN.finditer(text):
         if mark.start() not in found:
             found[mark.start()] = ":" if _titled(text, mark.start(), mark.end()) else ","
-    found |= {bar: "." for bar in _bars(text)}
+    found |= dict.fromkeys(_bars(text), ".")
     if ":" in text:
         for key in _KEYS.finditer(text):
             found |= {key.start(1): "."} if _somebody(key.group(2)) else {key.end(): ""}

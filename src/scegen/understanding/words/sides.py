@@ -1,4 +1,4 @@
-"""Which side is the near one: "nearside" and "farside" depend on the side of the road driven on."""
+"""Sides: which is the near one, by the side of the road driven on; "left of" somebody."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _OTHER = {"left": "right", "right": "left"}
 
 
 def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
-    """The terms with "near" and "far" sides replaced by left and right.
+    """The terms with "near" and "far" sides replaced by left and right, "left of" spelled out.
 
     The near side is the side of the kerb along which one drives.
 
@@ -26,8 +26,20 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
         near_or_far = t.cat == "dir" and t.value in values
         if near_or_far and _bare(terms, k):
             found.append(Term("prep", "from", t.i, t.i))  # "a child crossing, farside"
+        if t.cat == "dir" and t.value in _OTHER and _of_somebody(terms, k):
+            found += [Term("prep", "to", t.i, t.i), Term("det", "def", t.i, t.i)]
         found.append(replace(t, value=values[t.value], form="base") if near_or_far else t)
     return found
+
+
+def _of_somebody(terms: list[Term], k: int) -> bool:
+    """``in the lane left of the ego``: to the left of it."""
+    before, after = terms[max(0, k - 1) : k], terms[k + 1 : k + 6]
+    bare = not any(t.cat in {"det", "possessive", "quantity", "dir"} for t in before)
+    named = [t.cat if t.cat != "place" else t.value for t in after if t.cat != "det"]
+    whose = named[1:2] in (["actor"], ["pronoun"])
+    whole = named[2:3] != ["possessive"] or named[3:4] == ["lane"]  # not "of the ego's centre"
+    return bare and (after[0].value if after else "") == "of" and whose and whole
 
 
 def _bare(terms: list[Term], k: int) -> bool:
