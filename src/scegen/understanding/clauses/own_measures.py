@@ -85,9 +85,9 @@ def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
             return None
         if getattr(chunks[m], "value", "") == "(":
             before = chunks[m - 1]
-            own = isinstance(before, Mention) and not before.possessor
-            own = own and (before.prep is None or not isinstance(after, Event))
-            return before if own and isinstance(before, Mention) else None
+            if not isinstance(before, Mention) or before.possessor:
+                return None
+            return before if before.prep is None or not isinstance(after, Event) else None
     return None
 
 
