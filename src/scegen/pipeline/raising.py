@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from scegen.criticality import OfflineProposer, Proposer, prove_as_it_is, raise_criticality
 from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
 from scegen.pipeline.options import Options
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
@@ -59,7 +59,7 @@ def chosen_target(
     if options.target is None:
         if numbers_given:
             return None
-        unhurt = (_drives_past, _leaves_room, _draws_away)
+        unhurt = (_drives_past, _leaves_room, _draws_away, _stops_clear)
         if functional is not None and any(told(functional) for told in unhurt):
             return AVOIDED
         outcome = functional.outcome.kind if functional and functional.outcome else None
@@ -113,6 +113,15 @@ def _draws_away(functional: FunctionalScenario) -> bool:
         and all(h.kind in leaving and {*h.by} <= ahead for h in functional.hazards)
         and all(a.kind is ActKind.ACCELERATE and a.participant in ahead for a in functional.acts)
     )
+
+
+def _stops_clear(functional: FunctionalScenario) -> bool:
+    """Whether it is told how far from another the ego comes to rest."""
+    ego = functional.ego.id
+    stops = {a.id for a in functional.acts if a.participant == ego and a.kind in SLOWING}
+    gaps = (s for s in functional.spacings if s.measure is Measure.GAP_M and s.since == "end")
+    told = any(s.at in stops and ego in {s.participant, s.reference} for s in gaps)
+    return told and functional.outcome is None
 
 
 def raise_all(

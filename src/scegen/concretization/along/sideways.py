@@ -118,21 +118,25 @@ def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -
 def put_on_strips(story: Story) -> None:
     """Give those their lane who are on a strip; it is numbered after the lanes.
 
-    Who walks against the traffic on a side of the road is placed from the lane of the oncoming.
+    Who walks against the traffic is placed from the lane of those who come towards it.
     """
     if story.functional.junction.auxiliary is not None:
         return  # a lane of the road lies there, for a part of the way
     middles = _middles_m(story)
     for name, runner in story.people.items():
         runner.lane_count, runner.strips_m = story.lane_count, tuple(middles.values())
-        strip = story.functional.participant(name).strip
-        if strip is None:
+        strip, against = story.functional.participant(name).strip, _against_traffic(story, name)
+        if strip is None and against is None:
             continue
-        number = list(middles).index(LANE_TYPES[strip])
-        runner.lane, runner.offset_m = story.lane_count + 1 + number, 0.0
-        if _against_traffic(story, name):
-            outward = 1.0 if runner.keeps_left else -1.0
+        if against is not None and strip is None:
+            lane = story.ego.lane if against.in_lane else story.lane_count
+            out_m = (lane - 1) * runner.lane_width_m + abs(runner.offset_m)
+        else:
+            number = list(middles).index(LANE_TYPES[strip]) if strip is not None else 0
+            runner.lane, runner.offset_m = story.lane_count + 1 + number, 0.0
             out_m = (story.lane_count - 0.5) * runner.lane_width_m + runner.strips_m[number]
+        if against is not None:
+            outward = 1.0 if runner.keeps_left else -1.0
             runner.lane, runner.offset_m = 0, -outward * out_m
 
 
@@ -157,10 +161,10 @@ def _middles_m(story: Story) -> dict[LaneType, float]:
     return {kind: begin + width / 2 for begin, (kind, width) in zip(inside, strips, strict=False)}
 
 
-def _against_traffic(story: Story, name: str) -> bool:
-    """Whether one walks on a side of the road where the traffic comes towards it."""
-    assignment = story.logical.assignment(name)
-    if not isinstance(assignment, Walking):
-        return False
-    kerb = assignment.side.value == story.functional.junction.driving_side.value
-    return kerb != (assignment.heading is Heading.INWARD)
+def _against_traffic(story: Story, name: str) -> Walking | None:
+    """How one walks on a side of the road where the traffic comes towards it, if it does."""
+    walking = story.logical.assignment(name)
+    if not isinstance(walking, Walking):
+        return None
+    kerb = walking.side.value == story.functional.junction.driving_side.value
+    return walking if kerb != (walking.heading is Heading.INWARD) else None
