@@ -70,7 +70,10 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.seated = mention.seated or event.name in {"door", "alight"}
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
-    alone = event.drives or (event.name in ONLY_VEHICLES and not across) or _takes_a_turn(event)
+    afoot = mention.head is not None and "afoot" in mention.head.data
+    springs = afoot and event.lemma in word_list("springing")  # "a boy bursts out of a gap"
+    only = event.name in ONLY_VEHICLES and not (across or springs)
+    alone = event.drives or only or _takes_a_turn(event)
     alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
