@@ -12,9 +12,10 @@ _ITEM = re.compile(
 )
 """``- ego``, ``2. the car``, ``b) it``: what opens an item of a list."""
 _BREAK = re.compile(r"[^\S\n]*\n\s*")
-_ENTRY = re.compile(r"[^\n.,;:!?]{1,40}[:|]")
+_ENTRY = re.compile(r"[^\n.,;:!?]{1,40}(?:[:|]|\.{3})")
 _KEYS = re.compile(r"(?<=:)[^\n;:!?]*(,)\s*([^\n.,;:!?]{1,40})(?=:)")
 _WORD = re.compile(r"[^\W\d_]+")
+_LEADERS = re.compile(r"(?<=\s)\.{3,}(?=\s)|(?<=\S)\s*\.{4,}")
 _ENDED = frozenset(".,;:!?")
 _BETWEEN = re.compile(
     r"(?<=\s)[-–—]{1,2}(?=\s+[^\d\s])|—(?!\d)|(?<=\s)/(?=\s)(?!\s*(?:h|s|sec|hour)\b)"
@@ -40,6 +41,8 @@ def laid_out(text: str) -> dict[int, str]:
         if mark.start() not in found:
             found[mark.start()] = ":" if _titled(text, mark.start(), mark.end()) else ","
     found |= dict.fromkeys(_bars(text), ".")
+    for dots in _LEADERS.finditer(text):  # "VUT ....... 70 km/h"
+        found |= dict.fromkeys(range(dots.start(), dots.end()), "") | {dots.end() - 1: ":"}
     if ":" in text:
         for key in _KEYS.finditer(text):
             found |= {key.start(1): "."} if _somebody(key.group(2)) else {key.end(): ""}
@@ -89,7 +92,14 @@ def _apart(text: str, line: re.Match[str]) -> bool:
 
 
 def _titled(text: str, start: int, end: int) -> bool:
-    """``Cut-in - ego 120 km/h, …``: whether a few words before a lonely mark are a title."""
+    """``Cut-in - ego 120 km/h, …``: whether a few words before a lonely mark are a title.
+
+    So is somebody's name that opens an item: ``- VUT – left turn``.
+    """
+    for item in (m for m in _ITEM.finditer(text) if m.end() <= start):
+        name = text[item.end("item") : start]
+        if "\n" not in name and len(name.split()) <= _MAX_NAME and _somebody(name):
+            return True
     bare = start <= _MAX_TITLE and _MARK.search(text, 0, start) is None
     marks = sum(1 for _ in _BETWEEN.finditer(text)) if text[start:end] != "\n" else 1
     return bare and marks == 1

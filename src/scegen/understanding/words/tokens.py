@@ -37,7 +37,7 @@ _POINT = re.compile(
 """A full stop that only shortens a word: a sentence would go on with a capital letter."""
 _WITHIN = re.compile(r"\.(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d|[MEGS]\b)")
 """What every such full stop has after it, as few others have."""
-_LAYOUT = re.compile(r"\n|,[^,.;!?]{1,40}:|\s[-–—/|]|—|^\W*\(?\w{1,2}[.)]\s")
+_LAYOUT = re.compile(r"\n|,[^,.;!?]{1,40}:|\s[-–—/|]|—|\.{3}|^\W*\(?\w{1,2}[.)]\s")
 """What texts have whose layout says something."""
 _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
