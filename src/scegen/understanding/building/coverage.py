@@ -52,6 +52,7 @@ def unattached(
     found = [  # "misses" denies no seeing
         u for u in scenario.unsupported if not any(a <= u.start < b for a, b in told)
     ]
+    title = next((k for k, token in enumerate(tokens) if token.low == ":"), 0)
     for before, term in zip([None, *terms], terms, strict=False):
         cat = "dir" if (term.cat, term.value) == _PORTION else term.cat
         if cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
@@ -66,6 +67,10 @@ def unattached(
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
         if any(a <= start and end <= b for a, b in spans) or _held(term, before, scenario):
             continue
+        again = [t for t in terms if (t.cat, t.value) == (term.cat, term.value) and t.i >= title]
+        later = [(tokens[t.i].start, tokens[t.j - 1].end) for t in again]
+        if term.j <= title and any(a <= i and j <= b for i, j in later for a, b in spans):
+            continue  # "Cut-in from the left: …", and below it who comes from there
         text = scenario.description[start:end]
         instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
