@@ -86,7 +86,7 @@ def driven(metres):
 
 
 def after(name, delay=0.0, since="end"):
-    """The moment so long after an act."""
+    """The moment so long after an act; None is some time after it."""
     return {"type": "after", "act": name, "since": since, "delay_s": delay}
 
 

@@ -58,8 +58,8 @@ def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Ac
         when = act.when
         if isinstance(when, AfterAct) and when.act in stands and when.since == "end":
             delay = Interval(
-                low=when.delay_s.low + stands[when.act].low,
-                high=when.delay_s.high + stands[when.act].high,
+                low=when.later_s.low + stands[when.act].low,
+                high=when.later_s.high + stands[when.act].high,
             )
             update = {"when": when.model_copy(update={"delay_s": delay})}
             act = act.model_copy(update=update)  # noqa: PLW2901

@@ -154,7 +154,7 @@ def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:
 def _delay_s(scene: Setup, draft: DriveDraft, when: AfterAct, took_s: float) -> float:
     """How long one stands; who goes on when nobody is in its way does so when walkers are over."""
     if not goes_on_when_free(when):
-        return when.delay_s.middle
+        return when.later_s.middle
     walkers = stops_for_walkers(scene, draft)
     return 0.0 if walkers is None else walkers[1] - took_s + _AFTER_WALKER_S
 

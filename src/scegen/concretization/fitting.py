@@ -142,7 +142,7 @@ def _mistimed(scene: Setup, act: Act, known: set[str]) -> Iterator[float]:
         chained = any(mark.act == act.id and mark.then_s is not None for mark in marks)
         if other.participant in known and not chained:
             since = (ends_s if when.since == "end" else begins_s)(scene, other)
-            yield own_s - since - (when.delay_s.middle or _THEN_S)
+            yield own_s - since - (when.later_s.middle or _THEN_S)
 
 
 def conditioned(scene: Setup, name: str) -> bool:

@@ -126,12 +126,17 @@ class AfterStart(_Moment):
 
 
 class AfterAct(_Moment):
-    """So long after another act has begun, or has ended."""
+    """So long after another act has begun, or has ended; at once is 0, None is some time later."""
 
     type: Literal["after"] = "after"
     act: Identifier
     since: Literal["begin", "end"] = "end"
-    delay_s: Interval = Interval(low=0.0, high=0.0)
+    delay_s: Interval | None = None
+
+    @property
+    def later_s(self) -> Interval:
+        """The delay that is said, else none: it may follow as soon as is natural."""
+        return self.delay_s or Interval(low=0.0, high=0.0)
 
 
 class WhenMeasure(_Moment):

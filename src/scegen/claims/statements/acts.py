@@ -45,9 +45,9 @@ _OPENS_BEFORE_S = Interval(low=0.0, high=4.0)
 """Whoever is farther away when a door opens has time to look for another way."""
 _BESIDE_M = 0.5
 _SPEED_OVER_S = 0.1
-_THEN_S = Interval(low=0.0, high=2.0)
-"""Where no delay is said, one act follows another within the time of a slow reaction."""
-_TURNS_THEN_S = Interval(low=0.0, high=4.0)
+_AT_ONCE_S = Interval(low=0.0, high=2.0)
+"""What follows at once does so within the time of a slow reaction."""
+_TURNS_AT_ONCE_S = Interval(low=0.0, high=4.0)
 """Who stood at a line comes to the bend first."""
 
 
@@ -402,8 +402,7 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         other = next(a for a in told.functional.acts if a.id == when.act)
         since = "begins" if when.since == "begin" else "has ended"
         event = f"{other.participant}'s {plain(other.kind)} {since}"
-        delay = "right" if when.delay_s.high == 0.0 else f"{amount(when.delay_s)} s"
-        statement = f"{does} {delay} after {event}"
+        statement = f"{does} {_later(when)} after {event}"
         tolerance = 2 * tolerances.TIME_S
         yield _claim(
             told, act, "when", statement, "s", _after_act, when, other, tolerance=tolerance
@@ -431,6 +430,12 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         yield _claim(told, act, "when", statement, "m", _before, when, drive, tolerance=tolerance)
 
 
+def _later(when: AfterAct) -> str:
+    if when.delay_s is None:
+        return "some time"
+    return "right" if when.delay_s.high == 0.0 else f"{amount(when.delay_s)} s"
+
+
 def _after_start(told: Told, act: Act, when: AfterStart, view: View) -> Judged:
     time_s = _when(view, _begins(told, act, view))
     return Judged(within(time_s, when.delay_s, tolerances.TIME_S), time_s, time_s)
@@ -441,9 +446,12 @@ def _after_act(told: Told, act: Act, when: AfterAct, other: Act, view: View) -> 
     began = _begins(told, act, view)
     delay = np.where((since < view.steps) & (began < view.steps), began - since, np.nan)
     delay = delay * view.dt_s
-    then = _TURNS_THEN_S if act.kind is ActKind.TURN else _THEN_S
-    wanted = then if when.delay_s.high == 0.0 else when.delay_s
-    margin = within(delay, wanted, 2 * tolerances.TIME_S)
+    if when.delay_s is None:
+        margin = delay + 2 * tolerances.TIME_S
+    else:
+        at_once = _TURNS_AT_ONCE_S if act.kind is ActKind.TURN else _AT_ONCE_S
+        wanted = at_once if when.delay_s.high == 0.0 else when.delay_s
+        margin = within(delay, wanted, 2 * tolerances.TIME_S)
     return Judged(margin, delay, view.time_of(began))
 
 

@@ -79,7 +79,7 @@ def _moment_s(story: Story, act: Act) -> float:
         return runner.profile.time_s(when.distance_m.middle)
     if isinstance(when, AfterAct) and not story.is_loose(act.id):
         known = story.ends_s if when.since == "end" else story.begins_s
-        delay = 0.0 if goes_on_when_free(when) else when.delay_s.middle
+        delay = 0.0 if goes_on_when_free(when) else when.later_s.middle
         alone = story.act(when.act).participant == act.participant
         if alone and delay == 0.0 and when.since == "end":
             delay = _HOLDS_S  # "and then": what it has reached is held for a moment

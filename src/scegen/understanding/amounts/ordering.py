@@ -8,8 +8,12 @@ from scegen.understanding.amounts.timing import endless, since_green, told_in
 from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis
 from scegen.understanding.frames import words
-from scegen.understanding.happenings import Doing, Trigger
+from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
+
+_PARTS = frozenset({",", "and", "but", "while", ";"})
+_SOON_SAID = 6
+"""So many words after an act may still say that it comes at once."""
 
 
 def order(text: Telling) -> None:
@@ -32,13 +36,15 @@ def order(text: Telling) -> None:
         mine = [a for a in acts[:n] if a.entity is doing.entity and a.i != doing.i]
         told = before.always or bool(before.amounts) or doing.always
         if phrase is not None and (told or not own):
-            doing.when = Trigger("after", basis, act=before)
+            doing.when = Trigger("after", basis, _at_once(before, doing, text), before)
         elif doing.forced and before.always and not own:
             basis = Basis(basis.i, basis.j, "what one has to do answers what the other does")
             doing.when = Trigger("after", basis, act=before, since="begin")
         elif mine and mine[-1].always and doing.always:
             reason = "what one does in turn happens in the order of the text"
-            doing.when = Trigger("after", Basis(basis.i, basis.j, reason), act=mine[-1])
+            at_once = _at_once(mine[-1], doing, text)
+            basis = at_once.basis if at_once is not None else Basis(basis.i, basis.j, reason)
+            doing.when = Trigger("after", basis, at_once, mine[-1])
 
 
 def _moment(doing: Doing, text: Telling) -> int:
@@ -54,6 +60,19 @@ def _then(before: Doing, doing: Doing, text: Telling) -> tuple[int, int] | None:
     start = max(before.basis.j or before.i, text.bounds(doing.i)[0])
     span = text.find("then", start, doing.i)
     return span if span is not None and text.tokens[span[0]].low != "before" else None
+
+
+def _at_once(before: Doing, doing: Doing, text: Telling) -> Amount | None:
+    """``immediately brakes``, ``brakes at once``: no time between; a place is no moment."""
+    tokens = text.tokens
+    start, stop = text.bounds(doing.i)
+    start = max(before.basis.j or before.i + 1, start)
+    parts = (k for k in range(doing.i + 1, stop) if tokens[k].low in _PARTS)
+    stop = min(next(parts, stop), doing.i + _SOON_SAID)
+    span = text.find("at_once", start, stop)
+    if span is None or tokens[span[1]].low in words()["no_moment"]:
+        return None
+    return Amount(STILL, Basis(*span))
 
 
 def _end(opens: Word, start: int, stop: int, text: Telling) -> int:
@@ -89,7 +108,10 @@ def _clauses(text: Telling) -> None:
         begun = (because or opening in words()["while_begun"]) and not over
         steps = first.kind is ActKind.CROSS and endless(first, text)
         since = "begin" if steps or begun else "end"
-        main.when = Trigger("after", Basis(chunk.i, chunk.j), act=first, since=since)
+        basis = Basis(chunk.i, chunk.j)
+        soon = text.find("at_once", max(chunk.i - 1, start), chunk.j)  # "right after"
+        at_once = Amount(STILL, Basis(*soon)) if soon else None
+        main.when = Trigger("after", basis, at_once, first, since)
 
 
 def _main(chunk: Word, start: int, end: int, outside: list[Doing], text: Telling) -> Doing | None:

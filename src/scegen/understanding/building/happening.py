@@ -76,8 +76,9 @@ class Writer:
         if trigger.kind == "driven":
             return AfterDistance(participant=whose, distance_m=value)
         if trigger.kind == "after" and trigger.act is not None and trigger.act.name:
+            delay = trigger.amount.value if trigger.amount is not None else None
             since = "begin" if trigger.since == "begin" else "end"
-            return AfterAct(act=trigger.act.name, since=since, delay_s=value)
+            return AfterAct(act=trigger.act.name, since=since, delay_s=delay)
         if trigger.measure is None or trigger.entity is None:
             return None
         reference = trigger.reference or self._ego
