@@ -61,4 +61,4 @@ def test_the_statement_says_how_much_later(delay, words):
     functional = story(delay)
     logical = enumerate_scenarios(functional).scenarios[0]
     (claim,) = (c for c in claims_of(functional, logical) if c.id == BEFORE)
-    assert f"{words} car's brake has ended" in claim.statement
+    assert f"{words} it has braked" in claim.statement

@@ -324,7 +324,7 @@ def test_a_certificate_in_a_file_is_not_believed(scegen, tmp_path):
     assert {name: made["certificate"][name] for name in ("count", "total", "complete")} == {
         name: right[name] for name in ("count", "total", "complete")
     }
-    assert "claims 1 scenarios of 3 assignments" in made["notes"][-1]
+    assert "claims 1 scenario of 3 assignments" in made["notes"][-1]
 
 
 def test_nor_are_class_sizes(scegen, tmp_path):

@@ -290,6 +290,14 @@ def test_impossible_demands_are_refused_with_the_reason(
     assert (tmp_path / "out").exists() == (code == 1)
 
 
+def test_what_does_not_hold_is_told_once(scegen):
+    text = "A deer runs onto the road from the right, 30 m ahead of the ego, which drives 90 km/h."
+    done = scegen("generate", text, "-o", "out")
+    told = [line for line in (done.stdout + done.stderr).splitlines() if "touches anybody" in line]
+    assert done.returncode == 1
+    assert len([line for line in told if not line.startswith("skipped")]) == 1
+
+
 def test_a_lone_ego_needs_no_danger(scegen):
     text = "The ego drives alone at a four-way intersection."
     done = scegen("generate", text, "-o", "out", "--check", "none")

@@ -46,7 +46,7 @@ def test_the_first_in_which_all_holds_is_taken_and_the_rest_is_told(outcomes):
     assert made.proofs[name].in_band
     assert len(made.skipped) == 2
     told = " ".join(made.skipped.values())
-    assert "1 of 1 do not hold (ego drives 50 km/h)" in told
+    assert "1 of 1 statement does not hold (ego drives 50 km/h)" in told
     assert "the target is not reached" in told
 
 

@@ -53,6 +53,7 @@ from scegen.scenario.vocabulary import (
     Role,
     Weather,
 )
+from scegen.understanding import read
 
 EVIL = '<script>alert("x")</script>\'"><img src=http://evil.example/x onerror=alert(1)>{{ 7*7 }}'
 TEXT = f"A red car overtakes. {EVIL}"
@@ -312,3 +313,10 @@ def test_spans_of_odd_descriptions(description):
     assert shown.startswith(description[:LONGEST_SHOWN])
     if description:
         assert re.search(r"\(50 more characters\)", shown)
+
+
+def test_what_sets_an_act_off_is_told_in_words():
+    found = read("The car ahead brakes with 4 m/s² and then changes lanes. The ego drives 50 km/h.")
+    rows = {row.field: row.value for row in field_rows(found)}
+    assert rows["acts › brake 1 › rate (m/s²)"] == "4.0"
+    assert rows["acts › change lane 1 › when"] == "some time after brake 1 has ended"

@@ -21,3 +21,11 @@ def test_what_would_help(field, helps):
         unit="m/s",
     )  # fmt: skip
     assert missed.helps.startswith(helps)
+
+
+def test_what_would_help_names_the_words():
+    missed = ClaimProof(
+        id="claim_1", kind="spacing", statement="said", field="spacings.0", words="20 m ahead",
+        holds=False, measured=76.75, unit="m",
+    )  # fmt: skip
+    assert missed.helps.startswith('76.75 m instead of "20 m ahead" (spacings.0)')

@@ -20,6 +20,7 @@ from scegen.motion.friction import friction_of
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.wording import counted
 
 CHECKER = "said"
 _BACK_M = 1e-4
@@ -65,7 +66,7 @@ def check_said(
             message = f"{claim.statement}{words}: {claim.found}"
             findings.append(Finding(f"said.{claim.kind}", Severity.ERROR, claim.field, message))
     hold = len(proofs) - len(findings)
-    detail = f"{hold} of {len(proofs)} statements hold in {recorded.player}"
+    detail = f"{hold} of {counted(len(proofs), 'statement')} hold in {recorded.player}"
     if functional.unjudged:
         detail += f"; {functional.unjudged}"
     return verdict(CHECKER, findings, detail)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from scegen.cli.console import result, result_json, say
+from scegen.scenario.wording import counted
 
 if TYPE_CHECKING:
     from scegen.enumeration.choosing.coverage import Coverage
@@ -64,7 +65,8 @@ def tell_claim(
 
 def _counts(certificate: Certificate) -> str:
     matching = "" if certificate.matching is None else f"{certificate.matching:,} matching of "
-    return f"{matching}{certificate.count:,} scenarios of {certificate.total:,} assignments"
+    of = counted(certificate.total, "assignment")
+    return f"{matching}{counted(certificate.count, 'scenario')} of {of}"
 
 
 def line(scenario: LogicalScenario) -> str:
@@ -78,7 +80,7 @@ def coverage_lines(reached: Coverage) -> Iterator[str]:
     """A table: every possible meeting, in how many scenarios it occurs and in how many chosen."""
     missing = len(reached.missing)
     covered = len(reached.possible) - missing
-    yield f"{covered} of {len(reached.possible)} meetings covered"
+    yield f"{covered} of {counted(len(reached.possible), 'meeting')} covered"
     for meeting in sorted(reached.possible):
         chosen, possible = reached.chosen[meeting], reached.possible[meeting]
         mark = "" if chosen else "  missing"

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from scegen.scenario.wording import change
+
 if TYPE_CHECKING:
     from scegen.scenario.functional import FunctionalScenario
     from scegen.scenario.proof import Proof
@@ -15,7 +17,7 @@ def proof_lines(proof: Proof, functional: FunctionalScenario | None) -> Iterator
     measure = proof.of(proof.measure)
     values = ""
     if measure is not None:
-        values = f" ({_value(measure.before)} → {_value(measure.after)} {measure.unit})"
+        values = f" ({change(_value(measure.before), _value(measure.after))} {measure.unit})"
     pair = " and ".join(proof.pair)
     if proof.in_band:
         yield f"{proof.target} of {pair}: {proof.measure}{values}"

@@ -36,6 +36,7 @@ from scegen.cli.source import functional_of
 from scegen.cli.writing import write_text
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
+from scegen.scenario.wording import covering
 
 if TYPE_CHECKING:
     from scegen.enumeration.choosing.coverage import Coverage
@@ -171,7 +172,7 @@ def _chosen(
     if cover:
         found = smallest_cover(scenarios, functional)
         proof = "no fewer do" if found.proved else "fewer may do: the search was cut short"
-        notes.append(f"{len(found.scenarios)} scenarios cover every meeting; {proof}.")
+        notes.append(f"{covering(len(found.scenarios))}; {proof}.")
         scenarios = found.scenarios
     if sample is not None:
         scenarios = diverse_sample(scenarios, functional, sample)

@@ -24,6 +24,7 @@ from scegen.cli.llm import (
 from scegen.cli.options import ArmsOption, ReductionOption, RulesOption, WhereOption, rules_of
 from scegen.pipeline.options import CheckDepth, EgoMode, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
+from scegen.scenario.wording import counted
 
 if TYPE_CHECKING:
     from scegen.pipeline.generate import Result
@@ -131,7 +132,8 @@ def _tell(made: Result) -> None:
     if logical is not None:
         certificate = logical.certificate
         say(
-            f"{certificate.total} assignments, {certificate.count} distinct scenarios "
+            f"{counted(certificate.total, 'assignment')}, "
+            f"{counted(certificate.count, 'distinct scenario')} "
             f"(reduction {logical.reduction}, arms {logical.arms})"
         )
     for name, reason in made.skipped.items():
@@ -140,10 +142,14 @@ def _tell(made: Result) -> None:
         for line in proof_lines(proof, functional):
             say(f"{name}: {line}")
     for name, report in made.checks.items():
+        told = made.proofs[name].missed if name in made.proofs else ()
+        told_above = {(f"said.{claim.kind}", claim.field) for claim in told}
         states = ", ".join(f"{r.checker} {r.status}" for r in report.results)
         result(f"{made.folder / 'scenarios' / name}  {states}".rstrip())
         for item in report.results:
             for finding in item.errors:
+                if (finding.rule, finding.place) in told_above:
+                    continue
                 say(f"  {item.checker}: {finding.place}: {finding.message} [{finding.rule}]")
     if logical is not None and len(made.checks) < len(logical.scenarios):
         say(f"made {len(made.checks)} of {len(logical.scenarios)}; more with --count or --pick")

@@ -13,6 +13,7 @@ import typer
 
 from scegen.cli.certificates import head, line, tell_claim
 from scegen.cli.console import INTERRUPTED, counting, result, say
+from scegen.scenario.wording import counted
 
 if TYPE_CHECKING:
     from scegen.enumeration import Listing
@@ -27,7 +28,8 @@ def listing_under_way(listing: Listing) -> Iterator[Iterator[LogicalScenario]]:
             yield _interruptible(tick(listing))
     except KeyboardInterrupt:
         looked = "" if listing.listed == listing.seen else f" ({listing.seen:,} looked at)"
-        say(f"interrupted: {listing.listed:,} of {listing.expected:,} scenarios listed{looked}")
+        of = counted(listing.expected, "scenario")
+        say(f"interrupted: {listing.listed:,} of {of} listed{looked}")
         raise typer.Exit(INTERRUPTED) from None
 
 

@@ -9,6 +9,7 @@ import typer
 
 from scegen.cli.console import result, say
 from scegen.errors import InputError, MissingToolError
+from scegen.scenario.wording import counted
 
 
 def parameterise(
@@ -57,8 +58,8 @@ def parameterise(
         result(f"fixed: {line}")
     for reason, times in made.passed_over.most_common():
         say(f"{times} draws passed over: {reason}")
-    result(f"{output / PARAMETERISED_FILE}  {len(made.declared)} parameters")
-    result(f"{output / VALUES_FILE}  {len(made.sets)} sets of values")
+    result(f"{output / PARAMETERISED_FILE}  {counted(len(made.declared), 'parameter')}")
+    result(f"{output / VALUES_FILE}  {counted(len(made.sets), 'set')} of values")
     if confirm:
         from scegen.checking.parameters import check_parameters
 

@@ -20,6 +20,7 @@ from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.vocabulary import Approach, DrivingSide, JunctionKind, Maneuver
+from scegen.scenario.wording import counted, with_article
 
 _WITHOUT_TURNS = frozenset({JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT})
 _STEERING = tan(radians(38.0))
@@ -187,8 +188,9 @@ def _half_circles(
         if radius < needed:
             kind = functional.participant(drive.participant).kind
             raise MotionInfeasibleError(
-                f"a {kind} turns back on a circle of {2 * needed:.1f} m across at the rear axle; "
-                f"{count} lane(s) per direction have room for {2 * radius:.1f} m",
+                f"{with_article(kind)} turns back on a circle of {2 * needed:.1f} m across at the "
+                f"rear axle; {counted(count, 'lane')} per direction "
+                f"{'has' if count == 1 else 'have'} room for {2 * radius:.1f} m",
                 where=drive.participant,
                 hint="Say that the road has more lanes, or let it turn back at a junction.",
             )

@@ -29,6 +29,7 @@ from scegen.export.openscenario_storyboard import storyboard
 from scegen.export.openscenario_text import header_description, indented, xml_text
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.wording import counted
 
 OpenScenarioVersion = Literal["1.0", "1.2"]
 
@@ -131,7 +132,8 @@ def write_distribution(
 ) -> bytes:
     """The file of values with which a parameterised scenario is played, set after set."""
     with _library_writes(_MINOR[VERSION]) as minor:
-        description = f"{header_description(concrete.name)}: {len(sets)} sets of its parameters"
+        values = f"{counted(len(sets), 'set')} of its parameters"
+        description = f"{header_description(concrete.name)}: {values}"
         made = distribution(description, xml_text(scenario_file), sets, minor)
         made.header.creation_date = _DATE
         return _document(made.get_element())

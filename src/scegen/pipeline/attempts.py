@@ -12,6 +12,7 @@ from scegen.pipeline.raising import Raising, raise_all
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.proof import Proof
+from scegen.scenario.wording import counted
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
     from scegen.llm import Session
@@ -104,7 +105,9 @@ def _why(proof: Proof) -> str:
     """Why a scenario was passed over for another."""
     if proof.missed:
         missed = "; ".join(claim.statement for claim in proof.missed[:3])
-        return f"passed over: {len(proof.missed)} of {len(proof.claims)} do not hold ({missed})"
+        do = "does" if len(proof.missed) == 1 else "do"
+        counts = f"{len(proof.missed)} of {counted(len(proof.claims), 'statement')}"
+        return f"passed over: {counts} {do} not hold ({missed})"
     return f"passed over: the target is not reached ({proof.blocked_by or proof.target})"
 
 

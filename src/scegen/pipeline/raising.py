@@ -18,6 +18,7 @@ from scegen.scenario.proof import Advice, Proof
 from scegen.scenario.roadway import Strip
 from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.wording import with_article
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
     from scegen.llm import Session
@@ -148,7 +149,7 @@ def raise_all(
         proposer = ParameterAgent(session, progress)
     raising = Raising([])
     for concrete in concretes:
-        progress(f"searching for a {target} in {concrete.name}")
+        progress(f"searching for {with_article(str(target))} in {concrete.name}")
         begin = perf_counter()
         result = raise_criticality(
             functional,

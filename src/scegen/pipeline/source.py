@@ -13,6 +13,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load, load_any, read_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
+from scegen.scenario.wording import counted
 from scegen.understanding import read
 
 Source = FunctionalScenario | LogicalSet | ConcreteScenario
@@ -79,28 +80,29 @@ def recounted(logical: LogicalSet) -> LogicalSet:
         InputError: the functional scenario has no logical one, or too many to count.
     """
     claimed = logical.certificate
-    counted = count_scenarios(logical.functional, reduction=logical.reduction, arms=logical.arms)
+    again = count_scenarios(logical.functional, reduction=logical.reduction, arms=logical.arms)
     listed, sizes = len(logical.scenarios), sum(s.class_size for s in logical.scenarios)
-    misfit = sizes > counted.total or (listed == counted.count and sizes != counted.total)
-    matching = None if claimed.matching is None else min(claimed.matching, counted.count)
-    certificate = counted.model_copy(
+    misfit = sizes > again.total or (listed == again.count and sizes != again.total)
+    matching = None if claimed.matching is None else min(claimed.matching, again.count)
+    certificate = again.model_copy(
         update={
             "matching": matching,
-            "complete": claimed.complete and not misfit and listed == (matching or counted.count),
-            "looked_at": claimed.looked_at and min(claimed.looked_at, counted.total),
+            "complete": claimed.complete and not misfit and listed == (matching or again.count),
+            "looked_at": claimed.looked_at and min(claimed.looked_at, again.total),
         }
     )
     notes = list(logical.notes)
-    if (claimed.total, claimed.count) == (counted.total, counted.count):
+    if (claimed.total, claimed.count) == (again.total, again.count):
         certificate = certificate.model_copy(update={"method": claimed.method})
     else:
         notes.append(
-            f"The file claims {claimed.count:,} scenarios of {claimed.total:,} assignments; "
-            f"counted again there are {counted.count:,} of {counted.total:,}."
+            f"The file claims {counted(claimed.count, 'scenario')} of "
+            f"{counted(claimed.total, 'assignment')}; "
+            f"counted again there are {again.count:,} of {again.total:,}."
         )
     if misfit:
         notes.append(
-            f"The class sizes in the file add up to {sizes:,}; there are {counted.total:,} "
+            f"The class sizes in the file add up to {sizes:,}; there are {again.total:,} "
             "assignments."
         )
     return logical.model_copy(update={"certificate": certificate, "notes": tuple(notes)})

@@ -14,7 +14,9 @@ from scegen.understanding.report.disagreement import Disagreement
 
 LONGEST_SHOWN = 20_000
 """Characters of a description that are shown."""
-_UNITS = {"_mps": "m/s", "_deg": "°", "_m": "m"}
+_UNITS = {
+    "_mps2": "m/s²", "_mps": "m/s", "_deg": "°", "_m": "m", "_s": "s", "_percent": "%",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,6 +186,11 @@ def _in_words(value: object) -> str:
     if isinstance(value, dict) and value.keys() == {"low", "high"}:
         low, high = value["low"], value["high"]
         return f"{low:.1f}" if low == high else f"{low:.1f} to {high:.1f}"
+    if isinstance(value, dict) and value.get("type") == "after":
+        delay = _in_words(value.get("delay_s"))
+        later = {"": "some time", "0.0": "right"}.get(delay, f"{delay} s")
+        over = "begins" if value["since"] == "begin" else "has ended"
+        return f"{later} after {plain(value['act'])} {over}"
     if isinstance(value, dict):
         pairs = ((plain(str(k)), _in_words(v)) for k, v in value.items() if v not in (None, [], ""))
         return ", ".join(f"{k} {v}" for k, v in pairs if v)

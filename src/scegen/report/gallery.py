@@ -20,6 +20,7 @@ from scegen.report.tile import (
     tile_height,
 )
 from scegen.scenario.logical import LogicalScenario, LogicalSet
+from scegen.scenario.wording import counted
 
 MOST_TILES = 500
 """More than this nobody looks at; the rest is counted in a note."""
@@ -175,11 +176,6 @@ def summary(logical_set: LogicalSet) -> str:
         f"(reduction {logical_set.reduction}, arms {logical_set.arms}"
         f"{'' if certificate.complete else ', listing incomplete'})"
     )
-
-
-def counted(number: int, noun: str) -> str:
-    """``1 scenario``, ``1,024 scenarios``."""
-    return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
 
 
 def _notes(logical_set: LogicalSet, shown: list[_Card], page: int, pages: int) -> list[str]:

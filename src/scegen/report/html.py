@@ -15,7 +15,7 @@ from markupsafe import Markup
 from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
 from scegen.report.danger import danger_tables, target_words
 from scegen.report.evidence import field_rows, field_words, left_out, spans
-from scegen.report.gallery import Tiles, counted, draw_tiles, groups, summary
+from scegen.report.gallery import Tiles, draw_tiles, groups, summary
 from scegen.report.judgement import judgement_tables
 from scegen.report.player.bundle import player_css, player_js
 from scegen.report.tables import tables
@@ -23,6 +23,7 @@ from scegen.report.theme import css
 from scegen.report.tile import tile_body, tile_svg
 from scegen.report.words import hazard_words, plain
 from scegen.scenario.logical import LogicalSet
+from scegen.scenario.wording import counted
 from scegen.understanding import Standing
 
 __all__ = ["CheckRow", "ConcreteEntry", "ReportInput", "report_html"]

@@ -7,6 +7,7 @@ from typing import Literal
 from scegen.scenario.concrete import Change
 from scegen.scenario.model import FrozenModel, Identifier
 from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.wording import counted
 
 
 class PartProof(FrozenModel):
@@ -67,24 +68,32 @@ class ClaimProof(FrozenModel):
     def helps(self) -> str:
         """What would make it hold."""
         if self.fixed:
-            return f"pick another scenario, or change {self.field}"
+            return f"pick another scenario, or change {self._said}"
         if self.field == "outcome" and self.words is None:
             room = "start farther away, drive more slowly, brake harder"
             return f"give more room ({room}), or say that they collide"
         named = self.field.startswith("spacings.") or self.field.endswith(QUANTITIES)
         if self.measured is None or not named:
-            return f"leave {self.field} out, or something that stands against it"
-        unit = self.unit
-        return f"{self.measured:.4g} {unit} in {self.field}, or leave something else open"
+            return f"leave {self._said} out, or something that stands against it"
+        instead = "instead of" if self.words else "in"
+        value = f"{self.measured:.4g}{self._of_unit}"
+        return f"{value} {instead} {self._said}, or leave something else open"
+
+    @property
+    def _said(self) -> str:
+        return f'"{self.words}" ({self.field})' if self.words else self.field
+
+    @property
+    def _of_unit(self) -> str:
+        return "" if self.unit == "1" else f" {self.unit}"
 
     @property
     def found(self) -> str:
         """What is there instead, where it does not hold."""
         if self.measured is None:
             return "it does not happen"
-        unit = "" if self.unit == "1" else f" {self.unit}"
         when = "" if self.time_s is None else f" at {self.time_s:.1f} s"
-        return f"{self.measured:.4g}{unit}{when}"
+        return f"{self.measured:.4g}{self._of_unit}{when}"
 
 
 class MeasureProof(FrozenModel):
@@ -161,7 +170,7 @@ class Proof(FrozenModel):
     def held(self) -> str:
         """How many of the statements hold, in words."""
         hold = len(self.claims) - len(self.missed)
-        return f"{hold} of {len(self.claims)} statements hold"
+        return f"{hold} of {counted(len(self.claims), 'statement')} hold"
 
     @property
     def reached(self) -> bool:

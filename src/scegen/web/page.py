@@ -14,6 +14,7 @@ from nicegui.elements.mixins.text_element import TextElement
 from scegen.errors import ScegenError
 from scegen.report.player.bundle import player_css
 from scegen.report.theme import css
+from scegen.scenario.wording import counted
 from scegen.web.elements import button, node
 from scegen.web.steps.choose import Choose
 from scegen.web.steps.danger import Danger
@@ -132,7 +133,7 @@ class Page:
         work = self._work
         notes = dict.fromkeys(self._marks, "")
         if work.functional is not None:
-            notes["describe"] = f"{len(work.functional.participants)} participants"
+            notes["describe"] = counted(len(work.functional.participants), "participant")
         if work.listing is not None and work.listing.certificate is not None:
             notes["choose"] = f"{len(work.picked)} of {work.listing.certificate.count:,}"
         if work.busy("making"):

@@ -25,6 +25,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
 from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
+from scegen.scenario.wording import counted, covering
 from scegen.understanding import ParseReport, read, report_on, report_on_contradiction
 from scegen.understanding.agents import understand_in
 from scegen.web.filming import film
@@ -112,7 +113,7 @@ def cover(
     tell.progress("choosing the fewest that cover every meeting")
     found = smallest_cover(scenarios, functional)
     proof = "no fewer do" if found.proved else "fewer may do"
-    note = f"{len(found.scenarios)} scenarios cover every meeting; {proof}"
+    note = f"{covering(len(found.scenarios))}; {proof}"
     return tuple(s.index for s in found.scenarios), note
 
 
@@ -125,7 +126,8 @@ def sample(
     """So many scenarios that differ as much as possible, by number."""
     tell.progress("choosing scenarios that differ")
     found = diverse_sample(scenarios, functional, size)
-    return tuple(s.index for s in found), f"{len(found)} scenarios, as far apart as possible"
+    note = f"{counted(len(found), 'scenario')}, as far apart as possible"
+    return tuple(s.index for s in found), note
 
 
 def make(source: Source, folder: Path, options: Options, tell: Teller) -> bool:

@@ -21,6 +21,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.reversing import BacksOut
 from scegen.scenario.vocabulary import ON_FOOT
+from scegen.scenario.wording import with_article
 
 JUMP_M = 0.05
 """How much farther than its speed allows an entity may move in one step."""
@@ -86,7 +87,9 @@ def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[F
     fastest = max(body.top_speed_mps, *(p.target_speed_mps for p in participant.speed_program), 0.0)
     step = int(np.abs(movement.speed_mps).argmax())
     if abs(movement.speed_mps[step]) > fastest + STILL_MPS:
-        message = f"goes {movement.speed_mps[step]:.1f} m/s; a {participant.kind} {fastest:g}"
+        message = (
+            f"goes {movement.speed_mps[step]:.1f} m/s; {with_article(participant.kind)} {fastest:g}"
+        )
         yield error("esmini.speed", _when(movement, step), message)
     rates = [phase.rate_mps2 for phase in participant.speed_program]
     rates += [participant.on_contact.rate_mps2] if participant.on_contact else []

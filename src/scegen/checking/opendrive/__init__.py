@@ -39,6 +39,7 @@ from scegen.checking.opendrive.rules.widths import (
 )
 from scegen.checking.results import CheckResult, Finding, as_remarks, verdict
 from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.wording import counted
 
 CHECKER = "opendrive"
 Rule = Callable[[Network], Iterator[Finding]]
@@ -93,8 +94,9 @@ def check_opendrive(
     findings += unconventional if concrete is not None else as_remarks(unconventional)
     if concrete is not None and network.roads:
         findings += check_described(network, concrete)
-    detail = f"{len(network.roads)} roads, {len(network.junctions)} junctions, "
-    detail += f"{len(RULES) + len(CONVENTIONS)} rules"
+    of_roads, of_junctions = len(network.roads), len(network.junctions)
+    detail = f"{counted(of_roads, 'road')}, {counted(of_junctions, 'junction')}, "
+    detail += counted(len(RULES) + len(CONVENTIONS), "rule")
     return CheckedRoad(verdict(CHECKER, findings, detail), network)
 
 

@@ -38,6 +38,7 @@ from scegen.scenario.in_line import is_said_ahead
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
+from scegen.scenario.verbs import does, has_done
 from scegen.scenario.vocabulary import Side
 
 _AJAR_M = 0.05
@@ -57,8 +58,8 @@ def claims(told: Told) -> Iterator[Claim]:
         if act.kind is ActKind.GIVE_WAY:
             continue  # whom it lets go first is a claim of its own
         yield from _in_order(told, act)
-        does = f"{act.participant} is to {plain(act.kind)}"
-        yield _claim(told, act, "", f"{act.participant} does {plain(act.kind)}", "s", _happens)
+        doing = f"{act.participant} {does(act.kind)}"
+        yield _claim(told, act, "", doing, "s", _happens)
         if act.kind in SLOWING | GAINING:
             yield from _of_speed(told, act)
         if act.kind in LEAVING:
@@ -75,7 +76,7 @@ def claims(told: Told) -> Iterator[Claim]:
             statement = f"{act.participant} goes {amount(act.distance_m)} m back"
             tolerance = tolerances.GAP_M
             yield _claim(told, act, "distance_m", statement, "m", _goes_back, tolerance=tolerance)
-        yield from _triggered(told, act, does)
+        yield from _triggered(told, act, doing)
 
 
 def _in_order(told: Told, act: Act) -> Iterator[Claim]:
@@ -84,7 +85,7 @@ def _in_order(told: Told, act: Act) -> Iterator[Claim]:
     before = own[own.index(act) - 1] if own.index(act) else None
     if before is None or isinstance(act.when, AfterAct) or before.when is not None:
         return
-    statement = f"{act.participant} does {plain(before.kind)} first, and then {plain(act.kind)}"
+    statement = f"{act.participant} {does(before.kind)} first, and then {does(act.kind)}"
     tolerance = tolerances.TIME_S
     yield _claim(told, act, "order", statement, "s", _follows, before, tolerance=tolerance)
 
@@ -391,18 +392,19 @@ def _beside(told: Told, act: Act, view: View) -> Judged:
     return Judged(margin, nearest, view.time_of(step))
 
 
-def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
+def _triggered(told: Told, act: Act, doing: str) -> Iterator[Claim]:
     when = act.when
     if isinstance(when, AfterStart):
-        statement = f"{does} {amount(when.delay_s)} s after the start"
+        statement = f"{doing} {amount(when.delay_s)} s after the start"
         yield _claim(
             told, act, "when", statement, "s", _after_start, when, tolerance=tolerances.TIME_S
         )
     elif isinstance(when, AfterAct):
         other = next(a for a in told.functional.acts if a.id == when.act)
-        since = "begins" if when.since == "begin" else "has ended"
-        event = f"{other.participant}'s {plain(other.kind)} {since}"
-        statement = f"{does} {_later(when)} after {event}"
+        whose = "it" if other.participant == act.participant else other.participant
+        begins = f"begins to {plain(other.kind)}"
+        event = f"{whose} {begins if when.since == 'begin' else has_done(other.kind)}"
+        statement = f"{doing} {_later(when)} after {event}"
         tolerance = 2 * tolerances.TIME_S
         yield _claim(
             told, act, "when", statement, "s", _after_act, when, other, tolerance=tolerance
@@ -411,12 +413,12 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         unit = tolerances.UNITS[when.measure]
         pair = f"{when.participant} to {when.reference}"
         name = plain(when.measure.rpartition("_")[0])
-        statement = f"{does} when the {name} of {pair} is {amount(when.value)} {unit}"
+        statement = f"{doing} when the {name} of {pair} is {amount(when.value)} {unit}"
         tolerance = tolerances.OF_MEASURE[when.measure]
         yield _claim(told, act, "when", statement, unit, _at_measure, when, tolerance=tolerance)
     elif isinstance(when, AfterDistance):
         whose = f" of {when.participant}" if when.participant else ""
-        statement = f"{does} after {amount(when.distance_m)} m{whose}"
+        statement = f"{doing} after {amount(when.distance_m)} m{whose}"
         tolerance = tolerances.DISTANCE_M
         yield _claim(told, act, "when", statement, "m", _driven, when, tolerance=tolerance)
     elif isinstance(when, BeforeJunction):
@@ -425,7 +427,7 @@ def _triggered(told: Told, act: Act, does: str) -> Iterator[Claim]:
         if drive is None:
             return
         whose = f" of {who}" if when.participant else ""
-        statement = f"{does} {amount(when.distance_m)} m{whose} before the junction"
+        statement = f"{doing} {amount(when.distance_m)} m{whose} before the junction"
         tolerance = tolerances.DISTANCE_M
         yield _claim(told, act, "when", statement, "m", _before, when, drive, tolerance=tolerance)
 

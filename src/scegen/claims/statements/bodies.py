@@ -14,6 +14,7 @@ from scegen.motion.batch.arrays import HEADING, Floats, Ints, X, Y
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.functional import Participant
 from scegen.scenario.vocabulary import ON_FOOT
+from scegen.scenario.wording import with_article
 
 HARDEST_MPS2 = 10.0
 """No body of this world brakes harder (1 g), whatever the kind's usual limit is."""
@@ -34,7 +35,7 @@ def claims(told: Told) -> Iterator[Claim]:
         yield Claim(
             id=f"body.{person.id}",
             kind=ClaimKind.BODY,
-            statement=f"{person.id} is a {plain(person.kind)} and moves as one can",
+            statement=f"{person.id} is {with_article(plain(person.kind))} and moves as one can",
             field=f"participants.{person.id}.kind",
             unit="1",
             test=partial(_possible, person),

@@ -15,6 +15,7 @@ from scegen.scenario.control import controlled_arms, has_crosswalk
 from scegen.scenario.functional import Junction
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Side
+from scegen.scenario.wording import counted
 
 _AUXILIARY = {
     AuxiliaryLane.ON_RAMP: "a ramp joins the road",
@@ -34,7 +35,7 @@ def claims(told: Told) -> Iterator[Claim]:
     kind, control, limit = junction.kind, junction.control, junction.speed_limit_mps
     yield _road("kind", f"the road is {plain(kind)}", lambda road: road.kind is kind)
     arms = junction.arms
-    yield _road("arms", f"it has {arms} arms", lambda road: len(road.arms) == arms)
+    yield _road("arms", f"it has {counted(arms, 'arm')}", lambda road: len(road.arms) == arms)
     signs = controlled_arms(junction)
     where = f", at arms {', '.join(map(str, sorted(signs)))}" if signs else ""
     yield _road(
@@ -87,7 +88,7 @@ def claims(told: Told) -> Iterator[Claim]:
     yield Claim(
         id="road.participants",
         kind=ClaimKind.ROAD,
-        statement=f"there are {len(names)} participants and no others",
+        statement=f"{_there_are(len(names))} and no others",
         field="participants",
         unit="1",
         test=partial(_those, names | told.doors.keys()),
@@ -114,6 +115,10 @@ def _lanes(junction: Junction) -> Iterator[Claim]:
     if junction.lane_width_m is not None:
         width = junction.lane_width_m
         yield _road("lane_width_m", f"its lanes are {width:g} m wide", partial(_as_wide, width))
+
+
+def _there_are(number: int) -> str:
+    return f"there {'is' if number == 1 else 'are'} {counted(number, 'participant')}"
 
 
 def _road(part: str, statement: str, agrees: Agrees) -> Claim:

@@ -12,7 +12,7 @@ from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
 from scegen.claims.moments import act_begins, at, first, speed_runs
 from scegen.claims.statements.touching import hit_s
-from scegen.claims.told import KPH, Told, plain, speed_words
+from scegen.claims.told import KPH, Told, speed_words
 from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Floats, Ints
@@ -22,6 +22,7 @@ from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Crossing
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.verbs import does, goes
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
 _CHANGES_BY = {
@@ -55,7 +56,7 @@ def claims(told: Told) -> Iterator[Claim]:
         crossing = told.crossing(person.id)
         test = partial(_holds, told, person, person.speed_mps)
         until = _until(told, person)
-        verb = "drives"
+        verb = goes(person.kind)
         if _reverses(told, person.id):
             test = partial(_fastest, told, person.id, person.speed_mps, -1)
             verb, until = "goes backwards at", ""
@@ -80,7 +81,7 @@ def claims(told: Told) -> Iterator[Claim]:
 def _until(told: Told, person: Participant) -> str:
     for act in told.acts_of(person.id):
         if act.kind in SLOWING | GAINING | {ActKind.WAIT}:
-            return f" until it is to {plain(act.kind)}"
+            return f" until it {does(act.kind)}"
     if told.collides:
         return " until the contact"
     return " until something concerns it"

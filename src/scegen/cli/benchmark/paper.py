@@ -8,6 +8,7 @@ import typer
 
 from scegen.cli.console import result_json, working
 from scegen.cli.options import JsonFlag
+from scegen.scenario.wording import change
 
 if TYPE_CHECKING:
     from scegen.benchmark.paper import Row
@@ -115,4 +116,4 @@ def _before_after(proof: Proof) -> str:
     before, after = (
         "-" if value is None else f"{value:.2f}" for value in (measure.before, measure.after)
     )
-    return f"{measure.name} {before} → {after} {measure.unit}"
+    return f"{measure.name} {change(before, after)} {measure.unit}"

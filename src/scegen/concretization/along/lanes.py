@@ -22,6 +22,7 @@ from scegen.scenario.logical import Assignment, Drive, InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
+from scegen.scenario.wording import counted
 
 Met = Callable[[Mapping[str, int]], bool]
 MOST_LANES = 3
@@ -67,8 +68,8 @@ def choose_lanes(story: Story) -> None:
     if cost >= SAID:
         broken = [w for w in wishes_of(story.lane_count) if w.weight >= SAID and not w.met(lanes)]
         raise MotionInfeasibleError(
-            f"on a road with {story.lane_count} lane(s) a direction, these cannot all be had: "
-            + "; ".join(w.words for w in broken[:3]),
+            f"on a road with {counted(story.lane_count, 'lane')} a direction, these cannot all be "
+            "had: " + "; ".join(w.words for w in broken[:3]),
             where=broken[0].who[0],
             hint="Say how many lanes the road has, or leave one of these out.",
         )

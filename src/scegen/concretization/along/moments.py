@@ -18,6 +18,8 @@ from scegen.scenario.spacings import CONTACT, LENGTHWISE
 
 _HOLDS_S = 1.5
 """Between two acts of one participant, where nothing is said: long enough to see the speed held."""
+_AT_ONCE_S = 0.3
+"""The same where the next follows at once: long enough to be two acts."""
 _LATE_S, _LOOK_S = 60.0, 0.02
 _SHIES_S = 0.3
 """Who swerves for a door that opens does so sooner than one brakes: a simple reaction."""
@@ -82,7 +84,8 @@ def _moment_s(story: Story, act: Act) -> float:
         delay = 0.0 if goes_on_when_free(when) else when.later_s.middle
         alone = story.act(when.act).participant == act.participant
         if alone and delay == 0.0 and when.since == "end":
-            delay = _HOLDS_S  # "and then": what it has reached is held for a moment
+            at_once = when.delay_s is not None and when.delay_s.high == 0.0
+            delay = _AT_ONCE_S if at_once else _HOLDS_S
         return known[when.act] + delay
     own = [story.ends_s[a.id] for a in story.acts if a.participant == act.participant
            and a.id in story.ends_s]  # fmt: skip

@@ -10,6 +10,7 @@ from scegen.measures.tables import Tables
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.wording import with_article
 
 WALKING_PACE_MPS = 1.5
 """At this speed a car stops within its own shadow (0.2 m): nothing becomes dangerous."""
@@ -22,7 +23,7 @@ def too_fast(functional: FunctionalScenario | None) -> str | None:
         if participant.speed_mps is not None and participant.speed_mps.low > top:
             return (
                 f"{participant.id} is to go {participant.speed_mps.low:g} m/s; "
-                f"a {participant.kind} reaches {top:g} m/s"
+                f"{with_article(participant.kind)} reaches {top:g} m/s"
             )
     return None
 
@@ -70,7 +71,7 @@ def never_meet(target: Target, pairs: list[Pair], concrete: ConcreteScenario) ->
     if not pairs and len(concrete.participants) > 1:
         return f"nobody else moves, and what is parked is no danger asked for: no {target.text}"
     if not pairs:
-        return f"nobody else is on the road, so nothing can be a {target.text}"
+        return f"nobody else is on the road, so nothing can be {with_article(target.text)}"
     shown = ", ".join(f"{a} and {b}" for a, b in pairs[:3])
     more = f" and {len(pairs) - 3} more pairs" if len(pairs) > 3 else ""
     names = {choice[0].measure for choice in target.choices}

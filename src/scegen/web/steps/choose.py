@@ -10,6 +10,7 @@ from scegen.enumeration.choosing.coverage import Meeting
 from scegen.enumeration.user_rules import VOCABULARY
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.vocabulary import ArmsMode, Reduction
+from scegen.scenario.wording import counted
 from scegen.web.choice import LONGEST_RULES
 from scegen.web.elements import Entry, Gallery, Handler, Rules, button, choice, drawn, node
 from scegen.web.pictures import tile_ratio
@@ -132,8 +133,8 @@ class Choose:
             return
         claim = listing.certificate
         shown = f"{len(work.shown):,} shown of " if work.where else ""
-        self._title.text = f"{shown}{claim.count:,} scenarios"
-        parts = [f"{claim.total:,} assignments", claim.method]
+        self._title.text = f"{shown}{counted(claim.count, 'scenario')}"
+        parts = [counted(claim.total, "assignment"), claim.method]
         if claim.group_order:
             parts.append(f"symmetry of order {claim.group_order:,}: {claim.symmetry}")
         if listing.whole and claim.looked_at == claim.total:
@@ -172,7 +173,7 @@ class Choose:
             covered = sum(1 for meeting in possible if chosen[meeting])
             with node("div", "tally"):
                 node("span", "figure", f"{covered}")
-                node("span", "", f"of {len(possible)} meetings")
+                node("span", "", f"of {counted(len(possible), 'meeting')}")
             if not possible:
                 return
             node("progress", "meter", value=covered, max=len(possible), aria_label="covered")

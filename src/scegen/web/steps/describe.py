@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
+from scegen.scenario.wording import counted
 from scegen.understanding import MAX_CHARACTERS, Finding, Standing, passages
 from scegen.web.elements import Description, Form, button, drawn, node
 from scegen.web.form import form_spec, standings
@@ -173,7 +174,7 @@ class Describe:
             assumed = report.of(Standing.ASSUMED)
             if assumed:
                 with node("details", "assumptions", open=True):
-                    node("summary", "", f"{len(assumed)} assumptions")
+                    node("summary", "", counted(len(assumed), "assumption"))
                     for alike in _alike(assumed):
                         self._assumption(alike)
             for note in understood.notes if understood else ():
@@ -219,7 +220,7 @@ class Describe:
                     "",
                     "distinct scenario" if certificate.count == 1 else "distinct scenarios",
                 )
-            node("p", "soft", f"of {certificate.total:,} assignments")
+            node("p", "soft", f"of {counted(certificate.total, 'assignment')}")
             button("See them all", lambda: self._go("choose"), "primary wide")
             richest = work.richest()
             picture = (

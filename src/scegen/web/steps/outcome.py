@@ -67,8 +67,9 @@ def _proof(proof: Proof) -> None:
     if measure is not None:
         with node("div", "before-after"):
             node("span", "measure", measure.name.upper() if len(measure.name) < 5 else measure.name)
-            node("span", "figure", _value(measure.before))
-            node("span", "arrow", "→", aria_label="becomes")
+            if _value(measure.before) != _value(measure.after):
+                node("span", "figure", _value(measure.before))
+                node("span", "arrow", "→", aria_label="becomes")
             node("span", "figure", _value(measure.after))
             node("span", "unit", measure.unit)
     if proof.blocked_by and not proof.in_band:

@@ -15,6 +15,7 @@ from scegen.checking.results import Finding, error
 from scegen.scenario.bodies import Body
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.wording import with_article
 
 RULE = "xosc.object"
 PLACE_M = 0.01
@@ -44,7 +45,7 @@ def check_objects(situation: Situation) -> Iterator[Finding]:
 def _as_said(thing: StaticObject, entity: Entity) -> Iterator[Finding]:
     if (entity.kind, entity.category) != ("MiscObject", thing.category.value):
         said = f"{entity.kind} {entity.category}".strip()
-        yield error(RULE, thing.id, f"is a {said}, not a MiscObject {thing.category}")
+        yield error(RULE, thing.id, f"is {with_article(said)}, not a MiscObject {thing.category}")
 
 
 def _as_large(name: str, body: Body, entity: Entity) -> Iterator[Finding]:
