@@ -49,3 +49,45 @@ def test_what_comes_first_comes_first():
         ("brake", None),
         ("accelerate", "brake_1"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "delays"),
+    [
+        (
+            "The car ahead brakes to 40 km/h. 3 s after this it accelerates to 60 km/h and then "
+            "stops.",
+            [("accelerate_1", "brake_1", 3.0), ("stop_1", "accelerate_1", None)],
+        ),
+        (
+            "The van brakes, accelerates 2 s later and changes lanes 3 s after that.",
+            [("accelerate_1", "brake_1", 2.0), ("change_lane_1", "accelerate_1", 3.0)],
+        ),
+        (
+            "One second after that car begins to brake, the ego brakes. That car is ahead.",
+            [("brake_2", "brake_1", 1.0)],
+        ),
+        (
+            "The car ahead changes lanes, but before that it brakes to 50 km/h.",
+            [("change_lane_1", "brake_1", None)],
+        ),
+    ],
+)
+def test_after_that_and_before_that(text, delays):
+    acts = [a for a in read(text).acts if a.when is not None]
+    found = [(a.id, a.when.act, a.when.delay_s and a.when.delay_s.middle) for a in acts]
+    assert found == delays
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The ego changes to the left lane and overtakes the truck.",
+        "The ego overtakes the truck by changing to the left lane.",
+        "The ego changes to the left lane, passes the truck and then returns to the right lane.",
+    ],
+)
+def test_going_over_to_pass_is_passing(text):
+    found = read(text)
+    assert [m.value for m in found.participant("ego").maneuvers] == ["overtake"]
+    assert (found.acts[0].kind.value, found.acts[0].side.value) == ("overtake", "left")

@@ -41,6 +41,7 @@ def read_acts(text: Telling) -> None:
                 found.append(doing)
     _halts_and_crosses(found)
     found.sort(key=lambda d: d.i)
+    _out_to_pass(found, text)
     _back_from_there(found)
     _come_to_rest(found)
 
@@ -85,6 +86,24 @@ def _go_back(doing: Doing, first: Doing, scene: Clause, found: list[Doing]) -> N
     doing.into = None
     doing.when = Trigger("after", doing.basis, act=first)
     found.append(doing)
+
+
+def _out_to_pass(found: list[Doing], text: Telling) -> None:
+    """``changes to the left lane and overtakes it``: going over is how the passing begins.
+
+    Also "overtakes it by changing to the left lane".
+    """
+    for doing in [d for d in found if d.kind is ActKind.OVERTAKE]:
+        own = [d for d in found if d.entity is doing.entity]
+        n = own.index(doing)
+        means = [d for d in own[n + 1 : n + 2] if text.tokens[d.i - 1].low == "by"]
+        for out in [*own[max(n - 1, 0) : n], *means]:
+            goes_over = out.kind is ActKind.CHANGE_LANE and out.into is None
+            if goes_over and doing.side in {None, out.side}:
+                found.remove(out)
+                doing.side, doing.side_basis = out.side, out.side_basis
+                doing.told += [out.i, *out.told]
+                doing.entity.maneuvers.discard(Maneuver.LANE_CHANGE)
 
 
 def _back_from_there(found: list[Doing]) -> None:

@@ -47,9 +47,13 @@ def order(text: Telling) -> None:
             doing.when = Trigger("after", basis, at_once, mine[-1])
 
 
-def _moment(doing: Doing, text: Telling) -> int:
-    """``before it brakes, it swerves``: the first clause comes last."""
+def _moment(doing: Doing, text: Telling) -> float:
+    """``before it brakes, it swerves``: the first clause comes last; ``before that it brakes``."""
     start, stop = text.bounds(doing.i)
+    told = [a.i for a in text.found.acts if a.i < doing.i]
+    since = max([start, *told[-1:]])
+    if told and text.find("earlier", since, doing.i + 1) is not None:
+        return told[-1] - 0.5
     opens = next((c for c in text.chunks if c.i == start), None)
     if not isinstance(opens, Word) or text.tokens[start].low != "before":
         return doing.i

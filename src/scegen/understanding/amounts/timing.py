@@ -31,8 +31,11 @@ def delayed(figure: Figure) -> bool:
 
 
 def _since(figure: Figure) -> str:
-    """The word after a time: "after" only where it opens a clause."""
+    """The word after a time: "after" only where it opens a clause ("after that" opens none)."""
     after = figure.text.low(figure.j, figure.j + 4)
+    named = any(m.i == figure.j + 1 and m.j > figure.j + 2 for m in figure.text.mentions)
+    if after.startswith(tuple(f" after {that} " for that in words()["after_those"])) and not named:
+        return "later"
     if after.startswith(" after ") and figure.text.find("starts", figure.j, figure.j + 4):
         return "start"
     return next(iter(after.split()), "")
