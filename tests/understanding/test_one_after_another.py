@@ -91,3 +91,10 @@ def test_going_over_to_pass_is_passing(text):
     found = read(text)
     assert [m.value for m in found.participant("ego").maneuvers] == ["overtake"]
     assert (found.acts[0].kind.value, found.acts[0].side.value) == ("overtake", "left")
+
+
+@pytest.mark.parametrize("when", ["later", "2 s later", "at once", "afterwards", "a moment later"])
+def test_brakes_is_a_verb_after_an_adverb_of_time(when):
+    found = read(f"The van changes to the right lane and {when} brakes to 40 km/h.")
+    assert [a.kind.value for a in found.acts] == ["change_lane", "brake"]
+    assert found.acts[1].target_speed_mps is not None

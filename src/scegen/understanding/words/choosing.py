@@ -70,8 +70,8 @@ def _single_one(tokens: list[Token], j: int) -> bool:
 
 
 def is_adverb(token: Token) -> bool:
-    """Whether a word ends like an adverb."""
-    return token.low.endswith("ly")
+    """Whether a word ends like an adverb, or is one of time ("and later brakes")."""
+    return token.low.endswith("ly") or token.low in word_list("adverbs_of_time")
 
 
 def _may_describe(previous: Term | None) -> bool:
