@@ -6,6 +6,7 @@ from told import act, after
 
 from scegen.claims import claims_of
 from scegen.enumeration import enumerate_scenarios
+from scegen.understanding import read
 
 BEFORE = "act.moves.when"
 
@@ -62,3 +63,9 @@ def test_the_statement_says_how_much_later(delay, words):
     logical = enumerate_scenarios(functional).scenarios[0]
     (claim,) = (c for c in claims_of(functional, logical) if c.id == BEFORE)
     assert f"{words} it has braked" in claim.statement
+
+
+def test_what_lies_in_the_way_is_passed_on_the_side_that_is_said():
+    text = "The car in front swerves to the left around a crate, and then accelerates to 70 km/h."
+    functional = read(f"{text} The ego follows it 40 m behind at 60 km/h.")
+    assert missed(functional, made(functional).concrete) == set()

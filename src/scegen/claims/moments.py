@@ -280,10 +280,14 @@ def _passing_begins(
 
 
 def passed(functional: FunctionalScenario, act: Act, view: View) -> list[str]:
-    """Whom one who overtakes is said to pass; everybody else where nobody is named."""
+    """Whom one who overtakes is said to pass; where nobody is named, anybody else.
+
+    Also what lies in its way: "swerves to the left around a crate".
+    """
     named = (act.into,) if act.into else functional.overtaken(act.participant)
-    everybody = (p.id for p in functional.participants if p.id != act.participant)
-    return [name for name in named or everybody if name in view.index]
+    others = [p.id for p in functional.participants if p.id != act.participant]
+    things = [o.id for o in functional.objects if o.in_way_of == act.participant]
+    return [name for name in named or (*others, *things) if name in view.index]
 
 
 def is_level(view: View, name: str, other: str) -> Bools:
