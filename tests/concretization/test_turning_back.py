@@ -49,7 +49,7 @@ def test_a_car_swings_out_on_a_narrow_road_and_a_bus_cannot():
     concrete = turns_back("car", lanes=1)
     assert concrete.road.turns[0].radius_m == 4.0
     assert concrete.road.parking_lanes == {0, 1}
-    message = r"a bus turns back on a circle of 14\.8 m .* 1 lane\(s\) per direction .* 8\.0 m"
+    message = r"a bus turns back on a circle of 14\.8 m .* 1 lane per direction .* 8\.0 m"
     with pytest.raises(MotionInfeasibleError, match=message):
         turns_back("bus", lanes=1)
 

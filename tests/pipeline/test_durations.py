@@ -91,7 +91,8 @@ def test_what_lasts_as_long_as_its_way_has_no_duration(kind):
 def test_durations_are_read_or_reported(text, times):
     found = read(text)
     assert {a.kind.value: a.duration_s.middle for a in found.acts if a.duration_s} == times
-    assert all(a.when is None or a.when.delay_s is None for a in found.acts)
+    delays = [a.when.delay_s.middle for a in found.acts if a.when and a.when.delay_s]
+    assert delays == ([4.0] if "4 s later" in text else [])
     assert bool(times) or " s" in " ".join(u.text for u in found.unsupported)
 
 
