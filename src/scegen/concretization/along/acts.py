@@ -10,8 +10,12 @@ from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive
+from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
 
+ROLLS_S = 2.0
+"""How long one who has stood drives before it moves aside: nobody does so on the spot."""
+_ON = ActKind.SET_OFF
 _ALONG = SLOWING | GAINING | ASIDE | {ActKind.OPEN_DOOR}
 _OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
 """Who brakes late answers somebody: it is a reaction, no act of its own."""
@@ -32,7 +36,32 @@ def all_acts(story: Story) -> list[Act]:
             acts.insert(_place_of(act, acts), act)
     for drive in story.logical.drives:
         acts += _manoeuvre(story, drive, acts)
-    return acts
+    return list(_from_rest(acts))
+
+
+def _from_rest(acts: list[Act]) -> Iterator[Act]:
+    """Who stands sets off before it moves aside: ``stops and then changes lanes``."""
+    rests: dict[str, Act] = {}
+    for act in acts:
+        stopped, when = rests.pop(act.participant, None), act.when
+        if act.kind in SLOWING:
+            target = act.target_speed_mps
+            if act.kind is ActKind.STOP or (target is not None and target.high == 0.0):
+                rests[act.participant] = act
+        elif act.kind in ASIDE and stopped is not None:
+            rolls = Interval(low=ROLLS_S, high=ROLLS_S)
+            on = Act(id=f"on_of_{stopped.id}"[:40], participant=act.participant, kind=_ON)
+            later = AfterAct(act=stopped.id, since="end")
+            timed = isinstance(when, AfterAct) and when.later_s.low > ROLLS_S
+            if timed and isinstance(when, AfterAct):  # so that it moves aside when it is said to
+                early = when.later_s.low - ROLLS_S
+                sooner = Interval(low=early, high=early)
+                yield on.model_copy(update={"when": when.model_copy(update={"delay_s": sooner})})
+            else:
+                yield on.model_copy(update={"when": when or later})
+                then = AfterAct(act=on.id, since="begin", delay_s=rolls)
+                act = act.model_copy(update={"when": then})  # noqa: PLW2901
+        yield act
 
 
 def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
