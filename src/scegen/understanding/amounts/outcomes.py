@@ -69,7 +69,9 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
-    elif _open(event, text) or (not vain and _supposed(_of_it(event, start, text))):
+    elif not _aimed(event, text) and (
+        _open(event, text) or (not vain and _supposed(_of_it(event, start, text)))
+    ):
         return None
     else:
         kind = OutcomeKind.COLLISION
@@ -100,6 +102,13 @@ def _open(event: Event, text: Telling) -> bool:
     """``should it hit the van``; what "shall be hit" is hit."""
     said = text.find("required", text.bounds(event.i)[0], event.i)
     return event.modal and said is None
+
+
+def _aimed(event: Event, text: Telling) -> bool:
+    """``would be struck at the middle of its front``: where, if nobody does anything about it."""
+    would = "would" in {t.low for t in text.tokens[max(0, event.i - _BEFORE) : event.i]}
+    at = (p.target for p in event.pps)
+    return would and any(isinstance(c, Place) and c.kind in _PARTS for c in at)
 
 
 def _of_it(event: Event, start: int, text: Telling) -> str:
@@ -206,7 +215,7 @@ def _said_of(k: int, text: Telling) -> set[str]:
         between = text.tokens[k + 1 : event.i]
         after = event.i > k and not text.spoken_of(k, event.i)
         if held or (after and all(t.kind == "word" for t in between)):
-            around = {t.low for t in between}
+            around = {t.low for t in between} - {"without"}  # "impact without braking is at 25 %"
             denied = event.negated if held else around & {*words()["none"]}
             said |= {"denied"} if denied else around
             said |= {event.name} & _KEEPING_OFF if after and not denied else set()

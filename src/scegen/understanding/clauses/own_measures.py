@@ -84,7 +84,9 @@ def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
         if isinstance(chunks[m], Mention | Event) or getattr(chunks[m], "value", "") == ")":
             return None
         if getattr(chunks[m], "value", "") == "(":
-            before = chunks[m - 1]
+            where = chunks[m - 1]
+            adverb = isinstance(where, Word) and where.cat == "locus" and m > 1
+            before = chunks[m - 2] if adverb else where  # "a truck ahead (80 km/h)"
             if not isinstance(before, Mention) or before.possessor:
                 return None
             return before if before.prep is None or not isinstance(after, Event) else None

@@ -27,8 +27,10 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     basis = Basis(thing.i, thing.j)
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
     chased = draft.tokens[max(thing.i - 1, 0)].low == "after"
-    if chased or _bursts(thing, draft):
-        return  # "a child runs after a ball": where it goes, not where it lies
+    none = any((m.cat, m.value) == ("det", "negative") for m in thing.mods)
+    none = none or (thing.prep is not None and thing.prep.value == "without")
+    if none or chased or _bursts(thing, draft):
+        return  # "no obstruction"; "a child runs after a ball": where it goes, not where it lies
     lost = possessed and _comes_off(thing, draft)
     if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, chunks)):
         return  # "its tyre bursts", "a man with a dog": a part of somebody
