@@ -127,7 +127,8 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     """``the car ahead``, ``an oncoming van``: there is somebody from whom it is seen."""
     if entity.entries or entity.heading is not None:
         return False
-    return any(
+    after = [t.low for t in draft.tokens[entity.basis.j or 0 :][:1]]
+    return (entity.basis.j is not None and after == ["ahead"]) or any(
         p.entity is entity and p.reference is None and p.approaches <= seen
         for p in draft.placements
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
-from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
@@ -36,6 +36,12 @@ def note_braking(events: list[Event], context: Context) -> None:
             entity.brakes_from = event.i if entity.brakes_from is None else entity.brakes_from
 
 
+def _blocked(clause: Clause) -> list[Place]:
+    """``blocks the road``, ``the road is blocked by a van``."""
+    direct = clause.event.object
+    return [*clause.places(), *([direct] if isinstance(direct, Place) else [])]
+
+
 def _comes_to_rest(entities: list[Entity], basis: Basis) -> list[Entity]:
     """Leaves those who stand from the start, and notes who stands since it has braked."""
     for entity in entities:
@@ -54,7 +60,14 @@ def stand(clause: Clause, context: Context) -> None:
         _until_it_goes(clause)
         return
     lemma = event.lemma
-    stands = stays or _stands(event, context)
+    if event.name == "block" and any(p.kind in _IN_LANE for p in _blocked(clause)):
+        idle = (e for e in clause.actors if e.is_vehicle and not (e.ego or e.maneuvers))
+        _stand_in_the_lane([e for e in idle if e.sets_off < 0], clause)
+        return
+    behind = _queues(event, context)
+    stands = stays or behind is not None or _stands(event, context)
+    if behind is not None:
+        _stand_in_the_lane([e for e in behind.entities if e.is_vehicle and not e.ego], clause)
     places = [p for p in clause.places() if p.prep is None or p.prep.value != "with"]  # its lights
     in_lane = any(p.kind in _IN_LANE for p in places)
     in_lane = in_lane and lemma not in word_list("standing")
@@ -108,6 +121,16 @@ def _until_it_goes(clause: Clause) -> None:
 def _stands(event: Event, context: Context) -> bool:
     at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
     return at_rest or (event.name == "stop" and _over(event, context))
+
+
+def _queues(event: Event, context: Context) -> Mention | None:
+    """``waits behind a car``: both stand, where no junction tells for what."""
+    behind = [p.target for p in event.pps if (p.value, p.outer) == ("behind", None)]
+    waits = event.name == "wait" and event.object is None and not event.negated
+    after = context.tokens[event.j : event.j + _FROM_REACH]
+    waits = waits and not any(t.low in word_list("waiting_for") for t in after)
+    whom = next((m for m in behind if isinstance(m, Mention)), None)
+    return whom if waits and not context.junction.crossing else None
 
 
 def _never_moves(event: Event, context: Context) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -58,7 +59,8 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             before.possessor = False
         else:
             found += owned or [_who(chunk, found)]
-        found.append(Event("door", chunks[verb].i, end, "s", lemma="open"))
+        shut = any(t.low in word_list("denying") for t in tokens[chunk.j : end])
+        found.append(Event("door", chunks[verb].i, end, "s", lemma="open", negated=shut))
         k = next((m for m in range(verb, len(chunks)) if chunks[m].i >= end), len(chunks))
     return found + ended
 

@@ -11,7 +11,7 @@ from scegen.understanding.words.tokens import Token
 def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``the ego is fifth in a row of eight cars``: one of the eight, with four in front of it.
 
-    The same is said by "the last of three cars".
+    The same is said by "the last of three cars", "the last in a platoon of three cars".
 
     Args:
         chunks: the chunks of the text.
@@ -22,7 +22,7 @@ def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     for k, (place, prep, row) in enumerate(zip(chunks, chunks[1:], chunks[2:], strict=False)):
         bare = isinstance(place, Mention) and not place.heads
         label = tokens[place.j - 1].low if bare or isinstance(place, Word) else ""
-        within = isinstance(prep, Word) and prep.value in ({"of"} if bare else {"in"})
+        within = isinstance(prep, Word) and prep.value in ({"of", "in"} if bare else {"in"})
         if label not in POSITIONS or not within or not isinstance(row, Mention):
             continue
         is_, before = [None, None, *chunks[:k]][:-3:-1] if bare else (None, None)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import product
 
 from scegen.scenario.model import Interval
-from scegen.understanding.lexicon import load
+from scegen.understanding.lexicon import load, word_list
 from scegen.understanding.words.numbers import ATOMS, PARTS, Number, number_at, share_at
 from scegen.understanding.words.tokens import Token
 from scegen.units import UNITS
@@ -19,6 +19,7 @@ _BELOW = frozenset({"under", "below", "most"})
 _ARTICLES = frozenset({"a", "an"})
 _COUNTED = {"a": 1, "one": 1, "two": 2, "three": 3}
 _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
+_DENYING = frozenset({"no", "not"})
 _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
                     "approx", "circa", "ca"})  # fmt: skip
 _LONGEST_UNIT = 4
@@ -191,9 +192,11 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     before = [t.low for t in tokens[max(0, i - 2) : i]]
     last = before[-1] if before else ""
     than = last == "than"
+    denied = i > 2 and tokens[i - 3].low in _DENYING  # "no less than 1.5 m"
+    less = bool(_FEWER & {*before}) != denied
     if len(values) > 1:
         pass
-    elif last in _ABOVE or (than and not _FEWER & {*before}):
+    elif (last in _ABOVE and not _goes_over(tokens, i)) or (than and not less):
         note = f"'{last}' is read as up to 20 % more"
         value = Interval(low=low, high=high * (1 + 2 * _SPREAD))
     elif last in _BELOW or than or before == ["up", "to"]:
@@ -203,6 +206,12 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
         note = f"'{last}' is read as 10 % to either side"
         value = Interval(low=low * (1 - _SPREAD), high=high * (1 + _SPREAD))
     return Quantity(dimension, value, i, j, note, parts)
+
+
+def _goes_over(tokens: list[Token], i: int) -> bool:
+    """``moves over 30 m ahead``: a word of the verb, not of the number."""
+    moves = i > 1 and tokens[i - 1].low == "over" and tokens[i - 2].kind == "word"
+    return moves and bool({base for base, _ in tokens[i - 2].forms} & word_list("goes_over"))
 
 
 def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity | None:
