@@ -36,10 +36,12 @@ def note_braking(events: list[Event], context: Context) -> None:
             entity.brakes_from = event.i if entity.brakes_from is None else entity.brakes_from
 
 
-def _blocked(clause: Clause) -> list[Place]:
-    """``blocks the road``, ``the road is blocked by a van``."""
-    direct = clause.event.object
-    return [*clause.places(), *([direct] if isinstance(direct, Place) else [])]
+def _stand_in_the_way(clause: Clause) -> None:
+    """``blocks the road``, ``the road is blocked by a van``: that does nothing else."""
+    places = [*clause.places(), clause.event.object]
+    road = any(isinstance(p, Place) and p.kind in _IN_LANE for p in places)
+    idle = [e for e in clause.actors if e.is_vehicle and not (e.ego or e.maneuvers)]
+    _stand_in_the_lane([e for e in idle if road and e.sets_off < 0], clause)
 
 
 def _comes_to_rest(entities: list[Entity], basis: Basis) -> list[Entity]:
@@ -60,14 +62,12 @@ def stand(clause: Clause, context: Context) -> None:
         _until_it_goes(clause)
         return
     lemma = event.lemma
-    if event.name == "block" and any(p.kind in _IN_LANE for p in _blocked(clause)):
-        idle = (e for e in clause.actors if e.is_vehicle and not (e.ego or e.maneuvers))
-        _stand_in_the_lane([e for e in idle if e.sets_off < 0], clause)
+    if event.name == "block":
+        _stand_in_the_way(clause)
         return
     behind = _queues(event, context)
-    stands = stays or behind is not None or _stands(event, context)
-    if behind is not None:
-        _stand_in_the_lane([e for e in behind.entities if e.is_vehicle and not e.ego], clause)
+    stands = stays or bool(behind) or _stands(event, context)
+    _stand_in_the_lane(behind, clause)
     places = [p for p in clause.places() if p.prep is None or p.prep.value != "with"]  # its lights
     in_lane = any(p.kind in _IN_LANE for p in places)
     in_lane = in_lane and lemma not in word_list("standing")
@@ -123,14 +123,15 @@ def _stands(event: Event, context: Context) -> bool:
     return at_rest or (event.name == "stop" and _over(event, context))
 
 
-def _queues(event: Event, context: Context) -> Mention | None:
-    """``waits behind a car``: both stand, where no junction tells for what."""
+def _queues(event: Event, context: Context) -> list[Entity]:
+    """``waits behind a car``: who stands there, too, where no junction tells for what."""
     behind = [p.target for p in event.pps if (p.value, p.outer) == ("behind", None)]
     waits = event.name == "wait" and event.object is None and not event.negated
     after = context.tokens[event.j : event.j + _FROM_REACH]
     waits = waits and not any(t.low in word_list("waiting_for") for t in after)
-    whom = next((m for m in behind if isinstance(m, Mention)), None)
-    return whom if waits and not context.junction.crossing else None
+    whom = [e for m in behind if isinstance(m, Mention) for e in m.entities]
+    there = waits and not context.junction.crossing
+    return [e for e in whom if there and e.is_vehicle and not e.ego]
 
 
 def _never_moves(event: Event, context: Context) -> bool:

@@ -69,6 +69,7 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
 ENTITY: dict[str, Callable[[Entity, Context], bool]] = {
     "may_cross": may_cross,
     "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
+    "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
     "lets_by": lambda e, c: e in c.letting,
 }
 """What a row may ask of those who act."""
