@@ -45,6 +45,9 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     into = into or [a for a in acts if _in_trigger(a, figure)] or _revealed_by(figure, one, other)
     if into:
         return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
+    into = _of_its_doer(figure, acts)
+    if into:
+        return into[0]
     here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
     pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
     here_into = [a for a in here if a.kind in _INTO] + pulls_out
@@ -71,6 +74,16 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
         return []
     verbs = [c.event for c in text.within(figure.j, figure.end) if c.event.name not in _BEGINNING]
     return [a for a in acts if a.places & {verb.i for verb in verbs[:1]}]
+
+
+def _of_its_doer(figure: Figure, acts: list[Doing]) -> list[Doing]:
+    """``a van, 40 m ahead and doing 100 km/h, moves into our lane``: as it begins to do so."""
+    text = figure.text
+    if figure.after is None or text.within(figure.start, figure.i):
+        return []
+    named = text.spoken_of(figure.start, figure.i)
+    over = [a for a in acts if a.kind is ActKind.CHANGE_LANE and a.i > figure.j]
+    return [a for a in over if named[:1] == [a.entity] and a.i < figure.end][:1]
 
 
 def _in_trigger(doing: Doing, figure: Figure) -> bool:

@@ -191,7 +191,8 @@ def _bare(event: Event, text: Telling) -> bool:
     """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
     before = text.tokens[event.i - 1]
     alone = event.i == 0 or before.kind == "punct" or before.low in words()["before_impacts"]
-    return alone and event.form == "base" and event.lemma in words()["impacts"]
+    named = isinstance(event.object, Mention)  # "brakes hard, misses him"
+    return alone and event.form == "base" and event.lemma in words()["impacts"] and not named
 
 
 def _prevented(start: int, k: int, text: Telling) -> list[Event]:
