@@ -23,6 +23,7 @@ _WHOLE, _HALF = 100.0, 50.0
 _DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
 """What may be left undone, and a contact follows."""
 _PARTS = frozenset({"side", "middle", "front", "portion"})
+_BODY = _PARTS | {"flank"}
 _KEEPING_OFF = frozenset({"avoid", "prevent"})
 _NOBODY = frozenset({"neither", "nobody"})
 
@@ -87,7 +88,15 @@ def _meets(scene: Clause, text: Telling) -> bool:
     meets = lemma == "meet" and (event.how("head_on") is not None or part)
     with_ = (p.target for p in event.pps if p.value == "with")  # "catches him with its front"
     meets |= lemma == "catch" and any(isinstance(c, Place) and c.kind in _PARTS for c in with_)
+    meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)
     return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
+
+
+def _by_a_part(event: Event, text: Telling) -> bool:
+    """``its front catches him``, ``is met by the middle of the ego's front``."""
+    by = [p.target for p in event.pps if p.value in {"by", "of"}] if event.passive else []
+    front = [c for c in text.chunks if isinstance(c, Place) and c.j == event.i]
+    return any(isinstance(c, Place) and c.kind in _BODY for c in (*by, *front))
 
 
 def _gets_clear(scene: Clause) -> bool:

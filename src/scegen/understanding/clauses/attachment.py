@@ -16,6 +16,8 @@ from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import GOVERNING
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
+_ROADS = frozenset({"leg", "road"})
+"""Roads, if it is said which one: "from the right arm", "on the road that it turns into"."""
 _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
                       "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
 """Verbs that may stand before their subject ("from the left comes a bus")."""
@@ -254,7 +256,9 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
         locus |= _word_of(chunks, m, frozenset({"locus"}))
         m += 1
     target = chunks[m] if m < len(chunks) else None
-    placed = isinstance(target, Place) and target.kind in _SIDES
+    placed = isinstance(target, Place) and (
+        target.kind in _SIDES or (target.kind in _ROADS and (target.arm or target.dirs))
+    )
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1
