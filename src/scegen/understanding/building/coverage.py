@@ -67,15 +67,22 @@ def unattached(
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
         if any(a <= start and end <= b for a, b in spans) or _held(term, before, scenario):
             continue
-        again = [t for t in terms if (t.cat, t.value) == (term.cat, term.value) and t.i >= title]
-        later = [(tokens[t.i].start, tokens[t.j - 1].end) for t in again]
-        if term.j <= title and any(a <= i and j <= b for i, j in later for a, b in spans):
-            continue  # "Cut-in from the left: …", and below it who comes from there
+        if term.j <= title and _told_below(term, terms, tokens, spans, title):
+            continue
         text = scenario.description[start:end]
         instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
+
+
+def _told_below(
+    term: Term, terms: list[Term], tokens: list[Token], spans: list[tuple[int, int]], title: int
+) -> bool:
+    """``Cut-in from the left: …``, and below it who comes from there."""
+    again = (t for t in terms if (t.cat, t.value) == (term.cat, term.value) and t.i >= title)
+    places = [(tokens[t.i].start, tokens[t.j - 1].end) for t in again]
+    return any(a <= start and end <= b for start, end in places for a, b in spans)
 
 
 def _held(term: Term, before: Term | None, scenario: FunctionalScenario) -> bool:

@@ -16,6 +16,7 @@ _ENTRY = re.compile(r"[^\n.,;:!?]{1,40}(?:[:|]|\.{3})")
 _KEYS = re.compile(r"(?<=:)[^\n;:!?]*(,)\s*([^\n.,;:!?]{1,40})(?=:)")
 _WORD = re.compile(r"[^\W\d_]+")
 _LEADERS = re.compile(r"(?<=\s)\.{3,}(?=\s)|(?<=\S)\s*\.{4,}")
+_BULLETS = frozenset("-*•–")
 _ENDED = frozenset(".,;:!?")
 _BETWEEN = re.compile(
     r"(?<=\s)[-–—]{1,2}(?=\s+[^\d\s])|—(?!\d)|(?<=\s)/(?=\s)(?!\s*(?:h|s|sec|hour)\b)"
@@ -37,23 +38,29 @@ def laid_out(text: str) -> dict[int, str]:
         text: any string.
     """
     found = {k: "" for m in _ITEM.finditer(text) for k in range(m.start("item"), m.end("item"))}
-    for mark in _BETWEEN.finditer(text):
+    between = list(_BETWEEN.finditer(text))
+    for mark in between:
         if mark.start() not in found:
-            found[mark.start()] = ":" if _titled(text, mark.start(), mark.end()) else ","
+            titled = _titled(text, mark.start(), lonely=len(between) == 1)
+            found[mark.start()] = ":" if titled else ","
     found |= dict.fromkeys(_bars(text), ".")
     for dots in _LEADERS.finditer(text):  # "VUT ....... 70 km/h"
         found |= dict.fromkeys(range(dots.start(), dots.end()), "") | {dots.end() - 1: ":"}
     if ":" in text:
         for key in _KEYS.finditer(text):
             found |= {key.start(1): "."} if _somebody(key.group(2)) else {key.end(): ""}
+    heading = ""
     for line in _BREAK.finditer(text):
-        before = text[: line.start()].rstrip()
+        own = text.rfind("\n", 0, line.start()) + 1
+        if own < line.start() and not _ITEM.match(text, own):
+            heading = text[own : line.start()]
         at = line.start() + line.group().index("\n")
         found |= {k: "" for k in range(line.start(), line.end()) if text[k] == "\n"}
-        if _of_whom(text, line):
+        item = _ITEM.match(text, text.rfind("\n", 0, line.end()) + 1)
+        if item is not None and item["item"][0] in _BULLETS and _is_name(heading):
             found[at] = ","
-        elif before and before[-1] not in _ENDED and _apart(text, line):
-            found[at] = ":" if _titled(text, at, at + 1) else "."
+        elif line.start() and text[line.start() - 1] not in _ENDED and _apart(text, line):
+            found[at] = ":" if _titled(text, at, lonely=True) else "."
     return found
 
 
@@ -63,14 +70,9 @@ def _bars(text: str) -> list[int]:
     return [m.start() for line in lines for m in re.finditer(r"\|", line.group())]
 
 
-def _of_whom(text: str, line: re.Match[str]) -> bool:
-    """Whether a list goes on that has somebody for its heading: ``Ego:`` above its items."""
-    listed = list(_ITEM.finditer(text, 0, line.end() + 3))
-    if not listed or listed[-1].start("item") != line.end():
-        return False
-    lines = text[: line.end()].splitlines()
-    heading = next((t for t in reversed(lines) if t.strip() and not _ITEM.match(t)), "")
-    return len(heading.split()) <= _MAX_NAME and _somebody(heading.strip(" \t:"))
+def _is_name(words: str) -> bool:
+    """``Ego:`` above the items of a list, ``VUT`` before a dash: somebody, and nothing more."""
+    return len(words.split()) <= _MAX_NAME and _somebody(words.strip(" \t:"))
 
 
 def _somebody(name: str) -> bool:
@@ -91,15 +93,12 @@ def _apart(text: str, line: re.Match[str]) -> bool:
     return listed or entry or short or line.group().count("\n") > 1
 
 
-def _titled(text: str, start: int, end: int) -> bool:
+def _titled(text: str, start: int, *, lonely: bool) -> bool:
     """``Cut-in - ego 120 km/h, …``: whether a few words before a lonely mark are a title.
 
     So is somebody's name that opens an item: ``- VUT – left turn``.
     """
-    for item in (m for m in _ITEM.finditer(text) if m.end() <= start):
-        name = text[item.end("item") : start]
-        if "\n" not in name and len(name.split()) <= _MAX_NAME and _somebody(name):
-            return True
-    bare = start <= _MAX_TITLE and _MARK.search(text, 0, start) is None
-    marks = sum(1 for _ in _BETWEEN.finditer(text)) if text[start:end] != "\n" else 1
-    return bare and marks == 1
+    item = _ITEM.match(text, text.rfind("\n", 0, start) + 1)
+    if item is not None and item.end() <= start and _is_name(text[item.end() : start]):
+        return True
+    return lonely and start <= _MAX_TITLE and _MARK.search(text, 0, start) is None
