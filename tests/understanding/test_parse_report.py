@@ -18,7 +18,7 @@ def test_every_finding_has_its_standing_and_its_words():
     assert {f.field: f.value for f in report.of(Standing.UNDERSTOOD)}["environment.weather"] == (
         "rain"
     )
-    assert [f.words for f in report.of(Standing.UNSUPPORTED)] == ["purplish"]
+    assert [f.words for f in report.of(Standing.UNSUPPORTED)] == ["purplish", "wait"]
     assert [f.words for f in report.of(Standing.CONTRADICTED)] == ["snow"]
     assert any(f.words == "several buses" for f in report.of(Standing.INFERRED))
     assert "junction.driving_side" in {f.field for f in report.of(Standing.ASSUMED)}

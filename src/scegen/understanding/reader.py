@@ -9,6 +9,7 @@ from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
+from scegen.understanding.building.undone import undone
 from scegen.understanding.building.viewpoint import choose_ego
 from scegen.understanding.clauses.again import followed_again, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
@@ -113,7 +114,7 @@ def read(text: str) -> FunctionalScenario:
     numbers = Numbers(terms, tokens, surroundings.measured)
     manners = Manners(context, numbers, surroundings.measured)
     scenes = Interpreter(context, manners).run(chunks, events)
-    ego = choose_ego(draft)
+    ego = choose_ego(draft, crossing=junction.crossing)
     happenings = read_amounts(numbers, chunks, scenes, context)
     for scene in scenes:
         say("movements.runs", scene, context)
@@ -121,7 +122,7 @@ def read(text: str) -> FunctionalScenario:
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise, tokens).build()
-    return unattached(scenario, terms, tokens)
+    return undone(unattached(scenario, terms, tokens), events, tokens)
 
 
 def _arms(junction: JunctionReading) -> int:

@@ -23,7 +23,7 @@ _RESTING = frozenset({"stop", "wait", "unknown"})
 def read_acts(text: Telling) -> None:
     """Everything that is done; of each participant once where it is only told again."""
     found = text.found.acts
-    text.context.letting = [e for s in text.scenes if let_by(s, text.scenes) for e in s.actors]
+    text.context.letting = [e for s in text.scenes if let_by(s, text) for e in s.actors]
     described = [s for s in text.scenes if s.event.premod_of is not None]
     told = [s for s in text.scenes if s.event.premod_of is None]
     for scene in told:
@@ -117,7 +117,7 @@ def _back_from_there(found: list[Doing]) -> None:
 
 def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
     event, context = scene.event, text.context
-    whom = let_by(scene, text.scenes)
+    whom = let_by(scene, text)
     context.acts = []
     if whom and event.name not in {"stop", "wait"}:
         scene = replace(scene, event=replace(event, name="yield"))
@@ -148,7 +148,7 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
 def _then_again(doing: Doing, text: Telling) -> Doing | None:
     """``brakes at 3 m/s² to 60 km/h, then at 8 m/s²``: the same once more, without its verb."""
     then = text.find("then", doing.i + 1, text.bounds(doing.i)[1])
-    if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1]):
+    if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1] + 1):
         return None
     if text.tokens[then[1] - 1].low == "again":
         return None  # "slows to 42 km/h, again at 1 m/s²"
@@ -181,6 +181,8 @@ def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if doing.kind is not ActKind.STOP or before is None or before.kind is not ActKind.BRAKE:
         return False
+    if text.find("keeping", before.i, doing.i) is not None:
+        return False  # "brakes, keeps 20 km/h for 4 s and stops"
     same = text.bounds(before.i) == text.bounds(doing.i)
     if not same or "target_speed_mps" in before.amounts:
         if same:

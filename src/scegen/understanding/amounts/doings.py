@@ -15,6 +15,7 @@ from scegen.understanding.lexicon import word_list
 
 _PLAIN = frozenset({"duration", "distance", "lateral_speed", "lateral_move"})
 _SIDE_REACH = 4
+_CHANGES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.SET_OFF})
 
 
 def fill(figure: Figure, field: str, kinds: frozenset[ActKind]) -> bool:
@@ -32,6 +33,23 @@ def made(figure: Figure, kind: ActKind, field: str) -> bool:
     told = [event.i] if event is not None and event.i < figure.i else []
     doing = Doing(kind, who[0], figure.amount.basis, figure.i, told=told)
     return _give(figure.text.add(doing), figure, field)
+
+
+def comes_to(figure: Figure) -> bool:
+    """``brakes and then holds 30 km/h``: what its own change of speed before that comes to."""
+    text, span = figure.text, (figure.i, figure.j)
+    who = figure.actors or figure.subject
+    before = [a for a in text.acts(0, figure.i) if a.entity in who and a.kind in _CHANGES]
+    if len(who) != 1 or not before or before[-1].i < figure.start:
+        return False
+    last = before[-1]
+    if last.amounts.get("target_speed_mps") is not None:
+        return False
+    basis = last.entity.speed_basis
+    if basis is not None and (basis.i, basis.j) == span:
+        last.entity.speed = last.entity.speed_basis = None
+    last.amounts["target_speed_mps"] = figure.amount
+    return True
 
 
 def rests(figure: Figure) -> bool:

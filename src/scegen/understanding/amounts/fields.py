@@ -9,7 +9,7 @@ from typing import Any
 
 from scegen.scenario.acts import FAR, LASTING, ActKind
 from scegen.understanding.amounts.aside import off_its_lane
-from scegen.understanding.amounts.doings import fill, made, rests, until_the_next
+from scegen.understanding.amounts.doings import comes_to, fill, made, rests, until_the_next
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.outcomes import impact
 from scegen.understanding.amounts.placed import apart, at_rest, to_a_thing
@@ -23,6 +23,7 @@ from scegen.understanding.semantics.rows import Row, read_rows
 _KEYS = frozenset({"if", "also", "take", "fills", "of", "makes"})
 TAKES: dict[str, Callable[[Figure], bool]] = {
     "held": held,
+    "comes_to": comes_to,
     "relative": relative,
     "rests": rests,
     "until_the_next": until_the_next,

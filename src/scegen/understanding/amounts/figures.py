@@ -243,7 +243,8 @@ class Figure(Clause):
         """A phrase of place right after it: "ahead of the ego", "from the junction"."""
         chunks = self.text.chunks
         k = next((k for k, c in enumerate(chunks) if c.i >= self.j), len(chunks))
-        while k < len(chunks) and getattr(chunks[k], "value", "") in {"(", ")"}:
+        tokens = self.text.tokens
+        while k < len(chunks) and tokens[chunks[k].i].low in {"(", ")", "remaining"}:
             k += 1  # "26.7 m (1.6 s) behind a car"
         k += self._shared(k)
         word = chunks[k] if k < len(chunks) else None

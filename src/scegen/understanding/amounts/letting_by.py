@@ -14,17 +14,18 @@ from scegen.understanding.semantics.context import Clause
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _SOON, _ORDERS = 4, ("first", "before", "after")
 _HOLDING = frozenset({"wait", "stop"})
+_UNTIL = frozenset({"until", "till"})
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
 
-def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
+def let_by(clause: Clause, text: Telling) -> list[Entity]:
     """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``.
 
     Args:
         clause: what happens.
-        scenes: all that happens.
+        text: the text.
     """
-    event = clause.event
+    event, scenes = clause.event, text.scenes
     if event.name == "yield":
         return clause.targets or _coming_across(clause, scenes)
     if event.lemma == "let":
@@ -35,6 +36,9 @@ def let_by(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     named = [p.target for p in given if isinstance(p.target, Mention)]
     if given and not named:  # "waits for a gap in the oncoming traffic"
         named = [p.target for p in event.pps if isinstance(p.target, Mention)]
+    awaited = [] if named else _until_gone(clause, text)
+    if awaited:
+        return awaited
     if not named and event.name == "wait":
         return _passing_meanwhile(clause, scenes) or _coming_across(clause, scenes)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
@@ -89,6 +93,29 @@ def arrives_first(clause: Clause, text: Telling) -> list[Doing]:
         for one in first
         if e.moving_vehicle and not any(e in by for by in owes)
     ]
+
+
+def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
+    """``waits until two cars are through``, ``stops until he has crossed``."""
+    event, (_, end) = clause.event, text.bounds(clause.event.i)
+    subs = (w for w in text.subs if event.j <= w.i < end and text.tokens[w.i].low in _UNTIL)
+    sub = next(subs, None)
+    between = text.within(event.j, sub.i) if sub is not None else []
+    if sub is None or any(s.event.finite for s in between):
+        return []
+    who = next((m for m in text.mentions if sub.j <= m.i < end and not m.possessor), None)
+    if who is None:
+        return []
+    told = [s.event for s in text.within(sub.j, end) if s.event.finite and s.actors == who.entities]
+    after = {t.low for t in text.tokens[who.j : who.j + _SOON]}
+    if told:
+        gone = told[0].name in _GOES or told[0].perfect or told[0].lemma == "clear"
+        gone = gone and (told[0].name != "leave" or told[0].lemma == "clear")
+    else:
+        gone = bool(after & word_list("past_by"))
+    if not gone:
+        return []
+    return [e for e in who.entities if e not in clause.actors and not e.still]
 
 
 def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:

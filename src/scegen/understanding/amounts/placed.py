@@ -21,6 +21,7 @@ _ARMS_LENGTH = 3
 _TWO_LANES = 7
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
+_TOLD_OTHERWISE = "how far apart they are then is told otherwise before; left out"
 
 
 def apart(figure: Figure) -> bool:
@@ -35,8 +36,19 @@ def apart(figure: Figure) -> bool:
         spacings += [Apart(measure, a, b, figure.amount, at) for a, b in row]
     else:
         told = _between(figure, measure, *pair, at)
-        spacings += [told, *_past_all(told, figure)]
+        if any(_otherwise(told, other) for other in spacings):
+            figure.text.draft.note_at(told.amount.basis, _TOLD_OTHERWISE)
+        else:
+            spacings += [told, *_past_all(told, figure)]
     return True
+
+
+def _otherwise(told: Apart, other: Apart) -> bool:
+    """Whether two cannot be so far apart at that moment, by what was told before."""
+    same = told.measure is other.measure and told.at is other.at and told.since == other.since
+    same = same and {told.entity, told.reference} == {other.entity, other.reference}
+    one, two = told.amount.value, other.amount.value
+    return same and (one.low > two.high or two.low > one.high)
 
 
 def _past_all(told: Apart, figure: Figure) -> list[Apart]:

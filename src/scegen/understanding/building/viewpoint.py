@@ -17,13 +17,22 @@ _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SEEN_BACK = _ALONG | {Approach.ADJACENT}
 _SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
+_ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
+                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING})  # fmt: skip
+"""What one vehicle does to another, which a text need not name."""
+_TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
 _DRIVES = "an ego that stands beside the road at first is not built; it drives from the start"
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
 
 
-def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
-    """The ego with the reason for the choice; adds one if no vehicle moves."""
+def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
+    """The ego with the reason for the choice; adds one if nobody that is named can be it.
+
+    Args:
+        draft: the scenario in the making.
+        crossing: whether roads meet.
+    """
     named = next((e for e in draft.entities if e.ego), None)
     if named is not None and "speaks" in named.named_by and not named.is_vehicle:
         _look_on(draft, named)
@@ -66,6 +75,8 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
     if all(_seen(draft, e, sides) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
+    if alone and not crossing and _endangers_unnamed(draft):
+        return _added(draft, "the only vehicle endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
     afoot = [e for e in draft.entities if not e.is_vehicle]
@@ -77,6 +88,12 @@ def choose_ego(draft: Draft) -> tuple[Entity, Basis]:
             if placement.entity is chosen and placement.reference is None and not facing:
                 placement.reference = afoot[0]
     return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _endangers_unnamed(draft: Draft) -> bool:
+    """``a van comes the wrong way``, ``a taxi brakes hard``: a danger to whom nobody names."""
+    caused = {d.kind for d in draft.dangers}
+    return len(draft.entities) == 1 and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
 
 
 def _look_on(draft: Draft, teller: Entity) -> None:

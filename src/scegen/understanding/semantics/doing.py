@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import Control, Maneuver
 from scegen.understanding.draft import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 _PREVENTED = frozenset({"fail", "avoid", "prevent", "delay", "encounter"})
+_ALL_STOP = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 
 
@@ -70,6 +71,9 @@ ENTITY: dict[str, Callable[[Entity, Context], bool]] = {
     "may_cross": may_cross,
     "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
     "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
+    "braked": lambda e, c: (
+        e.is_vehicle and e.brakes_from is not None and c.junction.control not in _ALL_STOP
+    ),
     "lets_by": lambda e, c: e in c.letting,
 }
 """What a row may ask of those who act."""
