@@ -46,14 +46,12 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     movers = [e for e in vehicles if not _stays(e)]
     if not movers and len(draft.entities) == len(vehicles) > 1:
         movers = vehicles  # "two cars stand at a crossroads": nobody else is there
-    told = next((e for e in vehicles if _told_of(e, draft)), None)
-    if told is not None:
-        told.ego = True
-        return told, Basis(reason="the text names no ego; it is about this vehicle")
+    told = [e for e in vehicles if _told_of(e, draft)]
     party = [e for name in _PARTIES for e in vehicles if name in e.labels]
-    if party:
-        party[0].ego = True
-        return party[0], Basis(reason="the text names no ego; it tells this party's case")
+    for about in (told or party)[:1]:
+        about.ego = True
+        what = "is about this vehicle" if told else "tells this party's case"
+        return about, Basis(reason=f"the text names no ego; it {what}")
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
     crossers = {
         e.index for d in draft.dangers if d.kind is HazardKind.CROSSING_CYCLIST for e in d.by
@@ -93,7 +91,8 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
 def _endangers_unnamed(draft: Draft) -> bool:
     """``a van comes the wrong way``, ``a taxi brakes hard``: a danger to whom nobody names."""
     caused = {d.kind for d in draft.dangers}
-    return len(draft.entities) == 1 and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
+    alone = len(draft.entities) == 1 and not draft.entities[0].labels
+    return alone and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
 
 
 def _look_on(draft: Draft, teller: Entity) -> None:
