@@ -33,7 +33,7 @@ def moves(text):
         ("The claimant was driving along when the third party pulled out.", {"car": 2}),
         ("P1 was crossing the road when V1 turned right.", {"pedestrian": 1, "car": 1}),
         ("Three vehicles meet: a bus goes on, a taxi waits and a van stops.", None),
-        ("A long queue of four cars waits behind a bus.", {"car": 4, "bus": 1}),
+        ("A long queue of four cars waits behind a bus.", {"car": 5, "bus": 1}),
         ("A road user brakes behind a bus.", {"car": 1, "bus": 1}),
         ("The pedestrian light turns green as a bus brakes.", {"bus": 1, "car": 1}),
         ("A car is parked half on the pavement near a bus.", {"car": 1, "bus": 1}),

@@ -139,7 +139,14 @@ class Figure(Clause):
     @cached_property
     def adjacent(self) -> list[Entity]:
         """Who is named right before it, forms of "to be" and adverbs skipped."""
-        return self.named_before(self.i)
+        ego = self.text.ego
+        ours = self.i > self.start and self.text.tokens[self.i - 1].low in {"our", "my"}
+        return [ego] if ours and ego is not None else self.named_before(self.i)
+
+    @property
+    def heads(self) -> bool:
+        """``30 mph, a cyclist ahead``: it opens its sentence, and is nobody's that is named."""
+        return self.i == self.start and self.text.low(self.j, self.j + 1) == " , "
 
     def named_before(self, i: int) -> list[Entity]:
         """The same of another token."""

@@ -113,6 +113,9 @@ def _from_to(figure: Figure) -> Doing | None:
 
 def _whose(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
+    ego = figure.text.ego
+    if figure.heads and ego is not None and ego.speed is None:
+        return [ego]
     told = figure.adjacent or figure.own_subject
     if told:
         return told

@@ -22,14 +22,14 @@ class Telling:
 
     Args:
         chunks: its chunks.
-        scenes: what happens, in the order of the text.
+        scenes: what happens.
         context: the scenario in the making.
     """
 
     def __init__(self, chunks: list[Chunk], scenes: list[Clause], context: Context) -> None:
         self.tokens = context.tokens
         self.chunks = chunks
-        self.scenes = scenes
+        self.scenes = sorted(scenes, key=lambda scene: scene.event.i)
         self.context = context
         self.draft = context.draft
         self.mentions = [c for c in chunks if isinstance(c, Mention)]

@@ -44,7 +44,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         return named, Basis(named.basis.i, named.basis.j) if words else named.basis
     vehicles = [e for e in draft.entities if e.moving_vehicle]
     movers = [e for e in vehicles if not _stays(e)]
-    if not movers and len(draft.entities) == len(vehicles) > 1:
+    if not movers and crossing and len(draft.entities) == len(vehicles) > 1:
         movers = vehicles  # "two cars stand at a crossroads": nobody else is there
     told = [e for e in vehicles if _told_of(e, draft)]
     party = [e for name in _PARTIES for e in vehicles if name in e.labels]
@@ -91,8 +91,9 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
 def _endangers_unnamed(draft: Draft) -> bool:
     """``a van comes the wrong way``, ``a taxi brakes hard``: a danger to whom nobody names."""
     caused = {d.kind for d in draft.dangers}
-    alone = len(draft.entities) == 1 and not draft.entities[0].labels
-    return alone and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
+    first, *rest = draft.entities
+    known = first.labels or draft.tokens[first.basis.i or 0].low == "the"  # "the car stops"
+    return not (rest or known) and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
 
 
 def _look_on(draft: Draft, teller: Entity) -> None:

@@ -275,10 +275,20 @@ class Chunker:
         named = Namer(self._terms, self._tokens)
         m = named.single(mention, m)
         mention.possessor = ego_owns(heads, self._term(m))
+        m = self._at_rest(mention, m)
         self._chunks.append(mention)
         further, m = named.further(mention, m)
         self._chunks += further
         return m
+
+    def _at_rest(self, mention: Mention, m: int) -> int:
+        """``two cars already at rest``: the state of those named, not of who acts."""
+        adverb = m + (m < len(self._terms) and self._is_adverb(self._terms[m]))
+        state = self._term(adverb)
+        if not self._chunks or state is None or state.cat != "state" or self._low(adverb) != "at":
+            return m
+        mention.mods = [*mention.mods, state]
+        return adverb + 1
 
     def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
         start = mods[0].i if mods else head.i

@@ -106,7 +106,10 @@ def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
     if not isinstance(who, Mention):
         return [], k + 1
     ends = Word(Term("punct", ".", who.i, who.i))
-    return [who, replace(verb, form="s"), *over, chunks[k], ends], m + 1
+    m += 1
+    paced = _cat(chunks, m) == "prep" and _cat(chunks, m + 1) == "quantity"  # "at 5 km/h"
+    pace = chunks[m : m + 2 * paced]
+    return [who, replace(verb, form="s"), *over, chunks[k], *pace, ends], m + len(pace)
 
 
 def _entered(chunks: list[Chunk], m: int) -> int | None:

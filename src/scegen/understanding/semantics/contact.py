@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 _BODY = frozenset({"side", "flank"})
 _MOTION = frozenset({"move", "walk", "speed", "enter", "reverse", "turn", "sharp_turn", "swerve",
                      "lose_control", "pull_out", "accelerate", "brake", "slow", "dash", "cross",
-                     "lane_change", "pull_over", "return"})  # fmt: skip
+                     "lane_change", "pull_over", "return", "unknown"})  # fmt: skip
 
 _NOBODY = frozenset({"nobody", "neither"})
 _ROADWARDS = frozenset({"turn", "sharp_turn", "pull_out"})
@@ -26,9 +27,12 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
     event, tokens = clause.event, context.tokens
     if event.name not in _MOTION or event.nominal:
         return None
-    goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low == "into"]
+    opening = {"into", "against", *(["in"] if event.lemma in word_list("ending_up") else [])}
+    goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low in opening]
     goals += [event.object] if tokens[event.j - 1].low == "into" else []
     nouns = (g for g in goals if isinstance(g, NounPhrase))
+    if event.name == "unknown":  # "bores into its side": somebody's part, not a lane or a car park
+        nouns = (g for g in nouns if isinstance(g, Place))
     return next((g for g in nouns if _touched(g, clause, context)), None)
 
 
@@ -48,7 +52,8 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     end = bool({"front", "rear"} & set(goal.dirs))
     owned = goal.owner is not None or any(m.cat == "possessive" for m in goal.mods)
     named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
-    return end or (owned and named)
+    rests = clause.event.lemma in word_list("ending_up")  # "in its side"; "into its side" of a road
+    return end or (owned and (named or rests))
 
 
 def touched(goal: NounPhrase | None) -> list[Entity]:
