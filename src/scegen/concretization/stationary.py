@@ -20,6 +20,7 @@ from scegen.concretization.passing import calm_change_length_m, neighbour_lane, 
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.things import lying_in_the_way, made_of, shape_of
+from scegen.errors import MotionInfeasibleError
 from scegen.motion.standing import heads_for_junction, standing_path
 from scegen.road.geometry import Pose
 from scegen.road.model import RouteStep
@@ -116,6 +117,9 @@ def place_obstacles(scene: Setup) -> None:
     """Lay every thing that dangers need in the way, and lead the others round it.
 
     Where somebody who may not touch it would do so, it is left out, and the danger with it.
+
+    Raises:
+        MotionInfeasibleError: the same, of a thing that is described.
     """
     for hazard, thing in lying_in_the_way(scene.functional, scene.logical, scene.drives):
         draft = scene.drives[thing.in_way_of or ""]
@@ -126,7 +130,14 @@ def place_obstacles(scene: Setup) -> None:
         stays = _may_stay(scene, draft)
         station, pose = _spot(scene, draft, shape.body, stays=stays)
         touching = [d for d in scene.drives.values() if _met_m(d, pose, shape.body) is not None]
-        if any(d.changes_before or not (d is draft or same_lane(d, draft)) for d in touching):
+        hit = [d for d in touching if d.changes_before or not (d is draft or same_lane(d, draft))]
+        if hit and thing in scene.functional.objects:
+            raise MotionInfeasibleError(
+                f"{hit[0].id} would drive into it where it lies in the way of {draft.id}",
+                where=thing.id,
+                hint="Say what lies in whose way, or leave it out.",
+            )
+        if hit:
             continue
         made = made_of(thing.id, shape, thing.called, pose)
         scene.add_object(made, hazard, draft.id)
