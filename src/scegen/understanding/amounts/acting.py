@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import SLOWING, ActKind
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.telling import Telling
@@ -43,6 +43,7 @@ def read_acts(text: Telling) -> None:
     found.sort(key=lambda d: d.i)
     _out_to_pass(found, text)
     _back_from_there(found)
+    _past_and_back(found, text)
     _come_to_rest(found)
 
 
@@ -113,6 +114,28 @@ def _back_from_there(found: list[Doing]) -> None:
         own = [d for d in passed if d.entity is doing.entity]
         if doing.kind is ActKind.CHANGE_LANE and own and own[-1].side is not None:
             doing.side = OTHER[own[-1].side]
+
+
+def _past_and_back(found: list[Doing], text: Telling) -> None:
+    """``overtakes a tractor and returns ahead of it``: that belongs to passing it."""
+    dangers = text.draft.dangers
+    passed = [
+        (by, to)
+        for d in dangers
+        if d.kind is HazardKind.OVERTAKING
+        for by in d.by
+        for to in d.to
+        if not to.ego
+    ]
+    for doing in found:
+        if doing.kind is ActKind.CHANGE_LANE and (doing.entity, doing.into) in passed:
+            doing.into = None
+    dangers[:] = [
+        d
+        for d in dangers
+        if d.kind is not HazardKind.CUT_IN or not d.to
+        or not all((by, to) in passed for by in d.by for to in d.to)
+    ]  # fmt: skip
 
 
 def _acts_of(scene: Clause, text: Telling) -> list[Doing]:

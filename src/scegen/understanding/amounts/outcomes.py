@@ -20,6 +20,7 @@ from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE, _PAIR = 4, 2
 _WHOLE, _HALF = 100.0, 50.0
+_WITH_WHOM = frozenset({"with", "between"})
 _DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
 """What may be left undone, and a contact follows."""
 _PARTS = frozenset({"side", "middle", "front", "portion"})
@@ -59,6 +60,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
     clear = _gets_clear(scene)
     noun = _bare(event, text) and not event.subject  # "…; contact is avoided"
+    clear = clear or _stops_first(scene, text)
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
@@ -84,10 +86,11 @@ def _meets(scene: Clause, text: Telling) -> bool:
     event, lemma = scene.event, scene.event.lemma
     if event.name == "overlook" and lemma == "miss":
         return text.find("nearly", max(0, event.i - _BEFORE), event.i) is not None
-    part = isinstance(event.object, Place) and event.object.kind in _PARTS
+    part = isinstance(event.object, Place) and event.object.kind in _BODY
     meets = lemma == "meet" and (event.how("head_on") is not None or part)
-    with_ = (p.target for p in event.pps if p.value == "with")  # "catches him with its front"
-    meets |= lemma == "catch" and any(isinstance(c, Place) and c.kind in _PARTS for c in with_)
+    with_ = (p.target for p in event.pps if p.value in {"with", "in"})
+    own = any(isinstance(c, Place) and c.kind in _BODY for c in with_)
+    meets |= lemma == "catch" and own  # "catches him with its front"
     meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)
     return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
 
@@ -97,6 +100,14 @@ def _by_a_part(event: Event, text: Telling) -> bool:
     by = [p.target for p in event.pps if p.value in {"by", "of"}] if event.passive else []
     front = [c for c in text.chunks if isinstance(c, Place) and c.j == event.i]
     return any(isinstance(c, Place) and c.kind in _BODY for c in (*by, *front))
+
+
+def _stops_first(scene: Clause, text: Telling) -> bool:
+    """``comes to a stop before reaching him``: then nobody is touched."""
+    event = scene.event
+    stops = any(s.event.name in {"stop", "brake"} for s in text.within(0, event.i))
+    before = {t.low for t in text.tokens[max(0, event.i - _PAIR) : event.i]}
+    return event.lemma == "reach" and stops and bool(scene.targets) and "before" in before
 
 
 def _gets_clear(scene: Clause) -> bool:
@@ -217,24 +228,30 @@ def _said_of(k: int, text: Telling) -> set[str]:
     events = [s.event for s in text.within(first, end)]
     done = [e.name for e in events if e.i < k]
     said = set(done[-1:])
-    entry = [t.low for t in text.tokens[k + 1 : k + 3]]  # "Contact: none"
+    rest = [t.low for t in text.tokens[k + 1 : end]]
+    ends = rest.index(":") if rest and rest[0] in _WITH_WHOM and ":" in rest else 0
+    entry = rest[ends : ends + 2]  # "Contact: none", "contact with the van: none"
     said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*words()["none"]} else set()
     for event in events:
         whole = [event.object, *(p.target for p in event.pps)]
         held = event.name not in _DONE and any(c is not None and c.i <= k < c.j for c in whole)
         between = text.tokens[k + 1 : event.i]
-        after = event.i > k and not text.spoken_of(k, event.i)
+        own = bool(rest) and rest[0] in _WITH_WHOM  # "contact with the van shall be avoided"
+        after = event.i > k and (own or not text.spoken_of(k, event.i))
         if held or (after and all(t.kind == "word" for t in between)):
             around = {t.low for t in between} - {"without"}  # "impact without braking is at 25 %"
             denied = event.negated if held else around & {*words()["none"]}
             said |= {"denied"} if denied else around
-            said |= {event.name} & _KEEPING_OFF if after and not denied else set()
+            kept = {event.name} & _KEEPING_OFF if after and not denied else set()
+            said |= {"in_vain"} if kept and _in_vain(event) else kept
     return said
 
 
 def _in_vain(event: Event) -> bool:
     """``cannot avoid hitting him``: it happens all the same."""
-    return event.name in _KEEPING_OFF and event.negated
+    above = event.parent
+    failed = above is not None and above.name == "fail" and not above.negated
+    return event.name in _KEEPING_OFF and (event.negated or failed)
 
 
 def _between(scene: Clause, text: Telling) -> list[Entity]:

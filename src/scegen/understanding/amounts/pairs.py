@@ -50,6 +50,9 @@ def _in_one_file(members: list[Entity], text: Telling) -> bool:
 def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     """Who lies how far from whom."""
     text, noun, subject = figure.text, figure.noun, figure.subject
+    ending = text.found.ending
+    if figure.role == "overlap" and ending is not None and len(ending.between) == _PAIR:
+        return ending.between[0], ending.between[1]  # of those who touch
     if " the next " in f"{' '.join(figure.words_around.after.split()[:4])} ":
         return None  # "each 3 m clear of the next"
     own = noun is not None and any(m.cat == "possessive" for m in noun.mods)

@@ -107,7 +107,7 @@ class Builder:
             abreast(self._draft, ego)
             both_change_lanes(self._draft, ego)
             from_the_strip(self._draft, ego)
-            settle_along(self._draft, ego)
+            settle_along(self._draft, ego, self._happenings)
             relations = past_people(relations)
             if junction.auxiliary is not None:
                 named = lanes_of(ego, junction)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import (
     ON_FOOT,
@@ -12,23 +13,32 @@ from scegen.scenario.vocabulary import (
     Maneuver,
 )
 from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.happenings import Happenings
 from scegen.understanding.semantics.numbered_lanes import EITHER
 
 _FEWEST_WITH_A_MIDDLE = 3
+_ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
 _UNSETTLED = "from which side lanes are counted is not said, so the number names none"
 
 
-def settle_along(draft: Draft, ego: Entity) -> None:
+def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
     """On a straight road, who stands or walks in the lane is ahead; lanes of one name are one.
 
     So is whoever drives there, where the ego brakes.
     """
     brakes = any(d.kind in BRAKING and ego in d.by for d in draft.dangers)
+    aside = any(a.entity is ego and a.kind in _ASIDE and a.side for a in happenings.acts)
+    passed = {
+        e.index
+        for d in draft.dangers
+        if aside and d.kind is HazardKind.OVERTAKING and ego in d.by
+        for e in d.to
+    }
     for entity in draft.entities:
         if entity is ego:
             continue
-        _in_the_same_lane(entity, ego)
+        _in_the_same_lane(entity, ego, passed=entity.index in passed)
         alone = not entity.approaches and entity.heading is None and not entity.parked
         if entity.stands is not None and alone:
             basis = entity.stands
@@ -55,20 +65,23 @@ def settle_along(draft: Draft, ego: Entity) -> None:
             entity.approach_basis = Basis(basis.i, basis.j, reason)
 
 
-def _in_the_same_lane(entity: Entity, ego: Entity) -> None:
+def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
     """``the ego in the right lane … a truck in the right lane``: not beside it.
 
-    Nor is who stands in the right lane, where nobody says in which one the ego drives.
+    Nor is who stands in the right lane, where nobody says in which one the ego drives, or whom it
+    changes lanes to pass.
     """
     if entity.start_lane is None or entity.approaches != {Approach.ADJACENT}:
         return
     same = ego.start_lane is not None and entity.start_lane[0] == ego.start_lane[0]
-    barred = ego.start_lane is None and entity.stands is not None
+    barred = ego.start_lane is None and (passed or entity.stands is not None)
     if same or barred:
         entity.beside = None
         basis = entity.start_lane[1]
         entity.approaches = {Approach.AHEAD}
-        reason = "in the lane of the ego" if same else "who stands in the lane is ahead"
+        reason = "who stands in the lane is ahead"
+        if same or passed:
+            reason = "in the lane of the ego" if same else "the ego goes over to pass it"
         entity.approach_basis = Basis(basis.i, basis.j, reason)
 
 

@@ -150,6 +150,9 @@ class Interpreter:
         for prep in mention.pps:
             if id(prep) in self._of_verbs:
                 continue  # "approaches the ego from the left": not the ego comes from there
+            if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
+                self._spread(prep, mention.entities)
+                continue
             shared = len(sides) == len(mention.entities) > 1 and prep in sides
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             placing.phrase(prep, whom, None, self._context)

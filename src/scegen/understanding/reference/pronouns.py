@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
+from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
@@ -174,6 +175,8 @@ class Pronouns:
         named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
         if named and which == "one" and mention.mods and mention.mods[0].value == "def":
             return named[-1:]  # "the one from the left"
+        if which == "one" and (known := self._known_one(mention, exclude)):
+            return known
         number = mention.mod("num") if which in {"count", "others", "further"} else None
         if which == "others" and number is None:
             opened = [g for g in self.roster.groups if 0 < len(g.free) < len(g.members)]
@@ -191,6 +194,19 @@ class Pronouns:
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
+
+
+    def _known_one(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """``the one in front``, ``this one``: of those who are known."""
+        if not mention.mods or mention.mods[0].value != "def":
+            return []
+        others = [e for e in self.roster.recent if e.is_vehicle and not e.ego and e not in exclude]
+        if self.tokens[mention.i].low in word_list("pointing"):
+            return others[-1:]
+        there = loci_of(mention)
+        placed = [e for e in others if e.loci & there]
+        alone = bool(there) and len(others) == 1 and not others[0].loci
+        return placed[-1:] or (others if alone else [])
 
 
 def picked(entities: list[Entity]) -> list[Entity]:
