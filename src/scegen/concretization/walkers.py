@@ -214,11 +214,12 @@ def rendezvous(
         return place, way
     marks = [m for m in draft.marks if m.then is not None]
     marks += [m for m in draft.steps if m.target_mps == 0.0 and scene.is_loose(m.act)]
-    for mark in marks:
-        if mark.s_m < place:
-            sooner_s = (place - mark.s_m) / max(draft.course.speed_at(mark.s_m), 1.0)
+    done = {p.act: p.s_m for p in draft.course.phases if p.act}  # one after another
+    for begins_m in (done.get(mark.act or "", mark.s_m) for mark in marks):
+        if begins_m < place:
+            sooner_s = (place - begins_m) / max(draft.course.speed_at(begins_m), 1.0)
             left_kerb = max(0.0, walk.setback_m - _STEPS_OFF_M)
-            return mark.s_m, max(way - walk.speed_mps * sooner_s, left_kerb)
+            return begins_m, max(way - walk.speed_mps * sooner_s, left_kerb)
     return place, way
 
 

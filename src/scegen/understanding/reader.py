@@ -47,6 +47,7 @@ from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.angles import read_angles, set_apart
+from scegen.understanding.words.emptiness import without_emptiness
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
@@ -84,7 +85,7 @@ def read(text: str) -> FunctionalScenario:
     if len(text) > MAX_CHARACTERS:
         msg = f"the description has {len(text)} characters, more than {MAX_CHARACTERS}"
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
-    tokens = tokenize(text)
+    tokens = without_emptiness(tokenize(text))
     require_english(tokens, text)
     terms = whole_bends(set_apart(tag(tokens), read_angles(tokens, text)), tokens)
     require_traffic(terms, tokens)
