@@ -283,7 +283,8 @@ class ClauseReader:
             m.denied or m.pronoun == "neither" for m in event.subject
         )
         event.perfect = "aux:have" in state.between
-        event.modal = event.modal or "aux:modal" in state.between
+        owed = "aux:shall" in state.between and any(m.is_ego for m in event.subject)
+        event.modal = event.modal or owed or "aux:modal" in state.between
         release(self._state)
         state.events.append(event)
         self.events.append(event)

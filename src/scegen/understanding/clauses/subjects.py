@@ -158,7 +158,7 @@ def _past_being(event: Event, state: State) -> bool:
     """``a van that is behind the ego brakes``: the van, as "is" has its end before the verb."""
     if not {"rel", "aux:be"} <= state.between or "," in state.between:
         return False
-    helped = bool({"aux:do", "aux:will", "aux:can", "aux:modal"} & state.between)
+    helped = bool({"aux:do", "aux:will", "aux:can", "aux:modal", "aux:shall"} & state.between)
     beside = state.mentions[-1:] != [state.candidate] and event.name not in PASSIVE
     return helped or event.form == "s" or (event.form == "ed" and beside)
 
