@@ -145,11 +145,12 @@ class Discourse:
         return picked([e for e in whole if not e.claimed][: int(count)])
 
     def _their_own_queue(self, mention: Mention) -> bool:
-        """``five cars wait in a queue``: they are the queue."""
+        """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
         mass = bool(mention.head and mention.head.data.get("mass"))
         within = mention.prep is not None and mention.prep.value == "in"
         end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
-        return mass and ((within and len(self._roster.subject) > 1) or end)
+        several = max(len(self._roster.subject), len(self._draft.entities)) > 1
+        return mass and ((within and several) or end)
 
     def _a_measure(self, mention: Mention) -> bool:
         """``and one of 12 m/s``."""

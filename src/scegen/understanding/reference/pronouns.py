@@ -195,7 +195,6 @@ class Pronouns:
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
 
-
     def _known_one(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``the one in front``, ``this one``: of those who are known."""
         if not mention.mods or mention.mods[0].value != "def":

@@ -18,6 +18,7 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
+_ARMS = frozenset({"side", "leg", "approach", "road", "access"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
 _FEWEST_ARMS = 3
@@ -135,8 +136,20 @@ def _place_control(
         said.setdefault(Control.SIGNALS_OFF, off)
     elif absent.negated(terms, k):
         said.setdefault(Control.UNCONTROLLED, Basis(terms[k - 1].i, term.j))
+    elif term.value == "stop_sign" and (every := _on_every_arm(terms, k)) is not None:
+        said.setdefault(Control.ALL_WAY_STOP, every)
     else:
         said.setdefault(Control(control), Basis(term.i, term.j))
+
+
+def _on_every_arm(terms: list[Term], k: int) -> Basis | None:
+    """``stop signs on all four sides``, ``a stop sign on each approach``."""
+    on, every, *rest = [*terms[k + 1 : k + 5], None, None]
+    if on is None or every is None or (on.cat, every.cat) != ("prep", "quant"):
+        return None
+    arms = [t for t in rest if t is not None and t.cat not in {"num", "prep", "det"}][:1]
+    told = every.value == "all" and any(t.value in _ARMS for t in arms)
+    return Basis(terms[k].i, arms[0].j) if told else None
 
 
 def _of_a_vehicle(terms: list[Term], k: int, tokens: list[Token]) -> bool:

@@ -31,7 +31,7 @@ def away_from(terms: list[Term], k: int) -> bool:
 
 
 def negated(terms: list[Term], k: int) -> bool:
-    """``no traffic lights``, ``without a stop sign``.
+    """``no traffic lights``, ``without a stop sign``, ``neither lights nor signs``.
 
     Args:
         terms: the terms of the text.
@@ -39,6 +39,6 @@ def negated(terms: list[Term], k: int) -> bool:
     """
     before = terms[max(0, k - 3) : k]
     return any(
-        (t.cat == "det" and t.value == "negative") or (t.cat == "prep" and t.value == "without")
+        (t.cat == "det" and t.value == "negative") or t.value in {"without", "neither"}
         for t in before
     )
