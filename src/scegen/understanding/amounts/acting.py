@@ -133,8 +133,8 @@ def _past_and_back(found: list[Doing], text: Telling) -> None:
     dangers[:] = [
         d
         for d in dangers
-        if d.kind is not HazardKind.CUT_IN or not d.to
-        or not all((by, to) in passed for by in d.by for to in d.to)
+        if d.kind is not HazardKind.CUT_IN
+        or not all(any((by, to) in passed for to in d.to or text.draft.entities) for by in d.by)
     ]  # fmt: skip
 
 

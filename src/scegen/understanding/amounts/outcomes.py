@@ -150,7 +150,8 @@ def _of_nobody(event: Event, text: Telling) -> bool:
     """
     before = [s.event for s in text.scenes if s.event.i < event.i and s.event is not event.parent]
     done = [m for e in before for m in e.subject]
-    own = [m for m in event.subject if all(m is not other for other in done)]
+    joined = text.tokens[event.i - 1].low in {"or", "nor"}  # "nobody is hurt or touched"
+    own = [m for m in event.subject if joined or all(m is not other for other in done)]
     named = [*own, event.object, *(p.target for p in event.pps)]
     return any(
         isinstance(m, Mention) and (m.negated or m.denied or m.pronoun in _NOBODY) for m in named

@@ -178,7 +178,8 @@ def _stand_in_the_lane(entities: list[Entity], clause: Clause) -> None:
 def jam(mention: Mention, context: Context) -> None:
     """``the end of a jam``: it stands, unless the text lets it move."""
     if mention.head is not None and mention.head.data.get("stands"):
-        state(Term("state", "stationary", mention.i, mention.j), mention.entities, context)
+        others = [e for e in mention.entities if not e.ego]
+        state(Term("state", "stationary", mention.i, mention.j), others, context)
 
 
 def state(term: Term, entities: list[Entity], context: Context) -> None:

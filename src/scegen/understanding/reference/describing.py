@@ -91,7 +91,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     acted_on = event.object
     pronoun = isinstance(acted_on, Mention) and acted_on.pronoun in {"it", "him", "they"}
-    mention.besides = mention.besides or (close and pronoun)
+    told = close or (event.embedded and event.finite)  # "the car that has been tailgating it"
+    mention.besides = mention.besides or (told and pronoun)
     _by_word(mention, tokens[event.i])
     if event.passive:
         return  # "the car is hit by a van from the right": the van comes from there
