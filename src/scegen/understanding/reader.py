@@ -11,7 +11,7 @@ from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.undone import undone
 from scegen.understanding.building.viewpoint import choose_ego
-from scegen.understanding.clauses.again import followed_again, who_comes
+from scegen.understanding.clauses.again import who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.own_measures import own_measures
@@ -100,7 +100,6 @@ def read(text: str) -> FunctionalScenario:
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
-    followed_again(events)
     who_comes(chunks, events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)

@@ -39,7 +39,6 @@ def read_acts(text: Telling) -> None:
             known = any(d.entity is doing.entity and d.kind is doing.kind for d in found)
             if doing.always and scene.event.form == "ing" and not known:
                 found.append(doing)
-    _halts_and_crosses(found)
     found.sort(key=lambda d: d.i)
     _out_to_pass(found, text)
     _back_from_there(found)
@@ -58,14 +57,6 @@ def _come_to_rest(found: list[Doing]) -> None:
                 doing.told.append(at)
                 if doing.kind is ActKind.BRAKE:
                     doing.amounts.setdefault("target_speed_mps", Amount(STILL, basis))
-
-
-def _halts_and_crosses(found: list[Doing]) -> None:
-    """``stops at the kerb and then runs across``: it stands there until it crosses."""
-    kerb = [d for d in found if d.kind is ActKind.CROSS and d.entity.halts]
-    for doing in [d for d in kerb if "distance_m" in d.amounts]:
-        if any(d.entity is doing.entity and d is not doing for d in kerb):
-            found.remove(doing)
 
 
 def _moved(doing: Doing, scene: Clause, found: list[Doing]) -> Doing | None:

@@ -1,27 +1,10 @@
-"""Who is meant by one that follows another again, or comes from somewhere."""
+"""Who is meant by one that comes from somewhere."""
 
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 
 _SIDES = frozenset({"left", "right"})
-
-
-def followed_again(events: list[Event]) -> None:
-    """``follows a car … the car that it follows brakes``: the same one.
-
-    Args:
-        events: of the text, in its order.
-    """
-    driven = [e for e in events if e.name == "follow" and not (e.passive or e.negated)]
-    for n, event in enumerate(driven):
-        whom = event.object
-        if not isinstance(whom, Mention) or not event.subject or whom.i > event.subject[0].i:
-            continue
-        led = [e.object for e in driven[:n] if any(m.is_ego for m in e.subject)]
-        before = [m for m in led if isinstance(m, Mention) and m.i < whom.i]
-        if before and all(m.is_ego or m.pronoun for m in event.subject):
-            whom.same_as = whom.same_as or before[-1]
 
 
 def who_comes(chunks: list[Chunk], events: list[Event]) -> None:

@@ -6,8 +6,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
-_ROADS = frozenset({"road", "leg", "junction"})
-_ROADS_FROM, _ASIDE = frozenset({"from", "out"}), frozenset({"in", "to"})
+_ASIDE = frozenset({"in", "to"})
 
 
 def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
@@ -33,9 +32,7 @@ def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
         return True  # "with 50 % overlap on the left side"
     if not isinstance(place, Place):
         return False
-    if place.kind not in _BESIDE_THE_ROAD and not (
-        _lane_beside(place, noun, k, chunks) or _road_beside(place, noun)
-    ):
+    if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
     place.j = noun.j
@@ -59,11 +56,3 @@ def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     there = there and side.prep is not None and side.prep.value in _ASIDE
     there = there and lane.owner is None and not any(m.cat == "possessive" for m in lane.mods)
     return owned or there or any(m.cat == "possessive" for m in side.mods)
-
-
-def _road_beside(road: Place, side: Place) -> bool:
-    """``from the street to our left``, ``out of the arm on the right``: which one it is."""
-    whence = road.prep is not None and road.prep.value in _ROADS_FROM
-    whence = whence and side.prep is not None and side.prep.value in _ASIDE
-    sided = bool(set(side.dirs) & {"left", "right"}) and not road.dirs
-    return road.kind in _ROADS and whence and sided

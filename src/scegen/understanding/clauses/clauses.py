@@ -21,7 +21,6 @@ from scegen.understanding.phrases.lookahead import (
     by_follows,
     event_follows,
     only_a_noun_follows,
-    phrase_follows,
     view_of,
 )
 from scegen.understanding.words.terms import Term
@@ -70,17 +69,14 @@ class ClauseReader:
         elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
             preposition(word, k, self._chunks, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            attached = self._denied_way(word) or self._heading_of_a_noun(word, k)
-            if not (attached or self._in_brackets_after(word, k)):
+            if not (self._denied_way(word) or self._heading_of_a_noun(word, k)):
                 self._adverb(word, k)
         elif state.prep is not None and (word.value == "either" or self._opens_noun(word, k)):
             return  # "from either the left or the right", "without the two touching"
         else:
             release(self._state)
-            if word.cat == "punct" and word.value in "()":
-                self._parenthesis(word.value)
-                return
-            self._joint(word, k)
+            if word.value not in {"(", ")"}:
+                self._joint(word, k)
 
     def _joint(self, word: Word, k: int) -> None:
         """A word between phrases or clauses: "and", a comma, "where", "that"."""
@@ -92,8 +88,7 @@ class ClauseReader:
         if word.cat == "conj" and word.value != "either":
             state.between.add("conj")
             state.between |= {"neg:not"} if word.term.data.get("denies") else set()
-        placed = phrase_follows(k, self._chunks)  # "is half here and half in the next lane"
-        if word.cat == "conj" and word.value in {"and", "but"} and not placed:
+        if word.cat == "conj" and word.value in {"and", "but"}:
             somewhere = state.candidate is not None and any(
                 p.predicate for p in state.candidate.pps
             )
@@ -131,15 +126,6 @@ class ClauseReader:
             return
         word = Word(Term("prep", "in", place.i, place.i + 1))
         self._state.fronted.append(Prep(word, place, fronted=True))
-
-    def _parenthesis(self, mark: str) -> None:
-        """What stands in brackets does not change who acts after them."""
-        state = self._state
-        if mark == "(":
-            state.bracket = (state.anchor, set(state.between))
-        elif state.bracket is not None:
-            state.anchor, state.between = state.bracket
-            state.bracket = None
 
     def _adverb(self, word: Word, k: int) -> None:
         state = self._state
@@ -193,19 +179,6 @@ class ClauseReader:
             noun.mods.append(word.term)
             return True
         return False
-
-    def _in_brackets_after(self, word: Word, k: int) -> bool:
-        """``the path of a van (45 km/h)``: the van's."""
-        who, mark = self._chunks[k - 2 : k] if k > 1 else (None, None)
-        bracket = isinstance(mark, Word) and mark.value == "("
-        if word.cat != "quantity" or not bracket or not isinstance(who, Mention):
-            return False
-        beside = self._chunks[k - 3] if k > 2 else None
-        if isinstance(beside, Word) and beside.cat == "locus":
-            return False  # "the van in front of us (70 km/h)"
-        release(self._state)
-        who.mods.append(word.term)
-        return True
 
     def _clause_start(self) -> bool:
         """The candidate is new: words after it belong to it and not to the verb before."""

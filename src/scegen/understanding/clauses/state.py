@@ -28,7 +28,6 @@ class State:
         fronted: phrases of place at the start of a clause, for the mention that follows.
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
-        bracket: anchor and words between, as they were when a bracket opened.
         resumed: who goes on after a clause put between ("and, once it has passed, drives on").
         relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
         where: a clause has been opened that says what takes place somewhere.
@@ -53,7 +52,6 @@ class State:
     fronted: list[Prep] = field(default_factory=list)
     opening: list[Prep] = field(default_factory=list)
     last_prep: Prep | None = None
-    bracket: tuple[Mention | NounPhrase | Event | None, set[str]] | None = None
     where: bool = False
     trailing: list[Mention] = field(default_factory=list)
     relative: tuple[Mention, Mention] | None = None

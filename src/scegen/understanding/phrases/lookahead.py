@@ -157,22 +157,6 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
     return True
 
 
-def phrase_follows(k: int, chunks: list[Chunk]) -> bool:
-    """``is half in its lane and half in the next``: nothing but a phrase of place comes.
-
-    Args:
-        k: index of the joint.
-        chunks: the chunks of the text.
-    """
-    m = k + 1
-    while m < len(chunks) and getattr(chunks[m], "cat", "") == "manner":
-        m += 1
-    preposed = m < len(chunks) and getattr(chunks[m], "cat", "") == "prep"
-    place, after = (chunks[n] if n < len(chunks) else None for n in (m + 1, m + 2))
-    ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "sub", "conj"})
-    return preposed and isinstance(place, Place) and ends
-
-
 def by_follows(chunks: list[Chunk], k: int) -> bool:
     """``struck from behind by a van``: who does it stands after "by".
 

@@ -39,9 +39,4 @@ def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
         return True
     after = tokens[noun.j] if noun.j < len(tokens) else None
     numbered = after is not None and after.kind == "number" and quantity_at(tokens, noun.j) is None
-    named = after is not None and (numbered or _letter(after))
-    return named and noun.form == "base"
-
-
-def _letter(token: Token) -> bool:
-    return len(token.text) == 1 and token.text.isupper() and token.text != "I"
+    return numbered and noun.form == "base"

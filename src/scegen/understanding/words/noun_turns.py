@@ -31,19 +31,12 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         return False
     before = tokens[terms[k - 1].j - 1]
     definite = tokens[terms[k].i].low not in {"a", "an", "another"}
-    if before.low in {"to", "on"} and _of_a_lane(terms, k - 2):
-        return False  # "in the lane to its left"
     if before.low in word_list("during"):
         own = (terms[k].cat == "possessive" and before.low != "to") or not definite
         return own if before.low in word_list("into") else before.low != "after" or own
     return before.forms[-1][0] in word_list("beginning") and not (
         definite and terms[k].cat == "det"
     )
-
-
-def _of_a_lane(terms: list[Term], k: int) -> bool:
-    """Whether the side tells which lane or other place is meant."""
-    return k >= 0 and terms[k].cat in {"place", "thing", "actor"}
 
 
 def _bare(tokens: list[Token], term: Term) -> bool:
