@@ -11,7 +11,7 @@ from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.undone import undone
 from scegen.understanding.building.viewpoint import choose_ego
-from scegen.understanding.clauses.again import who_comes
+from scegen.understanding.clauses.again import named_again, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.own_measures import own_measures
@@ -87,7 +87,7 @@ def read(text: str) -> FunctionalScenario:
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = without_emptiness(tokenize(text))
     require_english(tokens, text)
-    terms = whole_bends(set_apart(tag(tokens), read_angles(tokens, text)), tokens)
+    terms = whole_bends(set_apart(tag(tokens), read_angles(tokens)), tokens)
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
@@ -101,6 +101,7 @@ def read(text: str) -> FunctionalScenario:
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     who_comes(chunks, events)
+    named_again(events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
     draft.ramp = lengthwise.auxiliary_basis

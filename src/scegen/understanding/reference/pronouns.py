@@ -82,6 +82,9 @@ class Pronouns:
     def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         subject, recent = self.roster.subject, self.roster.recent
         word = self.tokens[mention.i].low
+        afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
+        if word == "it" and mention.walks and not mention.drives and afoot:
+            return afoot[-1:]  # "two cars hide a child; it walks out"
         if word == "it":
             recent = [e for e in recent if e.is_vehicle] or recent
         others = [e for e in recent if "speaks" not in e.named_by]

@@ -25,17 +25,16 @@ class Angles:
     j: int
 
 
-def read_angles(tokens: list[Token], text: str) -> Angles | None:
+def read_angles(tokens: list[Token]) -> Angles | None:
     """The directions of the arms, if the text lists them or says at what angle two roads cross.
 
     Args:
         tokens: the tokens of the text.
-        text: the text, for the degree signs, which are no tokens.
     """
     for i, token in enumerate(tokens):
         if token.kind != "number":
             continue
-        values, j, sign = _run(tokens, text, i)
+        values, j, sign = _run(tokens, i)
         if not sign:
             continue
         before = {base for t in tokens[max(0, i - _REACH) : i] for base, _ in t.forms}
@@ -47,14 +46,13 @@ def read_angles(tokens: list[Token], text: str) -> Angles | None:
     return None
 
 
-def _run(tokens: list[Token], text: str, i: int) -> tuple[list[float], int, bool]:
+def _run(tokens: list[Token], i: int) -> tuple[list[float], int, bool]:
     """Numbers from token ``i`` on, joined by commas and "and", and whether they are degrees."""
     values: list[float] = []
     j = i
     sign = False
     while j < len(tokens) and tokens[j].kind == "number":
         values.append(float(tokens[j].text.replace(",", ".")))
-        sign = sign or text[tokens[j].end : tokens[j].end + 1] == "°"
         j += 1
         if j < len(tokens) and tokens[j].low in word_list("degrees"):
             sign = True

@@ -19,6 +19,7 @@ _TOKEN = re.compile(
     r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
     r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
     r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
+    r"|(?P<degrees>(?<=\d)\s?°(?!\s?[CF]\b))"
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
     r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
@@ -44,8 +45,8 @@ _MAX_WORD = 40
 
 
 _KINDS = {"plain": "word", "clock": "word", "bound": "word", "ordinal": "word", "unit": "word",
-          "tolerance": "word", "arrow": "word"}  # fmt: skip
-_SIGNS = {"tolerance": "±", "arrow": "to"}
+          "tolerance": "word", "arrow": "word", "degrees": "word"}  # fmt: skip
+_SIGNS = {"tolerance": "±", "arrow": "to", "degrees": "degrees"}
 _BARE = frozenset({"plain", "punct"})
 
 
