@@ -37,7 +37,7 @@ def test_without_colours_marks_stand_below_the_words(options):
     by_mark = {}
     for match in re.finditer(r"([-~?!.])\1*", marks):
         by_mark.setdefault(match[1], []).append(text[match.start() : match.end()])
-    assert by_mark["?"] == ["purplish"]
+    assert by_mark["?"] == ["purplish", "wait"]
     assert by_mark["!"] == ["snow"]
     assert by_mark["~"] == ["several buses"]
     assert "turns left" in by_mark["-"]

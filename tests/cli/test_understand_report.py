@@ -5,7 +5,10 @@ import json
 LABELLED = {
     "id": "x",
     "text": "A van brakes hard.",
-    "expect": {"actors": {"van": [1, 1]}, "hazards": {"must": ["hard_braking"], "may": []}},
+    "expect": {
+        "actors": {"van": [1, 1], "car": [1, 1]},
+        "hazards": {"must": ["hard_braking"], "may": []},
+    },
 }
 
 

@@ -224,6 +224,8 @@ def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity
         other: the quantity with the unit.
     """
     number = number_at(tokens, i)
+    if j < len(tokens) and tokens[j].low in word_list("degrees"):
+        return None  # "at 15 km/h, at 90°"
     units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
     if number is None or not units:
         return None
