@@ -49,8 +49,9 @@ def functionals(draw):
         chosen = draw(st.sampled_from(HAZARDS))
         if kind == "straight" and chosen in FROM_BESIDE:
             chosen = "tailgating"  # the brute force knows no lanes, and so no merging from beside
-        beside = {"left", "right"} & {*participants[by].approaches, *participants[to].approaches}
-        if kind != "straight" or not beside:  # nor any one behind the other beside the ego
+        both = participants[by].approaches & participants[to].approaches
+        in_lanes = "adjacent" in both or (kind == "straight" and both & {"left", "right"})
+        if not in_lanes:  # nor one behind the other in the lane beside the ego
             hazards.append(Hazard(kind=chosen, by=(f"car_{by}",), to=(f"car_{to}",)))
     groups = []
     if number > 2 and draw(st.integers(0, 2)) == 0:
