@@ -107,7 +107,8 @@ def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
     if who is None:
         return []
     told = [s.event for s in text.within(sub.j, end) if s.event.finite and s.actors == who.entities]
-    after = {t.low for t in text.tokens[who.j : who.j + _SOON]}
+    marks = (k for k in range(who.j, end) if text.tokens[k].kind == "punct")
+    after = {t.low for t in text.tokens[who.j : next(marks, end)]}
     if told:
         gone = told[0].name in _GOES or told[0].perfect or told[0].lemma == "clear"
         gone = gone and (told[0].name != "leave" or told[0].lemma == "clear")
