@@ -1,5 +1,6 @@
 """Whoever makes it, in whatever order, whatever happens meanwhile: the same rows, each once."""
 
+import inspect
 import os
 import re
 import shutil
@@ -386,9 +387,12 @@ def test_ctrl_c_while_workers_begin_is_silent(started, order_file, tmp_path):
     goes_on(process, order_file, tmp_path / "c", started)
 
 
-INTERRUPTED = """
+INTERRUPTED = f"""
 import os, signal, threading, time
+from pathlib import Path
 from scegen.campaign.engines import Engine, Workforce
+
+{inspect.getsource(workers_of)}
 
 class Interrupting(list):
     def __iter__(self):
@@ -404,8 +408,10 @@ for _ in range(20):
     try:
         list(Workforce(Engine.JOBLIB, 2).each(time.sleep, Interrupting([0.5] * 4), int, abs))
     except KeyboardInterrupt:
-        continue
-    raise SystemExit("it went on")
+        if workers_of(os.getpid()):
+            raise SystemExit("somebody is still at work")
+    else:
+        raise SystemExit("it went on")
 raise SystemExit(str(heard) if heard else 0)
 """
 

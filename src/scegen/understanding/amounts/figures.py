@@ -13,12 +13,12 @@ from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep,
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import AmountFrame, Numbers, words
 from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import Quantity
 
 _MEASURES = {measure.value.rpartition("_")[0]: measure for measure in Measure}
 _PARENTHESIS = 2
-_UNTIL = frozenset({"until", "till"})
 _SKIPPED = frozenset({"aux", "manner", "unknown", "possessive", "(", ":"})
 _OWNS = (["'s"], ["'"], ["("])
 """``the ego's 60 km/h``, ``a van (45 km/h)``."""
@@ -96,7 +96,7 @@ class Figure(Clause):
     def verb(self) -> Event | None:
         """What happens in its clause; None where it only is somewhere."""
         scene, clause = self.scene, self.clause
-        if clause is not None and clause[2] in _UNTIL:  # "brakes until it does 30 km/h"
+        if clause is not None and clause[2] in word_list("until"):  # "brakes until it does 30 km/h"
             main = self.text.within(self.start, clause[0])
             inside = self.text.within(clause[0], self.i)
             told = [s for s in inside if s.event.name != "move"] or main

@@ -14,7 +14,6 @@ from scegen.understanding.semantics.context import Clause
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _SOON, _ORDERS = 4, ("first", "before", "after")
 _HOLDING = frozenset({"wait", "stop"})
-_UNTIL = frozenset({"until", "till"})
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
 
@@ -98,8 +97,8 @@ def arrives_first(clause: Clause, text: Telling) -> list[Doing]:
 def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
     """``waits until two cars are through``, ``stops until he has crossed``."""
     event, (_, end) = clause.event, text.bounds(clause.event.i)
-    subs = (w for w in text.subs if event.j <= w.i < end and text.tokens[w.i].low in _UNTIL)
-    sub = next(subs, None)
+    after = (w for w in text.subs if event.j <= w.i < end)
+    sub = next((w for w in after if text.tokens[w.i].low in word_list("until")), None)
     between = text.within(event.j, sub.i) if sub is not None else []
     if sub is None or any(s.event.finite for s in between):
         return []
@@ -107,16 +106,14 @@ def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
     if who is None:
         return []
     told = [s.event for s in text.within(sub.j, end) if s.event.finite and s.actors == who.entities]
-    marks = (k for k in range(who.j, end) if text.tokens[k].kind == "punct")
-    after = {t.low for t in text.tokens[who.j : next(marks, end)]}
     if told:
-        gone = told[0].name in _GOES or told[0].perfect or told[0].lemma == "clear"
-        gone = gone and (told[0].name != "leave" or told[0].lemma == "clear")
+        clears = told[0].lemma == "clear"
+        gone = clears or told[0].name in _GOES or (told[0].perfect and told[0].name != "leave")
     else:
-        gone = bool(after & word_list("past_by"))
-    if not gone:
-        return []
-    return [e for e in who.entities if e not in clause.actors and not e.still]
+        marks = (k for k in range(who.j, end) if text.tokens[k].kind == "punct")
+        rest = {t.low for t in text.tokens[who.j : next(marks, end)]}
+        gone = bool(rest & word_list("past_by"))
+    return [e for e in who.entities if gone and e not in clause.actors and not e.still]
 
 
 def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:

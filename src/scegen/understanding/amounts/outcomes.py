@@ -98,8 +98,8 @@ def _meets(scene: Clause, text: Telling) -> bool:
 def _by_a_part(event: Event, text: Telling) -> bool:
     """``its front catches him``, ``is met by the middle of the ego's front``."""
     by = [p.target for p in event.pps if p.value in {"by", "of"}] if event.passive else []
-    helped = {k for k in range(event.i) if text.tokens[k].low in words()["required"]}
-    first = event.i - (event.i - 1 in helped)  # "its front shall meet the bicycle"
+    helped = event.i > 0 and text.tokens[event.i - 1].low in words()["required"]
+    first = event.i - helped  # "its front shall meet the bicycle"
     front = [c for c in text.chunks if isinstance(c, Place) and c.j == first]
     return any(isinstance(c, Place) and c.kind in _BODY for c in (*by, *front))
 

@@ -14,6 +14,7 @@ from scegen.understanding.amounts.pairs import pair_of, row_of
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
+from scegen.understanding.lexicon import word_list
 
 _SOON = 14
 _ARMS_LENGTH = 3
@@ -69,7 +70,7 @@ def _past_all(told: Apart, figure: Figure) -> list[Apart]:
 
 def _ends_up(figure: Figure) -> bool:
     """``drifts until only 0.3 m remain``: how far apart they end up."""
-    if figure.clause is None or figure.opened not in {"until", "till"}:
+    if figure.clause is None or figure.opened not in word_list("until"):
         return False
     return not figure.text.acts(figure.clause[1], figure.clause[1] + _SOON)
 

@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import AtLight, Maneuver
 from scegen.understanding.chunks import Event
 from scegen.understanding.frames import acts, always_acts
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, base_words
 
 _INSTEAD = "what is done here became no act; left out"
 _RESTS = frozenset({ActKind.STOP, ActKind.WAIT, ActKind.GIVE_WAY})
@@ -66,7 +66,7 @@ def _told(event: Event, tokens: list[Token]) -> bool:
     """Whether it is told to happen, by a verb of its own: not wished, feared or denied."""
     if event.nominal or event.negated or event.unable or event.purpose or event.premod_of:
         return False
-    words = " ".join(t.forms[-1][0] for t in tokens[event.i : event.j])
+    words = base_words(tokens, event.i, event.j)
     if event.name == "leave" and words not in word_list("setting_off"):
         return False  # "leaves the stem", "leaves 1 m", "stays clear"
     above = event.parent

@@ -46,12 +46,10 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     movers = [e for e in vehicles if not _stays(e)]
     if not movers and crossing and len(draft.entities) == len(vehicles) > 1:
         movers = vehicles  # "two cars stand at a crossroads": nobody else is there
-    told = [e for e in vehicles if _told_of(e, draft)]
-    party = [e for name in _PARTIES for e in vehicles if name in e.labels]
-    for about in (told or party)[:1]:
-        about.ego = True
-        what = "is about this vehicle" if told else "tells this party's case"
-        return about, Basis(reason=f"the text names no ego; it {what}")
+    about = _about(vehicles, draft)
+    if about is not None:
+        about[0].ego = True
+        return about
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
     crossers = {
         e.index for d in draft.dangers if d.kind is HazardKind.CROSSING_CYCLIST for e in d.by
@@ -109,6 +107,17 @@ def _stays(entity: Entity) -> bool:
     """``a stationary car``, ``a waiting bus``: it stands, and nothing says that it drives off."""
     goes = entity.maneuvers - {Maneuver.STAY, Maneuver.STRAIGHT}
     return entity.stands is not None and entity.sets_off < 0 and not goes
+
+
+def _about(vehicles: list[Entity], draft: Draft) -> tuple[Entity, Basis] | None:
+    """Whom a text without an ego is about: its first word, or the party whose case it tells."""
+    told = next((e for e in vehicles if _told_of(e, draft)), None)
+    if told is not None:
+        return told, Basis(reason="the text names no ego; it is about this vehicle")
+    party = next((e for name in _PARTIES for e in vehicles if name in e.labels), None)
+    if party is not None:
+        return party, Basis(reason="the text names no ego; it tells this party's case")
+    return None
 
 
 def _told_of(entity: Entity, draft: Draft) -> bool:

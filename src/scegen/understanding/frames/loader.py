@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from typing import Any
 
@@ -27,6 +27,7 @@ class AmountFrame:
     instead: str | None = None
 
 
+@cache
 def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
     text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
     return parse(text, where=f"{name}.yaml")

@@ -192,7 +192,7 @@ def _meets(colour: AtLight, clause: Clause, link: str | None) -> AtLight | None:
     """How who acts meets a light that changes to a colour; after it has turned red one runs it."""
     name = clause.event.name
     if colour is AtLight.GREEN:
-        waits = name in _SETS_OFF or (name in _HALTING and link in {"until", "till"})
+        waits = name in _SETS_OFF or (name in _HALTING and link in word_list("until"))
         return AtLight.WAITS if waits else None
     if name in _HALTING:
         return AtLight.STOPS

@@ -10,6 +10,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import base_words
 
 _HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", "sidewalk",
                    "shoulder"})  # fmt: skip
@@ -152,7 +153,7 @@ def _from_rest(event: Event, context: Context) -> bool:
 def _first_goes(clause: Clause, context: Context) -> bool:
     """``the truck sets off``: of whom nothing else is told before, on a road without a junction."""
     event = clause.event
-    words = " ".join(t.forms[-1][0] for t in context.tokens[event.i : event.j])
+    words = base_words(context.tokens, event.i, event.j)
     away = event.object is not None or event.pps or event.dirs or context.junction.crossing
     if away or words not in word_list("setting_off"):
         return False
@@ -214,7 +215,7 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
 def _until(event: Event, context: Context) -> bool:
     """``brakes until it stands``, ``once it has stopped``: not before."""
     before = context.tokens[max(0, event.i - _REACH) : event.i]
-    if any(t.low in {"until", "till"} for t in before):
+    if any(t.low in word_list("until") for t in before):
         return True
     who = min((m.i for m in event.subject), default=0)
     opened = context.tokens[who - 1].low if who else ""

@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, base_words
 
 KINDS = {kind.value: kind for kind in ParticipantKind}
 _VAGUE_COUNTS = {"couple": 2, "pair": 2, "few": 3, "several": 3, "multiple": 3, "various": 3}
@@ -170,10 +169,6 @@ def called(mention: Mention, tokens: list[Token]) -> set[str]:
         mention: a mention with nouns.
         tokens: the tokens of the text.
     """
-    nouns = {_word(head, tokens) for head in mention.heads}
-    brands = {f"brand:{_word(h, tokens)}" for h in mention.heads if h.data.get("brand")}
+    nouns = {base_words(tokens, head.i, head.j) for head in mention.heads}
+    brands = {f"brand:{base_words(tokens, h.i, h.j)}" for h in mention.heads if h.data.get("brand")}
     return (nouns | brands) - word_list("everybody")
-
-
-def _word(head: Term, tokens: list[Token]) -> str:
-    return " ".join(tokens[k].forms[-1][0] for k in range(head.i, head.j))

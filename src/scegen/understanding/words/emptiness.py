@@ -13,13 +13,9 @@ def without_emptiness(tokens: list[Token]) -> list[Token]:
     Args:
         tokens: of the text.
     """
-    found: list[Token] = []
-    k = 0
-    while k < len(tokens):
-        length = _room(tokens, k) if tokens[k].low == "of" else 0
-        found += [] if length else [tokens[k]]
-        k += length or 1
-    return found
+    opening = (k for k, token in enumerate(tokens) if token.low == "of")
+    left_out = {m for k in opening for m in range(k, k + _room(tokens, k))}
+    return [token for k, token in enumerate(tokens) if k not in left_out]
 
 
 def _room(tokens: list[Token], k: int) -> int:

@@ -110,6 +110,17 @@ def tokenize(text: str) -> list[Token]:
     return found
 
 
+def base_words(tokens: list[Token], i: int, j: int) -> str:
+    """The base forms of some tokens, with blanks between.
+
+    Args:
+        tokens: of the text.
+        i: index of the first.
+        j: index after the last.
+    """
+    return " ".join(token.forms[-1][0] for token in tokens[i:j])
+
+
 def _spelt(written: str, group: str) -> str:
     """``2nd``, ``n/b``, ``don’t``: a word in lower case as the lexicon spells it."""
     low = _plain(written.lower().replace("’", "'"))
