@@ -10,9 +10,11 @@ import subprocess
 import sys
 import time
 from collections import Counter
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
+import psutil
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
@@ -332,18 +334,12 @@ def test_kill_9_at_any_moment_loses_nothing(started, order_file, tmp_path):
 
 def workers_of(pid):
     """The worker processes of a process, by their name."""
-    children = [
-        int(child)
-        for task in Path(f"/proc/{pid}/task").glob("*/children")
-        for child in task.read_text().split()
-    ]
-    lines = {child: Path(f"/proc/{child}/cmdline") for child in children}
-    return {c for c, line in lines.items() if line.exists() and b"LokyProcess" in line.read_bytes()}
-
-
-needs_proc = pytest.mark.skipif(
-    not Path("/proc/self/task").exists(), reason="looks for workers in /proc"
-)
+    workers = set()
+    for child in psutil.Process(pid).children():
+        with suppress(psutil.NoSuchProcess):  # it ended meanwhile
+            if any("LokyProcess" in word for word in child.cmdline()):
+                workers.add(child.pid)
+    return workers
 
 
 def goes_on(process, order_file, folder, started):
@@ -354,7 +350,7 @@ def goes_on(process, order_file, folder, started):
     if process.returncode == 130:  # unless all was made before
         assert "the same command goes on" in err
         assert not out
-    assert not list(Path("/proc").glob(f"{process.pid}"))
+    assert not psutil.pid_exists(process.pid)
     found = examine(Store(folder), list(Store(folder).plans()))
     assert not found.bad
     last = started(order_file, "-o", folder, "--workers", "1")
@@ -364,7 +360,6 @@ def goes_on(process, order_file, folder, started):
     return err
 
 
-@needs_proc
 @pytest.mark.parametrize("noticed", [True, False])
 def test_a_dying_worker_and_ctrl_c_lose_nothing(started, order_file, tmp_path, noticed):
     folder = tmp_path / "c"
@@ -380,7 +375,6 @@ def test_a_dying_worker_and_ctrl_c_lose_nothing(started, order_file, tmp_path, n
     assert not noticed or "a worker died" in err
 
 
-@needs_proc
 def test_ctrl_c_while_workers_begin_is_silent(started, order_file, tmp_path):
     process = started(order_file, "-o", tmp_path / "c", "--workers", "2")
     until(lambda: workers_of(process.pid), process)
@@ -388,8 +382,8 @@ def test_ctrl_c_while_workers_begin_is_silent(started, order_file, tmp_path):
 
 
 INTERRUPTED = f"""
-import os, signal, threading, time
-from pathlib import Path
+import os, psutil, signal, threading, time
+from contextlib import suppress
 from scegen.campaign.engines import Engine, Workforce
 
 {inspect.getsource(workers_of)}
@@ -416,14 +410,12 @@ raise SystemExit(str(heard) if heard else 0)
 """
 
 
-@needs_proc
 def test_ctrl_c_while_tasks_are_handed_out_is_silent(tmp_path):
     """Loky's own thread loses a race then, one time in four."""
     done = as_process([], tmp_path, os.environ, INTERRUPTED)
     assert done.returncode == 0, done.stderr
 
 
-@needs_proc
 @pytest.mark.parametrize("step", ["planning", "making"])
 def test_nobody_works_on_after_ctrl_c_between_two_results(tmp_path, monkeypatch, step):
     """Even where somebody still holds what was raised."""
