@@ -34,3 +34,30 @@ def test_as_many_lanes_as_can_be_had_are(text, lanes):
 def test_more_lanes_than_are_built_are_refused(lanes):
     with pytest.raises(InfeasibleError, match="at most 4"):
         read(f"On a motorway with {lanes} the car ahead of the ego brakes.")
+
+
+@pytest.mark.parametrize(
+    ("text", "most"),
+    [
+        ("The ego drives in lane 6 of a freeway.", 4),
+        ("The ego drives in lane 4 at a crossroads.", 3),
+    ],
+)
+def test_a_lane_beyond_those_that_are_built_is_refused(text, most):
+    with pytest.raises(InfeasibleError, match=f"at most {most}"):
+        read(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("At a roundabout with five roads a van turns off in front of the ego.", "five"),
+        ("The ego follows a van that brakes five times.", "five"),
+    ],
+)
+def test_a_number_in_words_that_counts_nothing_here_is_told(text, number):
+    assert number in [u.text for u in read(text).unsupported]
+
+
+def test_a_number_that_counts_those_who_are_there_is_not():
+    assert not read("At a crossroads four cars arrive, one from each of the four arms.").unsupported

@@ -32,10 +32,11 @@ def held(figure: Figure) -> bool:
     shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
         return True
-    whose = _able(figure, [e for e in _whose(figure) if e not in taken])
+    meant = [e for e in _whose(figure) if e not in taken]
     ego = text.ego
+    whose = _able(figure, meant)
     if not whose and ego is not None and ego.speed is None:
-        whose = [ego]
+        whose = _able(figure, [ego]) or meant or [ego]
     others = [e for e in whose if e.speed not in (None, speed)]
     again = [e for e in whose if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
     if whose and all(e in others or e in again for e in whose):

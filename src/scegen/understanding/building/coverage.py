@@ -28,6 +28,8 @@ _PORTION = ("place", "portion")
 _WHO = (".kind", ".role")
 """Fields that rest on a whole noun phrase, whatever adjectives stand in it."""
 _MOST = 200
+_MANY = 3
+"""From so many on, a number in words is more than "the two" or "one of them"."""
 
 
 def unattached(
@@ -61,7 +63,7 @@ def unattached(
         dark = scenario.junction.control is Control.SIGNALS_OFF
         if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
             continue  # "a signalised intersection, whose lights are off"
-        if term.cat == "num" and _counts(term, before, tokens, named):
+        if term.cat == "num" and _counts(term, before, tokens, named, scenario):
             continue
         if term.value == "between" and before is not None and before.cat == "quantity":
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
@@ -98,13 +100,21 @@ def _held(term: Term, before: Term | None, scenario: FunctionalScenario) -> bool
 
 
 def _counts(
-    term: Term, before: Term | None, tokens: list[Token], named: list[tuple[int, int]]
+    term: Term,
+    before: Term | None,
+    tokens: list[Token],
+    named: list[tuple[int, int]],
+    scenario: FunctionalScenario,
 ) -> bool:
     """``two cars``, ``vehicle 1``, ``one of them``: a number that counts or names somebody."""
     start, end = tokens[term.i].start, tokens[term.j - 1].end
     inside = any(a <= start and end <= b for a, b in named)
-    called = before is not None and before.cat in {"actor", "place", "label"}
-    return tokens[term.i].kind != "number" or inside or called
+    called = before is not None and before.cat in {"actor", "place", "label", "quant"}
+    if tokens[term.i].kind == "number":
+        return inside or called
+    junction, number = scenario.junction, term.data["number"]
+    counted = {len(scenario.participants), junction.arms, *junction.lanes}  # "one on each of four"
+    return number < _MANY or inside or called or number in counted
 
 
 def _otherwise(term: Term, scenario: FunctionalScenario) -> str | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from scegen.errors import InfeasibleError
 from scegen.scenario.functional import MAX_LANES
 from scegen.scenario.vocabulary import Approach, JunctionKind
 from scegen.understanding.draft import Basis, Draft
@@ -30,6 +31,9 @@ def lanes_of_road(
         along: what it says about the road along its length.
         kind: the shape of the road.
         arms: how many arms it has.
+
+    Raises:
+        InfeasibleError: it names a lane beyond those that are built.
     """
     ring, plain = kind is JunctionKind.ROUNDABOUT, kind is JunctionKind.STRAIGHT
     implied = draft.lanes_implied
@@ -37,12 +41,12 @@ def lanes_of_road(
     if implied is None and adjacent is not None:
         basis = adjacent.approach_basis or adjacent.basis
         implied = Basis(basis.i, basis.j, "vehicles side by side need a second lane")
+    most = MAX_LANES if plain else _MOST_LANES
     if around.lanes == 1 and around.lanes_in_all is not None and implied is not None:
-        count = around.lanes_in_all  # "on a two-lane road, a car in the next lane cuts in"
+        count = min(around.lanes_in_all, most)  # "on a two-lane road, a car in the next lane"
         reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
         counted = around.lanes_basis or implied
         return (count,) * arms, None, Basis(counted.i, counted.j, reason)
-    most = MAX_LANES if plain else _MOST_LANES
     if around.lanes_basis is not None and (around.lanes or 0) > (_RING_LANES if ring else most):
         draft.note_at(around.lanes_basis, _RING_OF_TWO if ring else _FEWER_LANES)
     if around.lanes is not None and around.lanes <= most:
@@ -68,6 +72,9 @@ def lanes_of_road(
         return (), None, None  # as many as it takes
     count = _MOST_LANES if "middle" in named or _middle_lane(draft) else _FEWEST_TO_NAME
     count = max(count, *(int(name.split()[0]) for name in named if name[0].isdigit()), 0)
+    if count > most:
+        msg = f"lane {count} is named; at most {most} lanes a direction are built here"
+        raise InfeasibleError(msg, where="junction.lanes", hint="Name a lower number.")
     return (count,) * arms, (2 if ring else None), implied
 
 

@@ -105,13 +105,14 @@ class Namer:
         token = self.tokens[term.i]
         if term.i and token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
             return None  # "ego + 2 others"
+        alone = term.j - term.i == 1  # no "T-bones"
         follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
         spoken = (
             bare or token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
         )
-        if term.cat == "num" and spoken and term.j - term.i == 1 and follows != "actor":
+        if term.cat == "num" and spoken and alone and follows != "actor":
             return f"#{term.data['number']:g}"
-        letter = len(token.text) == 1 and token.text.isupper() and token.text != "I"
+        letter = alone and len(token.text) == 1 and token.text.isupper() and token.text != "I"
         letter = letter and not self._model(term.i)
         if letter and follows not in {"actor", "place", "dir", "shape", "manner", "state"}:
             return f"#{token.low}"

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.words.tokens import Token
 
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
+_NEAR = 2
 
 
 def _is_view(chunk: Chunk) -> bool:
@@ -13,14 +16,15 @@ def _is_view(chunk: Chunk) -> bool:
     return isinstance(chunk, Thing) and chunk.kind == "view"
 
 
-def mark_generic(chunks: list[Chunk], events: list[Event]) -> None:
-    """``red for cross traffic``, ``looks for oncoming traffic``: nobody in particular.
+def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``red for cross traffic``, ``too narrow for two cars``: nobody in particular.
 
     Traffic that somebody waits for, or gives way to, is there.
 
     Args:
         chunks: the chunks of the text; who is nobody in particular is marked as ``negated``.
         events: its events.
+        tokens: its tokens.
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     each = {
@@ -37,6 +41,7 @@ def mark_generic(chunks: list[Chunk], events: list[Event]) -> None:
         if chunk.prep is None:
             chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
             continue
+        chunk.negated = chunk.negated or _fits(chunk, chunk.prep, tokens)
         several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
         anybody = "mass" in chunk.head.data or (several and lit)
@@ -45,6 +50,14 @@ def mark_generic(chunks: list[Chunk], events: list[Event]) -> None:
             chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
         )
         chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
+
+
+def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:
+    """``wide enough for one car``, ``no room for two``: a measure of the road."""
+    known = mention.is_ego or any(m.value == "def" for m in mention.mods)
+    before = {token.low for token in tokens[max(0, prep.i - _NEAR) : prep.i]}
+    no_room = "no" in before and before & word_list("emptiness")
+    return prep.value == "for" and not known and bool(no_room or before & word_list("wide"))
 
 
 def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:

@@ -103,7 +103,7 @@ class Pronouns:
             others = [e for e in since if not self._person(e) and e not in exclude]
             # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
             options = [e for e in others if mention.drives or not e.still][-1:] or options
-        if not self.draft.entities and word in {"he", "she"}:
+        if word in {"he", "she"} and all("speaks" in e.named_by for e in self.draft.entities):
             return self._somebody(mention, exclude, subject)
         if mention.stood and not any(e.still for e in options):
             standing = [e for e in recent if e.still and e not in exclude]

@@ -157,7 +157,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     """
     describe(chunks, events, discourse.tokens)
     discourse.told_by(teller_goes_by(chunks, events, discourse.tokens), apart=is_apart(chunks))
-    mark_generic(chunks, events)
+    mark_generic(chunks, events, discourse.tokens)
     rank(chunks, events, discourse.tokens)
     bonds = _bonds(chunks, events, discourse.tokens)
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}

@@ -18,6 +18,7 @@ _DRIVING = frozenset(
 )  # fmt: skip
 _HINTS = frozenset({"pass", "stop", "slow", "accelerate", "speed", "reverse", "collide", "follow",
                     "dash", "breach", "yield", "cross"})  # fmt: skip
+_WAYS = frozenset({"turn", "move"})
 _ENOUGH = 2
 """So many hints, none of which would do alone, make a story of the road."""
 _EXAMPLE = "For example: 'A car turns left at a T-intersection while a pedestrian crosses.'"
@@ -59,7 +60,7 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     after = terms[k + 1] if k + 1 < len(terms) else None
     if term.cat == "verb":
         loud = tokens[term.j - 1].forms[-1][0] in word_list("loud")
-        sided = term.value == "turn" and after is not None and after.cat == "dir"
+        sided = term.value in _WAYS and after is not None and after.cat == "dir"
         towards = term.value == "approach" and after is not None and "me" in after.data
         return term.value in _HINTS or sided or loud or towards or "way" in term.data
     if term.cat == "locus":

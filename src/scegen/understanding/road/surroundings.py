@@ -194,9 +194,9 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
         return  # "moves one lane to the left"
     likely = count <= MAX_LANES and _one_way(terms[k + 1 : k + 4], count, tokens)
     each_way = each_way or noun.form == "s" or likely
+    if count < 1:
+        return  # "on no six-lane road"
     lanes = count if each_way else max(1, count // 2)
-    if lanes < 1:
-        return
     if lanes > MAX_LANES:
         msg = f"a road with {lanes} lanes a direction is not built: at most {MAX_LANES}"
         raise InfeasibleError(msg, where="junction.lanes", hint="Say fewer, or no number.")
