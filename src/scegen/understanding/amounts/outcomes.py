@@ -155,9 +155,14 @@ def _of_nobody(event: Event, text: Telling) -> bool:
     joined = text.tokens[event.i - 1].low in {"or", "nor"}  # "nobody is hurt or touched"
     own = [m for m in event.subject if joined or all(m is not other for other in done)]
     named = [*own, event.object, *(p.target for p in event.pps)]
-    return any(
-        isinstance(m, Mention) and (m.negated or m.denied or m.pronoun in _NOBODY) for m in named
-    )
+    who = [m for m in named if isinstance(m, Mention)]
+    return any(m.denied or m.pronoun in _NOBODY or _none(m, text) for m in who)
+
+
+def _none(mention: Mention, text: Telling) -> bool:
+    """``no car``: not one of those who are only left out of what is shown."""
+    first = {token.low for token in text.tokens[max(0, mention.i - 1) : mention.i + 1]}
+    return mention.negated and bool(first & {*words()["none"]})
 
 
 def _before_it(event: Event, text: Telling) -> bool:

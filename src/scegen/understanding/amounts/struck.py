@@ -55,6 +55,9 @@ def struck(ending: Ending, text: Telling) -> None:
             backs = any(text.ego in d.by for d in backing)
             ending.struck = BodySide.REAR if backs else BodySide.FRONT
             ending.struck_basis = basis
+    middle = text.find("at_its_middle", start, end)
+    if middle is not None and text.ego in ending.between:  # "impact at mid-width"
+        ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(*middle))
 
 
 def _hit(place: Place, ending: Ending, text: Telling) -> bool:
@@ -136,11 +139,8 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
 
 
 def _middle(ending: Ending, place: NounPhrase, start: int, text: Telling) -> None:
-    """``with the middle of its front``, ``with its front at mid-width``."""
+    """``with the middle of its front``."""
     tokens = text.tokens
-    after = text.find("at_its_middle", place.j, text.bounds(place.i)[1])
-    if after is not None:
-        ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(*after))
     for k in range(max(start, place.i - _REACH), place.i):
         part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
         if part and tokens[k].low in words()["middle"]:

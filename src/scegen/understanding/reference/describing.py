@@ -39,7 +39,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     for chunk in chunks:
         if isinstance(chunk, Mention):
             chunk.sides |= _sides(chunk.pps)
-    _people__in_traffic(chunks, events)
+    _people_in_traffic(chunks, events)
     _aside(chunks, events)
     _chases(events)
     _own_vehicles(events, tokens)
@@ -190,15 +190,22 @@ def _on_foot(event: Event) -> bool:
     return event.name in {"cross", "walk", "appear"} and not against
 
 
-def _people__in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
+def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
     """``the guy behind me``: somebody who is behind or in front, and does not walk, drives."""
-    walking = {id(m) for e in events if _on_foot(e) for m in e.subject}
+    walkers = [m for e in events if _on_foot(e) for m in e.subject]
+    walking, afoot = {id(m) for m in walkers}, any(map(_aboard, walkers))
     for chunk in chunks:
-        if isinstance(chunk, Mention) and chunk.head is not None and chunk.head.data.get("aboard"):
-            chunk.negated = id(chunk) not in walking
+        if isinstance(chunk, Mention) and _aboard(chunk) and id(chunk) not in walking:
+            told = chunk.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
+            chunk.negated = chunk.negated or not told
         if isinstance(chunk, Mention) and id(chunk) not in walking:
             wrong = any(m.cat == "manner" and m.value == "wrong_way" for m in chunk.mods)
             chunk.drives = chunk.drives or wrong or _along(chunk)
+
+
+def _aboard(mention: Mention) -> bool:
+    """``a passenger``: one who takes part only on foot."""
+    return mention.head is not None and bool(mention.head.data.get("aboard"))
 
 
 def _along(mention: Mention) -> bool:
