@@ -92,6 +92,7 @@ def _followed(
 def _at_the_light(entity: Entity, draft: Draft) -> tuple[Maneuver, Basis, str] | None:
     """``stands at a red light``: it stays there; who stops there goes on."""
     stays = entity.held is not None and entity.moves is None and entity.sets_off < 0
+    stays = stays and not entity.pulls_out
     if stays and not any(token.low == "green" for token in draft.tokens):
         return Maneuver.STAY, entity.held or Basis(), "nothing says that it goes on"
     if entity.waits is not None:

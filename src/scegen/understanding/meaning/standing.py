@@ -12,9 +12,9 @@ from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import base_words
 
-_HELD = frozenset({"signal", "stop_sign", "stop_line", "yield_sign", "parking", "sidewalk",
-                   "shoulder"})  # fmt: skip
+_LINES = frozenset({"signal", "stop_sign", "stop_line", "yield_sign"})
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
+_HELD = _LINES | _ROADSIDE
 _IN_LANE = frozenset({"road", "lane", "middle"})
 _SLOWING = frozenset({"brake", "hard_brake", "slow", "stop"})
 _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.OBSTACLE})
@@ -76,7 +76,7 @@ def stand(clause: Clause, context: Context) -> None:
     if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
         _stand_in_the_lane([e for e in clause.actors if e.is_vehicle and e.sets_off < 0], clause)
         return
-    if any(p.kind == "signal" for p in places) and _waits_there(event, context):
+    if any(p.kind in _LINES for p in places) and _waits_there(event, context):
         for entity in clause.actors:
             entity.held = entity.held or clause.words
     if not stands:
@@ -162,9 +162,16 @@ def _first_goes(clause: Clause, context: Context) -> bool:
 
 
 def _waits_there(event: Event, context: Context) -> bool:
-    """``waits at a red light``: it stands there when it begins; who stops there comes there."""
-    stopped = event.name == "stop" and _over(event, context)
-    return stopped or (event.name == "wait" and event.link is None)
+    """``waits at a red light``: it stands there when it begins; who stops there comes there.
+
+    Who waits at a line for somebody gives way.
+    """
+    waits = event.name == "wait" and event.link is None
+    if any(isinstance(p.target, Place) and p.target.kind == "signal" for p in event.pps):
+        return waits or (event.name == "stop" and _over(event, context))
+    whom = any(p.value == "for" and isinstance(p.target, Mention) for p in event.pps)
+    after = context.tokens[event.j : event.j + _FROM_REACH]
+    return waits and not (whom or any(t.low in word_list("until") for t in after))
 
 
 def _stand_in_the_lane(entities: list[Entity], clause: Clause) -> None:

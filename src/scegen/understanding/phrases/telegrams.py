@@ -100,11 +100,12 @@ def _bare_lane(lane: Place, chunks: list[Chunk], k: int) -> bool:
     before, after = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
     bare = isinstance(before, Word) and (before.cat == "quantity" or before.value in {",", ":"})
     who = isinstance(before, Mention) and any(m.cat == "quantity" for m in before.mods)
+    placed = isinstance(after, Word) and after.cat in {"prep", "locus"}  # "lane right of it"
     ends = after is None or (isinstance(after, Word) and after.cat in {"punct", "conj"})
     plain = all(m.cat == "dir" for m in lane.mods)
-    which = bool({"left", "right"} & set(lane.dirs))
+    which = placed or bool({"left", "right"} & set(lane.dirs))
     which = which or (lane.head is not None and lane.head.j > lane.head.i + 1)  # "middle lane"
-    return plain and which and ends and (bare or who)
+    return plain and which and (ends or placed) and (bare or who)
 
 
 def _titled(title: list[Chunk]) -> Place | None:

@@ -69,7 +69,7 @@ def _after_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> bool:
         return False
     between = {t.low for t in tokens[lane.j - _names_it(lane, tokens) : terms[k].i]}
     after = {t.low for t in tokens[terms[k].j : terms[k].j + 2]}
-    said = (between | after) & word_list("wide")
+    said = (between | after) & word_list("wide") or between == {"of"}  # "lanes of 3.5 m"
     return bool(said) and between <= word_list("between_widths") | word_list("wide")
 
 
