@@ -41,6 +41,11 @@ class NounPhrase:
         return next((m for m in self.mods if m.cat in cats), None)
 
     @property
+    def possessed(self) -> bool:
+        """``its lane``: whether a word before the head says that it is somebody's."""
+        return self.mod("possessive") is not None
+
+    @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""
         own = [self.head.data["dir"]] if self.head is not None and "dir" in self.head.data else []
@@ -199,6 +204,16 @@ class Event:
     def dirs(self) -> list[Term]:
         """Direction words that belong to the event."""
         return [m for m in self.mods if m.cat == "dir"]
+
+    def nouns(self, *prepositions: str) -> list[NounPhrase | Event]:
+        """Its object, and what its phrases name; of some prepositions, where these are given."""
+        named = [p.target for p in self.pps if not prepositions or p.value in prepositions]
+        return [n for n in (self.object, *named) if n is not None]
+
+    def whom(self, *prepositions: str) -> list[Any]:
+        """Whom its phrases with these prepositions name."""
+        named = [p.target for p in self.pps if p.value in prepositions]
+        return [e for m in named if isinstance(m, Mention) for e in m.entities]
 
     def how(self, *values: str) -> Term | None:
         """The first word of manner with one of these values, here or on the verbs above."""

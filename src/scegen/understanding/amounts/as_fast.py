@@ -29,7 +29,7 @@ def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
     """Those of whom no speed is said, and who move, are as fast as another."""
     for entity in whom:
         if entity.speed is None and entity.is_vehicle and not entity.still:
-            entity.speed, entity.speed_basis = model.speed, Basis(words.i, words.j, reason)
+            entity.speed, entity.speed_basis = model.speed, words.because(reason)
 
 
 def _alike(text: Telling) -> None:

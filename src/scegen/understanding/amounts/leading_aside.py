@@ -68,7 +68,7 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
     if homeward and over and doing.side is None and beside:
         side, words = beside
         doing.side = OTHER[SIDES[side]] if side in SIDES else None
-        doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
+        doing.side_basis = words.because("into the lane beside its own")
 
 
 def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
@@ -91,12 +91,12 @@ def _homewards(doing: Doing, returns: bool, context: Context) -> None:
         if doing.side is None:
             doing.side = across
             reason = "who comes from the front crosses the middle of the road"
-            doing.side_basis = Basis(words.i, words.j, reason)
+            doing.side_basis = words.because(reason)
     back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
     if (returns or back) and doing.side is None and entity.beside is None:
         doing.side = OTHER[across]
         reason = "who has overtaken comes back to its lane"
-        doing.side_basis = Basis(words.i, words.j, reason)
+        doing.side_basis = words.because(reason)
 
 
 def _into(doing: Doing, scene: Clause, context: Context) -> None:

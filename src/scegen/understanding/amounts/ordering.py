@@ -38,12 +38,12 @@ def order(text: Telling) -> None:
         if phrase is not None and (told or not own):
             doing.when = Trigger("after", basis, _at_once(before, doing, text), before)
         elif doing.forced and before.always and not own:
-            basis = Basis(basis.i, basis.j, "what one has to do answers what the other does")
+            basis = basis.because("what one has to do answers what the other does")
             doing.when = Trigger("after", basis, act=before, since="begin")
         elif mine and mine[-1].always and doing.always:
             reason = "what one does in turn happens in the order of the text"
             at_once = _at_once(mine[-1], doing, text)
-            basis = at_once.basis if at_once is not None else Basis(basis.i, basis.j, reason)
+            basis = at_once.basis if at_once is not None else basis.because(reason)
             doing.when = Trigger("after", basis, at_once, mine[-1])
 
 

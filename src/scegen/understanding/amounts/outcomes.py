@@ -306,7 +306,7 @@ def impact(figure: Figure) -> bool:
         if value.low != _HALF:
             side = "right" if mirrored else "left"
             reason = f"counted from the {side}, from where the other comes"
-            basis = Basis(basis.i, basis.j, reason)
+            basis = basis.because(reason)
     if mirrored:
         value = Interval(low=_WHOLE - value.high, high=_WHOLE - value.low)
     if ending.impact is None or basis.reason is None:

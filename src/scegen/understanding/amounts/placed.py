@@ -146,7 +146,7 @@ def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amoun
     sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
     if not (placed or meets or sideways or entity.parked or entity.heading):
         reason = "a gap along the road is one to who is ahead"
-        draft.place(entity, None, {Approach.AHEAD}, Basis(amount.basis.i, amount.basis.j, reason))
+        draft.place(entity, None, {Approach.AHEAD}, amount.basis.because(reason))
 
 
 def _with_place(figure: Figure) -> Amount:

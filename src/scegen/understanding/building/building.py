@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from typing import Any
 
 from scegen.scenario.functional import (
     FunctionalScenario,
@@ -17,7 +18,6 @@ from scegen.scenario.vocabulary import (
     Approach,
     AtLight,
     Control,
-    CrossedArm,
     HazardKind,
     JunctionKind,
     Maneuver,
@@ -26,8 +26,6 @@ from scegen.scenario.vocabulary import (
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.in_lane import (
-    beside_of,
-    circulates,
     lanes_of,
     past_people,
     settle_along,
@@ -57,6 +55,7 @@ from scegen.understanding.road.surroundings import Surroundings
 from scegen.understanding.words.tokens import Token
 
 _NO_LIGHT = "no light stands there for it that could show that; left open"
+_NOT_SAID = (None, None)
 
 
 class Builder:
@@ -114,7 +113,7 @@ class Builder:
                 beside = not named or junction.through_lanes in named
                 settle_ramp(self._draft, ego, junction.auxiliary, beside_ego=beside)
         else:
-            alongside(self._draft, ego, self._draft.tokens)
+            alongside(self._draft, ego)
             settle_roads(self._draft, junction)
         settle_numbers(self._draft, ego, junction)
         self._name(ego)
@@ -126,8 +125,8 @@ class Builder:
             Relation(participant=a.name, reference=b.name, approaches=frozenset(approaches))
             for a, b, approaches, _ in relations
         )
-        for number, relation in enumerate(relations):
-            self._proofs.add(f"relations.{number}", relation[3])
+        for number, (*_, basis) in enumerate(relations):
+            self._proofs.add(f"relations.{number}", basis)
         hazards = tuple(self._hazard(d) for d in self._draft.dangers)
         for name, basis in self._around.bases.items():
             self._proofs.add(f"environment.{name}", basis)
@@ -150,77 +149,62 @@ class Builder:
 
     def _name(self, ego: Entity) -> None:
         counts: dict[str, int] = {}
-        named = ego.basis.i is not None and ego.ego and not self._designated(ego)
+        called = ego.basis.i is None or "ego" in ego.named_by
         for entity in self._draft.entities:
-            if entity is ego and (named or ego.basis.i is None):
+            if entity is ego and called:
                 entity.name = "ego"
                 continue
             stem = f"parked_{entity.kind.value}" if entity.parked else entity.kind.value
             counts[stem] = counts.get(stem, 0) + 1
             entity.name = f"{stem}_{counts[stem]}"
 
-    def _designated(self, ego: Entity) -> bool:
-        return "ego" not in ego.named_by
-
     def _participant(self, entity: Entity, ego_basis: Basis, junction: Junction) -> Participant:
         path = f"participants.{entity.name}"
         self._proofs.add(f"{path}.kind", entity.counted or entity.basis)
-        role = Role.EGO if entity.ego else Role.OTHER
-        if role is Role.EGO:
-            self._proofs.add(f"{path}.role", ego_basis)
-        else:
-            self._proofs.add(f"{path}.role", None, "everybody but the ego")
-        maneuvers = maneuvers_of(entity, junction, self._draft)
-        entries = frozenset(a for a in entity.entries if a < junction.arms)
-        lanes, circulating = lanes_of(entity, junction), circulates(entity, junction)
-        strip, strip_basis = entity.strip or (None, None)
-        crosses, crosses_basis = self._crosses(entity, maneuvers, junction)
-        light, light_basis = self._light(entity, maneuvers, junction)
-        delay = entity.green_delay if light is AtLight.WAITS else None
-        for name, value, basis in (
-            ("parked", entity.parked, entity.parked_basis),
-            ("approaches", entity.approaches, entity.approach_basis),
-            ("maneuvers", maneuvers, entity.maneuver_basis),
-            ("entries", entries, entity.entry_basis),
-            ("lanes", lanes, entity.start_lane[1] if entity.start_lane is not None else None),
-            ("circulating", circulating, entity.circulates),
-            ("on_call", entity.on_call is not None, entity.on_call),
-            ("strip", strip, strip_basis),
-            ("crosses", crosses, crosses_basis),
-            ("light", light, light_basis),
-            ("green_delay_s", delay, delay.basis if delay is not None else None),
-            ("speed_mps", entity.speed, entity.speed_basis),
-            *((name, amount.value, amount.basis) for name, amount in entity.sizes.items()),
-        ):
+        role, who = Role.OTHER, None
+        if entity.ego:
+            role, who = Role.EGO, ego_basis
+        self._proofs.add(f"{path}.role", who, "everybody but the ego")
+        values = self._values(entity, junction)
+        for name, (value, basis) in values.items():
             if value:
                 self._proofs.add(f"{path}.{name}", basis or entity.basis)
-        for basis in self._further_words(entity):
-            self._proofs.add(f"{path}.approaches", basis)
-        return Participant(
-            id=entity.name,
-            kind=entity.kind,
-            role=role,
-            parked=entity.parked,
-            approaches=frozenset(self._seen_at(entity)),
-            maneuvers=frozenset(maneuvers),
-            entries=entries,
-            lanes=lanes,
-            circulating=circulating,
-            on_call=entity.on_call is not None,
-            strip=strip,
-            crosses=crosses,
-            light=light,
-            green_delay_s=delay.value if delay is not None else None,
-            speed_mps=entity.speed,
-            **{name: amount.value for name, amount in entity.sizes.items()},
-        )
+        for words in self._further_words(entity):
+            self._proofs.add(f"{path}.approaches", words)
+        said = {name: value for name, (value, _) in values.items()}
+        return Participant(id=entity.name, kind=entity.kind, role=role, **said)
 
-    def _crosses(
-        self, entity: Entity, maneuvers: Collection[Maneuver], junction: Junction
-    ) -> tuple[CrossedArm | None, Basis | None]:
-        """Which arm it crosses; on a road without a junction there is but one."""
+    def _values(self, entity: Entity, junction: Junction) -> dict[str, tuple[Any, Basis | None]]:
+        """The fields of a participant, each with the words for it."""
+        beside = _beside(entity)
+        seen = {Approach.ADJACENT, Approach(beside[0])} if beside else entity.approaches
+        maneuvers = maneuvers_of(entity, junction, self._draft)
+        ring = junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
+        light = self._light(entity, maneuvers, junction)
+        delay = entity.green_delay if light[0] is AtLight.WAITS else None
         there = Maneuver.CROSS in maneuvers and junction.kind is not JunctionKind.STRAIGHT
-        return entity.crosses if there and entity.crosses is not None else (None, None)
+        return {
+            "parked": (entity.parked, entity.parked_basis),
+            "approaches": (frozenset(seen), entity.approach_basis),
+            "maneuvers": (frozenset(maneuvers), entity.maneuver_basis),
+            "entries": (
+                frozenset(a for a in entity.entries if a < junction.arms),
+                entity.entry_basis,
+            ),
+            "lanes": (
+                lanes_of(entity, junction),
+                entity.start_lane[1] if entity.start_lane is not None else None,
+            ),
+            "circulating": (ring, entity.circulates),
+            "on_call": (entity.on_call is not None, entity.on_call),
+            "strip": entity.strip or _NOT_SAID,
+            # on a road without a junction there is but one way to cross
+            "crosses": entity.crosses if there and entity.crosses is not None else _NOT_SAID,
+            "light": light,
+            "green_delay_s": (delay.value, delay.basis) if delay is not None else _NOT_SAID,
+            "speed_mps": (entity.speed, entity.speed_basis),
+            **{name: (amount.value, amount.basis) for name, amount in entity.sizes.items()},
+        }
 
     def _light(
         self, entity: Entity, maneuvers: Collection[Maneuver], junction: Junction
@@ -237,31 +221,21 @@ class Builder:
         self._draft.note_at(basis, _NO_LIGHT)
         return None, None
 
-    def _seen_at(self, entity: Entity) -> set[Approach]:
-        """Where it comes from, with the side of the lane beside."""
-        side = beside_of(entity)
-        if side is None or entity.beside is None:
-            return entity.approaches
-        self._proofs.add(f"participants.{entity.name}.approaches", entity.beside[1])
-        return {Approach.ADJACENT, side}
-
     def _further_words(self, entity: Entity) -> list[Basis]:
         """Other words that say the same of where somebody comes from."""
         if not entity.approaches:
             return []
         found = [entity.by_heading] if entity.by_heading is not None else []
-        found += [
-            p.basis
-            for p in self._draft.placements
-            if p.entity is entity and p.approaches & entity.approaches and p.basis.i is not None
-        ]
-        return [b for b in dict.fromkeys(found) if b != entity.approach_basis]
+        placed = self._draft.placed(entity)
+        found += [p.basis for p in placed if p.approaches & entity.approaches]
+        told = [b for b in dict.fromkeys(found) if b.i is not None and b != entity.approach_basis]
+        beside = _beside(entity)
+        return [*told, beside[1]] if beside is not None else told
 
     def _hazard(self, danger: Danger) -> Hazard:
         on_foot = danger.kind in {HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_ANIMAL}
         to = [e for e in danger.to if e not in danger.by and not (on_foot and self._passed(e))]
-        field = f"hazards.{danger.kind.value}"
-        self._proofs.add(field, danger.basis)
+        self._proofs.add(f"hazards.{danger.kind.value}", danger.basis)
         return Hazard(
             kind=danger.kind,
             by=tuple(e.name for e in (*danger.by, *danger.items)),
@@ -270,16 +244,17 @@ class Builder:
 
     def _passed(self, entity: Entity) -> bool:
         """Who stands or is overtaken hides those who come out in front: they meet somebody else."""
-        passed = (d.to for d in self._draft.dangers if d.kind is HazardKind.OVERTAKING)
-        return entity.still or any(entity in to for to in passed)
+        return entity.still or entity in self._draft.suffering(HazardKind.OVERTAKING)
 
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []
         for note in sorted(self._draft.notes, key=lambda n: (n.i, n.j)):
             start, end = self._proofs.span(note.i, note.j)
-            found.append(
-                Unsupported(
-                    text=self._draft.text[start:end], start=start, end=end, instead=note.instead
-                )
-            )
+            text = self._draft.text[start:end]
+            found.append(Unsupported(text=text, start=start, end=end, instead=note.instead))
         return tuple(found)
+
+
+def _beside(entity: Entity) -> tuple[str, Basis] | None:
+    """On which side of the ego the lane of somebody beside it lies, with the words for that."""
+    return entity.beside if entity.approaches == {Approach.ADJACENT} else None

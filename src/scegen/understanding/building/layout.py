@@ -215,18 +215,18 @@ class Layout:
             return reading.kind, reading.kind_basis
         if reading.named is not None:
             reason = "an intersection without a shape is read as four-way"
-            return JunctionKind.FOUR_WAY, Basis(reading.named.i, reading.named.j, reason)
+            return JunctionKind.FOUR_WAY, reading.named.because(reason)
         access = self._draft.access
         if access is not None and reading.straight is None:
             reason = "a side road or driveway meets the road like the stem of a T"
-            return JunctionKind.T, Basis(access.i, access.j, reason)
+            return JunctionKind.T, access.because(reason)
         implied = self._draft.crossing_implied or self._lateral()
         if implied is None and (implied := self._regulated()) is not None:
             self._lit_crosswalk(implied)
         implied = implied or self._side_road()
         if implied is not None:
             reason = f"{implied.reason}: there must be an intersection, read as four-way"
-            return JunctionKind.FOUR_WAY, Basis(implied.i, implied.j, reason)
+            return JunctionKind.FOUR_WAY, implied.because(reason)
         return JunctionKind.STRAIGHT, reading.straight or reading.road
 
     def _lit_crosswalk(self, regulated: Basis) -> None:
@@ -240,12 +240,12 @@ class Layout:
         lateral = {Approach.LEFT, Approach.RIGHT}
         for placement in self._draft.placements:
             if placement.approaches == lateral and placement.entity.moving_vehicle:
-                return Basis(placement.basis.i, placement.basis.j, "a vehicle comes across")
+                return placement.basis.because("a vehicle comes across")
         for entity in self._draft.entities:
             crosses = entity.moving_vehicle and entity.approaches & lateral
             if entity.by_heading is not None and crosses:
                 basis = entity.heading_basis or entity.by_heading
-                return Basis(basis.i, basis.j, "the ways of two vehicles cross")
+                return basis.because("the ways of two vehicles cross")
         return None
 
     def _side_road(self) -> Basis | None:
@@ -258,7 +258,7 @@ class Layout:
         basis = self._reading.control_basis
         if basis is None or self._reading.control is Control.UNCONTROLLED:
             return None
-        return Basis(basis.i, basis.j, "priority is regulated")
+        return basis.because("priority is regulated")
 
     def _arms(self, kind: JunctionKind, basis: Basis | None) -> tuple[int, Basis]:
         reading = self._reading

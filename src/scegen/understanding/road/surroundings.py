@@ -202,7 +202,7 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
         raise InfeasibleError(msg, where="junction.lanes", hint="Say fewer, or no number.")
     basis = Basis(number.i, noun.j)
     if not each_way:
-        basis = Basis(basis.i, basis.j, f"{count} lanes in both directions together")
+        basis = basis.because(f"{count} lanes in both directions together")
         found.lanes_in_all = count
     found.lanes, found.lanes_basis = lanes, basis
 

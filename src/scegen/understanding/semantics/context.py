@@ -117,12 +117,12 @@ class Context:
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""
         if self.draft.crossing_implied is None:
-            self.draft.crossing_implied = Basis(basis.i, basis.j, reason)
+            self.draft.crossing_implied = basis.because(reason)
 
     def lanes_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a second lane."""
         if self.draft.lanes_implied is None:
-            self.draft.lanes_implied = Basis(basis.i, basis.j, reason)
+            self.draft.lanes_implied = basis.because(reason)
 
     def ahead(self, front: list[Entity], back: list[Entity], basis: Basis) -> None:
         """The first drive ahead of the second."""

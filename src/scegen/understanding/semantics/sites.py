@@ -126,7 +126,7 @@ def _with_them(entity: Entity, site: Site) -> None:
     if entity.strip is None and not entity.ego and (Strip.CYCLE_LANE in [s for s, _ in lanes]):
         entity.strip = (
             Strip.CYCLE_LANE,
-            Basis(site.basis.i, site.basis.j, "it gets past who is there"),
+            site.basis.because("it gets past who is there"),
         )
 
 
