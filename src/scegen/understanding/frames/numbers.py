@@ -20,16 +20,6 @@ class Measured:
     around: Window
     frame: AmountFrame
 
-    @property
-    def i(self) -> int:
-        """Index of its first token."""
-        return self.quantity.i
-
-    @property
-    def j(self) -> int:
-        """Index after its last token."""
-        return self.quantity.j
-
 
 class Numbers:
     """The numbers of a text.

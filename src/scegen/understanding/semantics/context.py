@@ -114,6 +114,10 @@ class Context:
     barred: bool = False
     """Whether a thing is in the way, or the text tells of getting past."""
 
+    def lows(self, i: int, j: int) -> list[str]:
+        """The words from one token to before another."""
+        return [t.low for t in self.tokens[max(i, 0) : max(j, 0)]]
+
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""
         if self.draft.crossing_implied is None:
@@ -128,8 +132,7 @@ class Context:
         """The first drive ahead of the second."""
         for leader in front:
             for follower in back[:1]:
-                if leader is not follower:
-                    self.draft.place(leader, follower, {Approach.AHEAD}, basis)
+                self.draft.place(leader, follower, {Approach.AHEAD}, basis)
 
     def placed(self, entity: Entity, approach: Approach) -> bool:
         """Whether a participant is said to be, or to come from, somewhere."""

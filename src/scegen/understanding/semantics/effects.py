@@ -8,10 +8,10 @@ from typing import Any, TypeAlias
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import NounPhrase, Prep
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.draft import Basis
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
-from scegen.understanding.semantics.marks import MARKS
+from scegen.understanding.semantics.marks import MARKS, Mark, first
 from scegen.understanding.semantics.met import apart
 from scegen.understanding.semantics.patterns import end, noun, people, phrases
 from scegen.understanding.semantics.rewriting import REWRITES
@@ -94,17 +94,6 @@ def _maneuver(said: str, of: str, words: Words) -> Effect:
     return effect
 
 
-def _light(said: str, of: str, words: Words) -> Effect:
-    whom, light = who(of), AtLight(said)
-
-    def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        for entity in list(whom(clause, context)):
-            entity.light = entity.light or (light, basis)
-
-    return effect
-
-
 def _place(
     approaches: set[Approach], of: str, seen_from: str | None, words: Words, *, unsaid: bool
 ) -> Effect:
@@ -129,14 +118,12 @@ def _drop(kind: HazardKind, of: str) -> Effect:
     def effect(clause: Clause, context: Context) -> None:
         found = whom(clause, context)
         context.draft.dangers[:] = [
-            d for d in context.draft.dangers if d.kind not in kinds or not _all_in(d.by, found)
+            d
+            for d in context.draft.dangers
+            if d.kind not in kinds or not d.by or any(e not in found for e in d.by)
         ]
 
     return effect
-
-
-def _all_in(some: list[Entity], found: list[Entity]) -> bool:
-    return bool(some) and all(e in found for e in some)
 
 
 def _unplace(approach: Approach, of: str) -> Effect:
@@ -150,8 +137,8 @@ def _unplace(approach: Approach, of: str) -> Effect:
     return effect
 
 
-def _mark(name: str, of: str, words: Words) -> Effect:
-    whom, mark = who(of), MARKS[name]
+def _mark(mark: Mark, of: str, words: Words) -> Effect:
+    whom = who(of)
 
     def effect(clause: Clause, context: Context) -> None:
         basis = words(clause, context)
@@ -237,13 +224,6 @@ def _imply(name: str, words: Words) -> Effect:
     return effect
 
 
-def _note(instead: str, words: Words) -> Effect:
-    def effect(clause: Clause, context: Context) -> None:
-        context.draft.note_at(words(clause, context), instead)
-
-    return effect
-
-
 def _changes(row: dict[str, Any]) -> Iterable[Effect]:
     """What a row does to the clause itself."""
     if "targets" in row or "actors" in row:
@@ -263,13 +243,13 @@ def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable
     if "unplace" in row:
         yield _unplace(Approach(row["unplace"]), of)
     for name in row.get("marks", ()):
-        yield _mark(name, of, words)
+        yield _mark(MARKS[name], of, words)
     for name in row.get("puts", ()):
         yield _put(name, row["where"], of)
     if "maneuver" in row:
         yield _maneuver(row["maneuver"], of, words)
     if "light" in row:
-        yield _light(row["light"], of, words)
+        yield _mark(first("light", AtLight(row["light"])), of, words)
     if "hazard" in row:
         yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
     if "act" in row:
@@ -297,4 +277,4 @@ def effects_of(row: dict[str, Any]) -> Iterable[Effect]:
     if "implies" in row:
         yield _imply(row["implies"], words)
     if "note" in row:
-        yield _note(row["note"], words)
+        yield lambda clause, c: c.draft.note_at(words(clause, c), row["note"])

@@ -27,9 +27,9 @@ from typing import Any, TypeAlias
 
 from scegen.scenario.parsing import parse
 from scegen.understanding.semantics.conditions import Test, condition
-from scegen.understanding.semantics.conditions import events as events_named
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
+from scegen.understanding.semantics.patterns import listed
 
 _FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
@@ -74,7 +74,7 @@ def _row(
     try:
         said = list(row.get("if", ()))
         first = said[0].partition(" ") if said and " or " not in said[0] else ("", "", "")
-        events = events_named(first[2]) if first[0] == "event" else None
+        events = listed(first[2]) if first[0] == "event" else None
         said = said[1:] if events else said
         plain = {
             t.removeprefix("not "): t in _PLAIN for t in said if t.removeprefix("not ") in _PLAIN
