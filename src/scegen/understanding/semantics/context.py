@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Approach, ParticipantKind
+from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.frames.windows import Window
@@ -51,14 +51,8 @@ class Clause:
     @property
     def alternative(self) -> int | None:
         """Marks events that the text offers as alternatives ("either … or …")."""
-        node: Event | None = self.event
-        depth = 0
-        while node is not None and depth < 4:
-            if node.alternative is not None:
-                return node.alternative
-            node = node.parent
-            depth += 1
-        return None
+        told = (e.alternative for e in self.event.upwards() if e.alternative is not None)
+        return next(told, None)
 
     @property
     def reaction(self) -> bool:
@@ -82,8 +76,7 @@ class Clause:
 
     def places(self) -> list[Place]:
         """Places named with the event."""
-        named = [self.event.object, *[p.target for p in self.event.pps]]
-        return [p for p in named if isinstance(p, Place)]
+        return [p for p in self.event.nouns() if isinstance(p, Place)]
 
 
 def span(event: Event, i: int, j: int) -> Basis:
@@ -136,7 +129,7 @@ class Context:
 
     def placed(self, entity: Entity, approach: Approach) -> bool:
         """Whether a participant is said to be, or to come from, somewhere."""
-        return any(p.entity is entity and approach in p.approaches for p in self.draft.placements)
+        return any(approach in p.approaches for p in self.draft.placed(entity))
 
     def oncoming(self, entity: Entity) -> bool:
         """Whether a vehicle is said to come from the front."""
@@ -150,17 +143,13 @@ class Context:
         """Whether words of order stand between, or right before, two things that one does."""
         if earlier is None or earlier.i is None or event.i <= earlier.i:
             return False
-        between = self.tokens[max(0, earlier.i - _ORDER_REACH) : event.i]
-        return any(t.low in word_list("order") for t in between)
-
-    def is_cyclist(self, entity: Entity) -> bool:
-        """Whether somebody rides a bicycle."""
-        return entity.kind is ParticipantKind.BICYCLE
+        between = self.lows(earlier.i - _ORDER_REACH, event.i)
+        return not word_list("order").isdisjoint(between)
 
     def comes_across(self, entity: Entity) -> bool:
         """Whether a vehicle comes from another arm of a junction than the ego."""
         across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
-        named = [p for p in self.draft.placements if p.entity is entity]
+        named = self.draft.placed(entity)
         lateral = {Approach.LEFT, Approach.RIGHT}
         met = self.junction.crossing or self.draft.crossing_implied is not None
         met = met or self.draft.side_road is not None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.roadway import BAYS, Strip
-from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.semantics.approaches import SIDES
@@ -78,7 +78,7 @@ def _crosses(entity: Entity, site: Site) -> None:
         return
     entity.crosses = entity.crosses or (arm, site.basis)
     _meets(entity, site.noun, site.context)
-    if site.context.is_cyclist(entity):
+    if entity.kind is ParticipantKind.BICYCLE:
         site.context.draft.maneuver(entity, {Maneuver.CROSS}, site.basis)
 
 
@@ -104,7 +104,7 @@ def _on_its_side(entity: Entity, site: Site) -> None:
         sides = found if len(found) == 1 else set()
     elif sides:
         end = max([end, *(m.j for m in site.noun.mods)])
-    on_foot = not entity.is_vehicle or (site.context.is_cyclist(entity) and not entity.ego)
+    on_foot = not entity.is_vehicle or ((entity.kind is ParticipantKind.BICYCLE) and not entity.ego)
     if on_foot and not _standing(entity, site.context) & set(SIDES.values()):
         site.context.draft.place(entity, None, sides, Basis(site.basis.i, end))
 

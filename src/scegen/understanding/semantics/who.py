@@ -54,7 +54,7 @@ ENTITY: dict[str, EntityTest] = {
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
-    "cyclist": lambda e, c: c.is_cyclist(e),
+    "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
     "free": lambda e, _: not e.maneuvers,
     "turns": lambda e, _: bool(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT}),
     "headed": lambda e, _: e.heading is not None,
