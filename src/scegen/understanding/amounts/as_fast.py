@@ -46,7 +46,7 @@ def _alike(text: Telling) -> None:
 
 def _followed(text: Telling) -> None:
     """``the ego follows a car at 100 km/h``: one drives as fast as the other."""
-    slow = [e for d in text.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
+    slow = text.draft.causing(HazardKind.SLOW_DRIVING)
     for scene in text.scenes:
         pair = [*scene.actors[:1], *scene.targets[:1]]
         follows = scene.event.name in {"follow", "tailgate"}

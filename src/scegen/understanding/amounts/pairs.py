@@ -55,8 +55,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
         return ending.between[0], ending.between[1]  # of those who touch
     if " the next " in f"{' '.join(figure.words_around.after.split()[:4])} ":
         return None  # "each 3 m clear of the next"
-    own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
-    named = text.named(noun) if not own else []
+    named = text.named(noun) if noun is None or not noun.possessed else []
     word = figure.after[0] if figure.after is not None else None
     located = word is not None and word.cat == "locus"
     before = [m for m in text.mentions if m.i < figure.i]

@@ -19,15 +19,15 @@ _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 def held(figure: Figure) -> bool:
     """A speed that somebody holds: of whom the rules of the clause have not given it to."""
-    text, speed, span = figure.text, figure.quantity.value, (figure.i, figure.j)
+    text, speed, words_ = figure.text, figure.quantity.value, Basis(figure.i, figure.j)
     change = _from_to(figure)
-    taken = [e for e in text.draft.entities if e.speed_basis and _span(e.speed_basis) == span]
+    taken = [e for e in text.draft.entities if figure.is_said_by(e.speed_basis)]
     for entity in [e for e in taken if _stays(e, speed)]:
         entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
     taken = [e for e in taken if e.speed is not None]
     if change is not None:
         for entity in taken or [change.entity]:
-            entity.speed, entity.speed_basis = figure.quantity.parts[0], Basis(*span)
+            entity.speed, entity.speed_basis = figure.quantity.parts[0], words_
         return True
     shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
@@ -48,12 +48,8 @@ def held(figure: Figure) -> bool:
         elif entity.speed != speed:
             return False
         else:
-            text.found.further.append(("speed_mps", entity, Basis(*span)))
+            text.found.further.append(("speed_mps", entity, words_))
     return bool(taken or whose)
-
-
-def _span(basis: Basis) -> tuple[int | None, int | None]:
-    return basis.i, basis.j
 
 
 def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
@@ -157,5 +153,5 @@ def relative(figure: Figure) -> bool:
     sign = 1 if word == "faster" else -1
     low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
     who.speed = Interval(low=low, high=high)
-    who.speed_basis = Basis(figure.i, figure.j, f"so much {word} than the other")
+    who.speed_basis = figure.amount.basis.because(f"so much {word} than the other")
     return True

@@ -51,8 +51,7 @@ def struck(ending: Ending, text: Telling) -> None:
             ending.struck, ending.struck_basis = part, basis
             _middle(ending, place, start, text)
         elif ending.struck is None and text.ego in ending.between and part is BodySide.REAR:
-            backing = (d for d in text.draft.dangers if d.kind is HazardKind.REVERSING)
-            backs = any(text.ego in d.by for d in backing)
+            backs = text.ego in text.draft.causing(HazardKind.REVERSING)
             ending.struck = BodySide.REAR if backs else BodySide.FRONT
             ending.struck_basis = basis
 
@@ -63,7 +62,7 @@ def _hit(place: Place, ending: Ending, text: Telling) -> bool:
     here = [s for s in text.scenes if s.event.i == i]
     of_body = place.head is not None or any("of_body" in m.data for m in place.mods)
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
-    told = place.owner is not None or any(m.cat == "possessive" for m in place.mods)
+    told = place.owner is not None or place.possessed
     direct = any(s.event.object is place for s in here)
     within = prep == "in" and of_body
     met = direct or (prep in {"in", "into"} and told)

@@ -41,7 +41,7 @@ class Telling:
     @property
     def ego(self) -> Entity | None:
         """The ego, if the text names one."""
-        return next((e for e in self.draft.entities if e.ego), None)
+        return self.draft.ego
 
     def bounds(self, i: int) -> tuple[int, int]:
         """Where the sentence of a token begins and ends."""
@@ -81,10 +81,10 @@ class Telling:
 
     def named(self, noun: NounPhrase | None) -> list[Entity]:
         """Whom a noun means, or whose part it is ("the ego's front")."""
-        if isinstance(noun, Mention) and noun.entities and not noun.possessor:
-            return list(noun.entities)
-        owner = noun if isinstance(noun, Mention) else getattr(noun, "owner", None)
-        return list(owner.entities) if owner is not None else []
+        if noun is None:
+            return []
+        whom = noun if isinstance(noun, Mention) else noun.owner
+        return list(whom.entities) if whom is not None else []
 
     def add(self, doing: Doing) -> Doing:
         """One more act, at its place in the order of the text."""

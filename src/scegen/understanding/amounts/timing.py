@@ -8,7 +8,7 @@ from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import ANY, Telling
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
-from scegen.understanding.happenings import Doing, Trigger
+from scegen.understanding.happenings import Doing
 
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
 _GREEN_REACH = 9
@@ -25,8 +25,7 @@ def delayed(figure: Figure) -> bool:
     base, at = _base(figure, doing)
     if base is None and since == "after" and figure.text.within(figure.j, figure.end):
         return False  # "2 s after the car has passed the sign": since something that is no act
-    kind = "after" if base else "start"
-    doing.when = Trigger(kind, figure.amount.basis, figure.amount, base, at)
+    doing.when = figure.trigger("after" if base else "start", act=base, since=at)
     return True
 
 
@@ -84,7 +83,7 @@ def earlier(figure: Figure) -> bool:
         if not who or first.kind is not ActKind.ENTER:
             return False
         second = text.same(first, who[0], figure.j, first.basis)
-    second.when = Trigger("after", figure.amount.basis, figure.amount, first, "begin")
+    second.when = figure.trigger("after", act=first, since="begin")
     return True
 
 

@@ -19,9 +19,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from enum import StrEnum
 from typing import TypeAlias
 
-from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Word
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.frames.windows import Window
 from scegen.understanding.semantics import along, doing, lanes, met, owed, patterns, seen, ways
 from scegen.understanding.semantics.contact import goal_of_contact
@@ -110,7 +111,7 @@ def _fits(nouns: Callable[[Clause], Iterable[object]]) -> Kind:
     return kind
 
 
-def _one_of(kinds: type[Word], held: Callable[[Context], Iterable[Word | None]]) -> Kind:
+def _one_of(kinds: type[StrEnum], held: Callable[[Context], Iterable[object]]) -> Kind:
     """Whether the scenario holds one of some words of the vocabulary."""
 
     def kind(rest: str) -> Test:
