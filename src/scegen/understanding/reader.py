@@ -104,7 +104,7 @@ def read(text: str) -> FunctionalScenario:
     named_again(events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
-    draft.ramp = lengthwise.auxiliary_basis
+    draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
@@ -119,7 +119,8 @@ def read(text: str) -> FunctionalScenario:
     happenings = read_amounts(numbers, chunks, scenes, context)
     for scene in scenes:
         say("movements.runs", scene, context)
-    too_fast(draft, surroundings.speed_limit_mps)
+    limit_mps, _ = surroundings.road.get("speed_limit_mps", (None, None))
+    too_fast(draft, limit_mps)
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise, tokens).build()

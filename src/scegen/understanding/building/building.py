@@ -6,6 +6,7 @@ from collections.abc import Collection
 from typing import Any
 
 from scegen.scenario.functional import (
+    Environment,
     FunctionalScenario,
     Hazard,
     Junction,
@@ -128,7 +129,8 @@ class Builder:
         for number, (*_, basis) in enumerate(relations):
             self._proofs.add(f"relations.{number}", basis)
         hazards = tuple(self._hazard(d) for d in self._draft.dangers)
-        for name, basis in self._around.bases.items():
+        conditions = self._around.conditions
+        for name, (_, basis) in conditions.items():
             self._proofs.add(f"environment.{name}", basis)
         writer = Writer(self._happenings, ego, self._proofs)
         return FunctionalScenario(
@@ -142,7 +144,7 @@ class Builder:
             spacings=writer.spacings(),
             acts=writer.acts(),
             outcome=writer.outcome(),
-            environment=self._around.environment(),
+            environment=Environment(**{name: value for name, (value, _) in conditions.items()}),
             evidence=self._proofs.evidence,
             unsupported=self._unsupported(),
         )

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, Junction
-from scegen.scenario.roadway import (
-    AuxiliaryLane,
-    Carriageway,
-)
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
@@ -18,7 +15,7 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.building.lanes import lanes_of_road
 from scegen.understanding.building.proving import Proofs
-from scegen.understanding.building.ramps import auxiliary_lane
+from scegen.understanding.building.ramps import Used, auxiliary_lane
 from scegen.understanding.building.strips import AT_JUNCTIONS, strips_beside
 from scegen.understanding.draft import Basis, Draft
 from scegen.understanding.lexicon import word_list
@@ -64,8 +61,11 @@ class Layout:
 
     def build(self) -> Junction:
         """The junction; each of its fields is proved."""
+        named = self._along.auxiliary
+        drops = named is not None and named[0] is AuxiliaryLane.LANE_DROP
+        used = auxiliary_lane(self._draft, drops=drops)
         kind, kind_basis = self._kind()
-        self._of_a_ramp(kind)
+        self._of_a_ramp(kind, used)
         arms, arms_basis = self._arms(kind, kind_basis)
         control = self._reading.control or Control.UNCONTROLLED
         self._proofs.add("junction.kind", kind_basis, "no junction is named: a straight road")
@@ -81,13 +81,14 @@ class Layout:
         )
         if ring is not None:
             self._proofs.add("junction.ring_lanes", lanes_basis)
-        if self._around.speed_limit_mps is not None:
-            self._proofs.add("junction.speed_limit_mps", self._around.limit_basis)
-        if self._around.lane_width_m is not None:
-            self._proofs.add("junction.lane_width_m", self._around.lane_width_basis)
+        said: dict[str, float] = {}
+        for name in ("speed_limit_mps", "lane_width_m"):
+            if name in self._around.road:
+                said[name], basis = self._around.road[name]
+                self._proofs.add(f"junction.{name}", basis)
         self._proofs.add("junction.driving_side", self._around.side_basis, "right-hand traffic")
         carriageway = self._carriageway(kind, lanes)
-        auxiliary = self._auxiliary(kind)
+        auxiliary = self._auxiliary(kind, used)
         strips = strips_beside(self._draft, self._along, self._proofs, kind, carriageway, auxiliary)
         return Junction(
             carriageway=carriageway,
@@ -101,15 +102,13 @@ class Layout:
             arm_angles_deg=angles,
             lanes=lanes,
             ring_lanes=ring,
-            lane_width_m=self._around.lane_width_m,
-            speed_limit_mps=self._around.speed_limit_mps,
             driving_side=self._around.side or DrivingSide.RIGHT,
             control=control,
+            **said,
         )
 
-    def _of_a_ramp(self, kind: JunctionKind) -> None:
+    def _of_a_ramp(self, kind: JunctionKind, used: Used) -> None:
         """A median parts the directions of a road with ramps, where nothing else is said."""
-        used = auxiliary_lane(self._draft, self._along.auxiliary)
         built = kind is JunctionKind.STRAIGHT and self._along.bend is None
         ramp = built and used is not None and used[0] is not AuxiliaryLane.LANE_DROP
         if ramp and used is not None and self._along.carriageway is None:
@@ -119,24 +118,22 @@ class Layout:
 
     def _dark_lights(self, control: Control) -> None:
         """What of lights that flash or do not work the road does not show."""
-        dark, basis = self._reading.dark, self._reading.control_basis
-        flash = word_list("flashing") if control is Control.ALL_WAY_STOP else frozenset()
-        if basis is not None and flash & {t.low for t in self._draft.tokens[basis.i : basis.j]}:
-            self._draft.note_at(
-                basis, "flashing red tells everybody to stop: stop signs stand for it"
-            )
+        draft, dark, basis = self._draft, self._reading.dark, self._reading.control_basis
+        if control is Control.ALL_WAY_STOP and self._flashes(basis):
+            draft.note_at(basis, "flashing red tells everybody to stop: stop signs stand for it")
         if dark is None or dark.i is None:
             return
-        draft, begins, ends = self._draft, dark.i, dark.j or dark.i
+        begins, ends = dark.i, dark.j or dark.i
         # The control rests on these words: "do not work" is no deed left out.
         draft.notes = [n for n in draft.notes if not begins <= n.i < n.j <= ends]
-        words = {t.low for t in draft.tokens[dark.i : dark.j]}
         if control is not Control.SIGNALS_OFF:
-            self._draft.note_at(
-                dark, f"the rule of the junction is {control}; the lights are left out"
-            )
-        elif words & word_list("flashing"):
-            self._draft.note_at(dark, "lights that do not regulate are shown dark, not flashing")
+            draft.note_at(dark, f"the rule of the junction is {control}; the lights are left out")
+        elif self._flashes(dark):
+            draft.note_at(dark, "lights that do not regulate are shown dark, not flashing")
+
+    def _flashes(self, basis: Basis | None) -> bool:
+        words = self._draft.tokens[basis.i : basis.j] if basis is not None else []
+        return not word_list("flashing").isdisjoint(t.low for t in words)
 
     def _carriageway(self, kind: JunctionKind, lanes: tuple[int, ...]) -> Carriageway:
         """As the words have it; at junctions, and where the other lanes are used, undivided."""
@@ -158,30 +155,27 @@ class Layout:
 
     def _meets_the_oncoming(self) -> bool:
         """Whether somebody comes towards another, or turns back, so that no median can be there."""
-        over = any(d.kind is HazardKind.ONCOMING_LANE for d in self._draft.dangers)
-        return over or any(
+        return any(d.kind is HazardKind.ONCOMING_LANE for d in self._draft.dangers) or any(
             Approach.OPPOSITE in entity.approaches or Maneuver.U_TURN in entity.maneuvers
             for entity in self._draft.entities
         )
 
-    def _auxiliary(self, kind: JunctionKind) -> AuxiliaryLane | None:
+    def _auxiliary(self, kind: JunctionKind, used: Used) -> AuxiliaryLane | None:
         """The lane for a part of the road that somebody uses; none in a bend or at junctions."""
-        found = auxiliary_lane(self._draft, self._along.auxiliary)
-        if found is None:
+        if used is None:
             return None
         if kind is not JunctionKind.STRAIGHT or self._along.bend is not None:
-            self._draft.note_at(found[1], _NO_RAMP_HERE)
+            self._draft.note_at(used[1], _NO_RAMP_HERE)
             return None
-        self._proofs.add("junction.auxiliary", found[1])
-        return found[0]
+        self._proofs.add("junction.auxiliary", used[1])
+        return used[0]
 
     def _auxiliary_length_m(self, auxiliary: AuxiliaryLane | None) -> float | None:
-        length, basis = self._around.auxiliary_length_m, self._around.auxiliary_length_basis
+        length, basis = self._around.road.get("auxiliary_length_m", (None, None))
         if auxiliary is not None and length is not None:
             self._proofs.add("junction.auxiliary_length_m", basis)
             return length
-        if basis is not None:
-            self._draft.note_at(basis, _NO_LANE_SO_LONG)
+        self._draft.note_at(basis, _NO_LANE_SO_LONG)
         return None
 
     def _crosswalks(self, kind: JunctionKind, auxiliary: AuxiliaryLane | None) -> frozenset[int]:
@@ -200,14 +194,14 @@ class Layout:
         return frozenset({0})
 
     def _bend(self, kind: JunctionKind, angles: tuple[float, ...]) -> Bend | None:
-        basis = self._along.bend_basis
-        if self._along.bend is None or basis is None:
+        if self._along.bend is None:
             return None
+        bend, basis = self._along.bend
         if kind is not JunctionKind.STRAIGHT or angles:
             self._draft.note_at(basis, AT_JUNCTIONS)
             return None
         self._proofs.add("junction.bend", basis)
-        return self._along.bend
+        return bend
 
     def _kind(self) -> tuple[JunctionKind, Basis | None]:
         reading = self._reading
