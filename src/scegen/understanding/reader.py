@@ -123,7 +123,7 @@ def read(text: str) -> FunctionalScenario:
     too_fast(draft, limit_mps)
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
-    scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise, tokens).build()
+    scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise).build()
     return undone(unattached(scenario, terms, tokens), events, tokens)
 
 
@@ -131,6 +131,6 @@ def _arms(junction: JunctionReading) -> int:
     """How many directions "all directions" are."""
     if junction.arms is not None:
         return junction.arms
-    if junction.kind in {None, JunctionKind.ROUNDABOUT}:
+    if junction.kind is None or junction.kind is JunctionKind.ROUNDABOUT:
         return _ASSUMED_ARMS
-    return ARM_COUNTS[junction.kind or JunctionKind.FOUR_WAY][0]
+    return ARM_COUNTS[junction.kind][0]

@@ -124,14 +124,7 @@ class Telling:
         placed = self.context.placed
         ahead = [e for e in others if placed(e, Approach.AHEAD) or "ahead" in e.dirs | e.loci]
         moving = [e for e in ahead if e.stands is None and not e.parked]
-        for choice in (
-            [e for e in named if e in moving],
-            [e for e in named if e in ahead],
-            named,
-            moving,
-            ahead,
-            [e for e in others if not e.parked],
-        ):
-            if choice:
-                return choice[0]
-        return others[0] if len(others) == 1 else None
+        free = [e for e in others if not e.parked]
+        by_name = ([e for e in named if e in some] for some in (moving, ahead))
+        chosen = (*by_name, named, moving, ahead, free, others if len(others) == 1 else [])
+        return next((choice[0] for choice in chosen if choice), None)

@@ -53,7 +53,6 @@ from scegen.understanding.meaning.breaches import onto_the_road
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
-from scegen.understanding.words.tokens import Token
 
 _NO_LIGHT = "no light stands there for it that could show that; left open"
 _NOT_SAID = (None, None)
@@ -69,7 +68,6 @@ class Builder:
         reading: what the text says about the junction.
         surroundings: what it says about everything else.
         lengthwise: what it says about the road along its length.
-        tokens: the tokens of the text.
     """
 
     def __init__(
@@ -80,13 +78,12 @@ class Builder:
         reading: JunctionReading,
         surroundings: Surroundings,
         lengthwise: Lengthwise,
-        tokens: list[Token],
     ) -> None:
         self._draft = draft
         self._ego = ego
         self._happenings = happenings
         self._around = surroundings
-        self._proofs = Proofs(draft.text, tokens)
+        self._proofs = Proofs(draft.text, draft.tokens)
         self._lengthwise = lengthwise
         self._layout = Layout(draft, reading, surroundings, lengthwise, self._proofs)
 

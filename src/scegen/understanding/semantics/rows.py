@@ -22,10 +22,9 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from importlib.resources import files
 from typing import Any, TypeAlias
 
-from scegen.scenario.parsing import parse
+from scegen.understanding.frames.loader import read
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
@@ -115,9 +114,7 @@ def read_rows(
         keys: what a row may have.
     """
     found: dict[str, tuple[Row, ...]] = {}
-    path = files("scegen.understanding.frames").joinpath(f"{name}.yaml")
-    data: Any = parse(path.read_text(encoding="utf-8"), where=f"{name}.yaml")
-    for events, rows in data.items():
+    for events, rows in read(name).items():
         made = tuple(_row(row, f"{name}.yaml, {events}", effects, keys) for row in rows)
         found.update((f"{name}.{event.strip()}", made) for event in events.split(","))
     return found
