@@ -45,6 +45,11 @@ class NounPhrase:
         return next((m for m in self.mods if m.cat in cats), None)
 
     @property
+    def opening(self) -> str:
+        """Which preposition governs it; empty where none does."""
+        return self.prep.value if self.prep is not None else ""
+
+    @property
     def possessed(self) -> bool:
         """``its lane``: whether a word before the head says that it is somebody's."""
         return self.mod("possessive") is not None

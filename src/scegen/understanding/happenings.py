@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
@@ -14,6 +14,8 @@ from scegen.scenario.vocabulary import BodySide, Side
 from scegen.understanding.draft import Basis, Entity
 
 STILL = Interval(low=0.0, high=0.0)
+Since: TypeAlias = Literal["begin", "end"]
+"""Whether something counts from when an act begins, or from when it is over."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +38,7 @@ class Trigger:
     basis: Basis
     amount: Amount | None = None
     act: Doing | None = None
-    since: str = "end"
+    since: Since = "end"
     measure: Measure | None = None
     entity: Entity | None = None
     reference: Entity | Item | None = None
@@ -88,7 +90,7 @@ class Apart:
     amount: Amount
     at: Doing | str = START
     side: Side | None = None
-    since: Literal["begin", "end"] = "begin"
+    since: Since = "begin"
 
 
 @dataclass(slots=True, eq=False)

@@ -44,7 +44,7 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
     over = doing.kind is ActKind.CHANGE_LANE or towards
     if homeward and over and doing.side is None and beside:
         side, words = beside
-        doing.side = Side(_BACK[side]) if side in _BACK else None
+        doing.side = Side(_BACK[side])
         doing.side_basis = words.because("into the lane beside its own")
 
 

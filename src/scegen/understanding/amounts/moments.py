@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach
@@ -11,7 +9,7 @@ from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Entity
 from scegen.understanding.frames import words
-from scegen.understanding.happenings import Doing
+from scegen.understanding.happenings import Doing, Since
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
@@ -97,7 +95,7 @@ def _in_trigger(doing: Doing, figure: Figure) -> bool:
     return False
 
 
-def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Literal["begin", "end"]:
+def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Since:
     """``when it has changed lanes``; what somebody reveals who leaves the lane.
 
     Args:

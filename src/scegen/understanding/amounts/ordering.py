@@ -8,7 +8,7 @@ from scegen.understanding.amounts.timing import endless, since_green, told_in
 from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis
 from scegen.understanding.frames import words
-from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
+from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
 
 _PARTS = frozenset({",", "and", "but", "while", ";"})
@@ -111,7 +111,7 @@ def _clauses(text: Telling) -> None:
         over = over or any(r.i in first.told for r in first.entity.rests)  # "when it has stopped"
         begun = (because or opening in words()["while_begun"]) and not over
         steps = first.kind is ActKind.CROSS and endless(first, text)
-        since = "begin" if steps or begun else "end"
+        since: Since = "begin" if steps or begun else "end"
         basis = Basis(chunk.i, chunk.j)
         soon = text.find("at_once", max(chunk.i - 1, start), chunk.j)  # "right after"
         at_once = Amount(STILL, Basis(*soon)) if soon else None

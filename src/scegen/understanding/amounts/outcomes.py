@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
@@ -23,8 +25,7 @@ _WHOLE, _HALF = 100.0, 50.0
 _WITH_WHOM = frozenset({"with", "between"})
 _DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
 """What may be left undone, and a contact follows."""
-_PARTS = frozenset({"side", "middle", "front", "portion"})
-_BODY = _PARTS | {"flank"}
+_BODY = frozenset({"side", "middle", "front", "portion", "flank"})
 _KEEPING_OFF = frozenset({"avoid", "prevent"})
 _NOBODY = frozenset({"neither", "nobody"})
 
@@ -58,9 +59,8 @@ def _from_the_front(ending: Ending, text: Telling) -> None:
 
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
-    clear = _gets_clear(scene)
     noun = _bare(event, text) and not event.subject  # "…; contact is avoided"
-    clear = clear or _stops_first(scene, text)
+    clear = _gets_clear(scene) or _stops_first(scene, text)
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
@@ -86,11 +86,9 @@ def _meets(scene: Clause, text: Telling) -> bool:
     event, lemma = scene.event, scene.event.lemma
     if event.name == "overlook" and lemma == "miss":
         return text.find("nearly", max(0, event.i - _BEFORE), event.i) is not None
-    part = isinstance(event.object, Place) and event.object.kind in _BODY
-    meets = lemma == "meet" and (event.how("head_on") is not None or part)
-    with_ = (p.target for p in event.pps if p.value in {"with", "in"})
-    own = any(isinstance(c, Place) and c.kind in _BODY for c in with_)
-    meets |= lemma == "catch" and own  # "catches him with its front"
+    meets = lemma == "meet" and (event.how("head_on") is not None or _bodies([event.object]))
+    own = (p.target for p in event.pps if p.value in {"with", "in"})
+    meets |= lemma == "catch" and _bodies(own)  # "catches him with its front"
     meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)
     return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
 
@@ -100,15 +98,19 @@ def _by_a_part(event: Event, text: Telling) -> bool:
     by = [p.target for p in event.pps if p.value in {"by", "of"}] if event.passive else []
     helped = event.i > 0 and text.tokens[event.i - 1].low in words()["required"]
     first = event.i - helped  # "its front shall meet the bicycle"
-    front = [c for c in text.chunks if isinstance(c, Place) and c.j == first]
-    return any(isinstance(c, Place) and c.kind in _BODY for c in (*by, *front))
+    return _bodies((*by, *(c for c in text.chunks if c.j == first)))
+
+
+def _bodies(nouns: Iterable[object]) -> bool:
+    """Whether one of some nouns is a part of a vehicle."""
+    return any(isinstance(n, Place) and n.kind in _BODY for n in nouns)
 
 
 def _stops_first(scene: Clause, text: Telling) -> bool:
     """``comes to a stop before reaching him``: then nobody is touched."""
     event = scene.event
     stops = any(s.event.name in {"stop", "brake"} for s in text.within(0, event.i))
-    before = {t.low for t in text.tokens[max(0, event.i - _PAIR) : event.i]}
+    before = text.context.lows(event.i - _PAIR, event.i)
     return event.lemma == "reach" and stops and bool(scene.targets) and "before" in before
 
 
@@ -128,9 +130,8 @@ def _open(event: Event, text: Telling) -> bool:
 
 def _aimed(event: Event, text: Telling) -> bool:
     """``would be struck at the middle of its front``: where, if nobody does anything about it."""
-    would = "would" in {t.low for t in text.tokens[max(0, event.i - _BEFORE) : event.i]}
-    at = (p.target for p in event.pps)
-    return would and any(isinstance(c, Place) and c.kind in _PARTS for c in at)
+    would = "would" in text.context.lows(event.i - _BEFORE, event.i)
+    return would and _bodies(p.target for p in event.pps)
 
 
 def _of_it(event: Event, start: int, text: Telling) -> str:
@@ -154,10 +155,8 @@ def _of_nobody(event: Event, text: Telling) -> bool:
     done = [m for e in before for m in e.subject]
     joined = text.tokens[event.i - 1].low in {"or", "nor"}  # "nobody is hurt or touched"
     own = [m for m in event.subject if joined or all(m is not other for other in done)]
-    named = [*own, event.object, *(p.target for p in event.pps)]
-    return any(
-        isinstance(m, Mention) and (m.negated or m.denied or m.pronoun in _NOBODY) for m in named
-    )
+    named = [m for m in (*own, *event.nouns()) if isinstance(m, Mention)]
+    return any(m.negated or m.denied or m.pronoun in _NOBODY for m in named)
 
 
 def _before_it(event: Event, text: Telling) -> bool:
@@ -236,8 +235,7 @@ def _said_of(k: int, text: Telling) -> set[str]:
     entry = rest[ends : ends + 2]  # "Contact: none", "contact with the van: none"
     said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*words()["none"]} else set()
     for event in events:
-        whole = [event.object, *(p.target for p in event.pps)]
-        held = event.name not in _DONE and any(c is not None and c.i <= k < c.j for c in whole)
+        held = event.name not in _DONE and any(c.i <= k < c.j for c in event.nouns())
         between = text.tokens[k + 1 : event.i]
         own = bool(rest) and rest[0] in _WITH_WHOM  # "contact with the van shall be avoided"
         after = event.i > k and (own or not text.spoken_of(k, event.i))

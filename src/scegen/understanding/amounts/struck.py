@@ -28,8 +28,7 @@ def struck(ending: Ending, text: Telling) -> None:
     parts = [(p, _portion(p, text)) for p in places]  # "the right corner of its front"
     portions = {id(portion) for place, portion in parts if portion is not place}
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
-        held = place.prep is not None and place.prep.value == "with"
-        if held and place.i < (ending.basis.i or 0):
+        if place.opening == "with" and place.i < (ending.basis.i or 0):
             continue  # "with his back to the ego he is hit"
         of_road = any(c.i == place.j + 1 for c in roads) and text.tokens[place.j].low == "of"
         if text.tokens[place.i - 2].low == "overlap" or of_road:
@@ -58,7 +57,7 @@ def struck(ending: Ending, text: Telling) -> None:
 
 def _hit(place: Place, ending: Ending, text: Telling) -> bool:
     """Whether the ego's part is what is touched: "by its left side", "is hit in the side"."""
-    i, prep = ending.basis.i or 0, place.prep.value if place.prep is not None else ""
+    i, prep = ending.basis.i or 0, place.opening
     here = [s for s in text.scenes if s.event.i == i]
     of_body = place.head is not None or any("of_body" in m.data for m in place.mods)
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
@@ -119,7 +118,7 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     if scene is None:
         return None
     direct = scene.event.object is place
-    prep = place.prep.value if place.prep is not None else ""
+    prep = place.opening
     if prep == "in" and scene.event.name == "collide" and scene.targets:
         return scene.targets[0]  # "hits us in the side", "is hit on its right side"
     flank = bool(_SIDES & set(place.dirs))

@@ -8,7 +8,7 @@ from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import ANY, Telling
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.frames import words
-from scegen.understanding.happenings import Doing
+from scegen.understanding.happenings import Doing, Since
 
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
 _GREEN_REACH = 9
@@ -148,7 +148,7 @@ def told_in(text: Telling, start: int, end: int) -> list[tuple[int, Doing]]:
     return sorted(found, key=lambda f: f[0])
 
 
-def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, str]:
+def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, Since]:
     """Since when a delay counts."""
     text, since = figure.text, _since(figure)
     if since == "after":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import dataclass, field
 from typing import Any
 
 from scegen.scenario.functional import (
@@ -58,80 +59,74 @@ _NO_LIGHT = "no light stands there for it that could show that; left open"
 _NOT_SAID = (None, None)
 
 
+@dataclass(slots=True)
 class Builder:
     """Puts the parts together.
 
-    Args:
-        ego: who the ego is, and why.
+    Attributes:
         draft: participants, hazards and positions.
+        ego: who the ego is, and why.
         happenings: acts, spacings, things and the outcome.
         reading: what the text says about the junction.
-        surroundings: what it says about everything else.
-        lengthwise: what it says about the road along its length.
+        around: what it says about everything else.
+        along: what it says about the road along its length.
+        proofs: the evidence.
     """
 
-    def __init__(
-        self,
-        draft: Draft,
-        ego: tuple[Entity, Basis],
-        happenings: Happenings,
-        reading: JunctionReading,
-        surroundings: Surroundings,
-        lengthwise: Lengthwise,
-    ) -> None:
-        self._draft = draft
-        self._ego = ego
-        self._happenings = happenings
-        self._around = surroundings
-        self._proofs = Proofs(draft.text, draft.tokens)
-        self._lengthwise = lengthwise
-        self._layout = Layout(draft, reading, surroundings, lengthwise, self._proofs)
+    draft: Draft
+    ego: tuple[Entity, Basis]
+    happenings: Happenings
+    reading: JunctionReading
+    around: Surroundings
+    along: Lengthwise
+    proofs: Proofs = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.proofs = Proofs(self.draft.text, self.draft.tokens)
 
     def build(self) -> FunctionalScenario:
         """The functional scenario with its evidence."""
-        ego, ego_basis = self._ego
-        for entity in self._draft.entities:
+        ego, ego_basis = self.ego
+        for entity in self.draft.entities:
             entity.ego = entity is ego  # "the cops we are": several are called so, one is it
-        settle_arms(self._draft, ego)
-        relations = settle_positions(self._draft, ego)
-        if Strip.PAVEMENT not in self._lengthwise.without:
-            at_the_edge(self._draft, self._happenings)
-        junction = self._layout.build()
-        onto_the_road(self._draft, junction.driving_side)
+        settle_arms(self.draft, ego)
+        relations = settle_positions(self.draft, ego)
+        if Strip.PAVEMENT not in self.along.without:
+            at_the_edge(self.draft, self.happenings)
+        junction = Layout(self.draft, self.reading, self.around, self.along, self.proofs).build()
+        onto_the_road(self.draft, junction.driving_side)
         if junction.kind is JunctionKind.STRAIGHT:
-            in_the_way(self._draft, ego)
-            in_one_lane(self._draft, self._happenings)
-            abreast(self._draft, ego)
-            both_change_lanes(self._draft, ego)
-            from_the_strip(self._draft, ego)
-            settle_along(self._draft, ego, self._happenings)
+            in_the_way(self.draft, ego)
+            in_one_lane(self.draft, self.happenings)
+            abreast(self.draft, ego)
+            both_change_lanes(self.draft, ego)
+            from_the_strip(self.draft, ego)
+            settle_along(self.draft, ego, self.happenings)
             relations = past_people(relations)
             if junction.auxiliary is not None:
                 named = lanes_of(ego, junction)
                 beside = not named or junction.through_lanes in named
-                settle_ramp(self._draft, ego, junction.auxiliary, beside_ego=beside)
+                settle_ramp(self.draft, ego, junction.auxiliary, beside_ego=beside)
         else:
-            alongside(self._draft, ego)
-            settle_roads(self._draft, junction)
-        settle_numbers(self._draft, ego, junction)
+            alongside(self.draft, ego)
+            settle_roads(self.draft, junction)
+        settle_numbers(self.draft, ego, junction)
         self._name(ego)
-        groups = some_of(self._draft, self._happenings, junction.kind, self._proofs)
-        participants = tuple(
-            self._participant(e, ego_basis, junction) for e in self._draft.entities
-        )
+        groups = some_of(self.draft, self.happenings, junction.kind, self.proofs)
+        participants = tuple(self._participant(e, ego_basis, junction) for e in self.draft.entities)
         linked = tuple(
             Relation(participant=a.name, reference=b.name, approaches=frozenset(approaches))
             for a, b, approaches, _ in relations
         )
         for number, (*_, basis) in enumerate(relations):
-            self._proofs.add(f"relations.{number}", basis)
-        hazards = tuple(self._hazard(d) for d in self._draft.dangers)
-        conditions = self._around.conditions
+            self.proofs.add(f"relations.{number}", basis)
+        hazards = tuple(self._hazard(d) for d in self.draft.dangers)
+        conditions = self.around.conditions
         for name, (_, basis) in conditions.items():
-            self._proofs.add(f"environment.{name}", basis)
-        writer = Writer(self._happenings, ego, self._proofs)
+            self.proofs.add(f"environment.{name}", basis)
+        writer = Writer(self.happenings, ego, self.proofs)
         return FunctionalScenario(
-            description=self._draft.text,
+            description=self.draft.text,
             junction=junction,
             participants=participants,
             relations=linked,
@@ -142,14 +137,14 @@ class Builder:
             acts=writer.acts(),
             outcome=writer.outcome(),
             environment=Environment(**{name: value for name, (value, _) in conditions.items()}),
-            evidence=self._proofs.evidence,
+            evidence=self.proofs.evidence,
             unsupported=self._unsupported(),
         )
 
     def _name(self, ego: Entity) -> None:
         counts: dict[str, int] = {}
         called = ego.basis.i is None or "ego" in ego.named_by
-        for entity in self._draft.entities:
+        for entity in self.draft.entities:
             if entity is ego and called:
                 entity.name = "ego"
                 continue
@@ -159,17 +154,17 @@ class Builder:
 
     def _participant(self, entity: Entity, ego_basis: Basis, junction: Junction) -> Participant:
         path = f"participants.{entity.name}"
-        self._proofs.add(f"{path}.kind", entity.counted or entity.basis)
+        self.proofs.add(f"{path}.kind", entity.counted or entity.basis)
         role, who = Role.OTHER, None
         if entity.ego:
             role, who = Role.EGO, ego_basis
-        self._proofs.add(f"{path}.role", who, "everybody but the ego")
+        self.proofs.add(f"{path}.role", who, "everybody but the ego")
         values = self._values(entity, junction)
         for name, (value, basis) in values.items():
             if value:
-                self._proofs.add(f"{path}.{name}", basis or entity.basis)
+                self.proofs.add(f"{path}.{name}", basis or entity.basis)
         for words in self._further_words(entity):
-            self._proofs.add(f"{path}.approaches", words)
+            self.proofs.add(f"{path}.approaches", words)
         said = {name: value for name, (value, _) in values.items()}
         return Participant(id=entity.name, kind=entity.kind, role=role, **said)
 
@@ -177,7 +172,7 @@ class Builder:
         """The fields of a participant, each with the words for it."""
         beside = _beside(entity)
         seen = {Approach.ADJACENT, Approach(beside[0])} if beside else entity.approaches
-        maneuvers = maneuvers_of(entity, junction, self._draft)
+        maneuvers = maneuvers_of(entity, junction, self.draft)
         ring = junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
         light = self._light(entity, maneuvers, junction)
         delay = entity.green_delay if light[0] is AtLight.WAITS else None
@@ -217,7 +212,7 @@ class Builder:
         stands = entity.parked or Maneuver.STAY in maneuvers
         if junction.control is Control.SIGNALS and shown and not stands:
             return light, basis
-        self._draft.note_at(basis, _NO_LIGHT)
+        self.draft.note_at(basis, _NO_LIGHT)
         return None, None
 
     def _further_words(self, entity: Entity) -> list[Basis]:
@@ -225,7 +220,7 @@ class Builder:
         if not entity.approaches:
             return []
         found = [entity.by_heading] if entity.by_heading is not None else []
-        placed = self._draft.placed(entity)
+        placed = self.draft.placed(entity)
         found += [p.basis for p in placed if p.approaches & entity.approaches]
         told = [b for b in dict.fromkeys(found) if b.i is not None and b != entity.approach_basis]
         beside = _beside(entity)
@@ -234,7 +229,7 @@ class Builder:
     def _hazard(self, danger: Danger) -> Hazard:
         on_foot = danger.kind in {HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_ANIMAL}
         to = [e for e in danger.to if e not in danger.by and not (on_foot and self._passed(e))]
-        self._proofs.add(f"hazards.{danger.kind.value}", danger.basis)
+        self.proofs.add(f"hazards.{danger.kind.value}", danger.basis)
         return Hazard(
             kind=danger.kind,
             by=tuple(e.name for e in (*danger.by, *danger.items)),
@@ -243,13 +238,13 @@ class Builder:
 
     def _passed(self, entity: Entity) -> bool:
         """Who stands or is overtaken hides those who come out in front: they meet somebody else."""
-        return entity.still or entity in self._draft.suffering(HazardKind.OVERTAKING)
+        return entity.still or entity in self.draft.suffering(HazardKind.OVERTAKING)
 
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []
-        for note in sorted(self._draft.notes, key=lambda n: (n.i, n.j)):
-            start, end = self._proofs.span(note.i, note.j)
-            text = self._draft.text[start:end]
+        for note in sorted(self.draft.notes, key=lambda n: (n.i, n.j)):
+            start, end = self.proofs.span(note.i, note.j)
+            text = self.draft.text[start:end]
             found.append(Unsupported(text=text, start=start, end=end, instead=note.instead))
         return tuple(found)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Any, TypeAlias
 
 from scegen.scenario.acts import ActKind
@@ -80,13 +80,19 @@ def _hazard(kind: HazardKind, by: str, to: str, words: Words) -> Effect:
     return effect
 
 
+def _ways(said: str) -> Callable[[Clause, Context], Collection[Maneuver]]:
+    """Maneuvers by name, or what words of the clause name."""
+    if said in VALUES:
+        return VALUES[said]
+    named = {Maneuver(value) for value in said.split()}
+    return lambda _clause, _context: named
+
+
 def _maneuver(said: str, of: str, words: Words) -> Effect:
-    whom, find = who(of), VALUES.get(said)
-    named = {Maneuver(value) for value in said.split()} if find is None else set()
+    whom, ways = who(of), _ways(said)
 
     def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        values = named if find is None else set(find(clause, context))
+        basis, values = words(clause, context), set(ways(clause, context))
         for entity in list(whom(clause, context)) if values else []:
             later = context.in_order(entity.maneuver_basis, clause.event)
             context.draft.maneuver(entity, values, basis, clause.alternative, later=later)
@@ -201,12 +207,11 @@ def _parts(row: dict[str, Any]) -> Effect:
 
 
 def _rule_out(said: str) -> Effect:
-    find = VALUES.get(said)
-    named = {Maneuver(value) for value in said.split()} if find is None else set()
+    ways = _ways(said)
 
     def effect(clause: Clause, context: Context) -> None:
         for entity in clause.drivers:
-            entity.excluded |= named if find is None else set(find(clause, context))
+            entity.excluded.update(ways(clause, context))
             entity.excluded_basis = clause.words
 
     return effect

@@ -58,8 +58,8 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
 
 def _its(part: Place, event: Event) -> bool:
     own = part.possessed and part.owner is None
-    met = {"into"} | ({"with"} if event.lemma == "collide" else set())
-    return own and "rear" in part.dirs and (part.prep is None or part.prep.value in met)
+    met = {"", "into", *(["with"] if event.lemma == "collide" else [])}
+    return own and "rear" in part.dirs and part.opening in met
 
 
 def apart(entity: Entity, observer: Entity, context: Context) -> bool:
