@@ -82,11 +82,11 @@ class Doing:
 
 @dataclass(slots=True, eq=False)
 class Apart:
-    """A spacing in the making; ``reference`` None is the ego."""
+    """A spacing in the making."""
 
     measure: Measure
     entity: Entity | Item
-    reference: Entity | None
+    reference: Entity
     amount: Amount
     at: Doing | str = START
     side: Side | None = None
@@ -105,6 +105,11 @@ class Ending:
     struck_basis: Basis | None = None
     half: Side | None = None
     half_basis: Basis | None = None
+
+    @property
+    def other(self) -> Entity | None:
+        """Who touches the ego."""
+        return next((e for e in self.between if not e.ego), None)
 
 
 @dataclass(slots=True, eq=False)
@@ -130,5 +135,5 @@ class Happenings:
     spacings: list[Apart] = field(default_factory=list)
     items: list[Item] = field(default_factory=list)
     ending: Ending | None = None
-    further: list[tuple[str, Entity | Doing, Basis]] = field(default_factory=list)
-    """Words that say again what a field of a participant or an act holds."""
+    speeds_again: list[tuple[Entity, Basis]] = field(default_factory=list)
+    """Words that say again how fast somebody is."""

@@ -116,7 +116,7 @@ def read(text: str) -> FunctionalScenario:
     manners = Manners(context, numbers, surroundings.measured)
     scenes = Interpreter(context, manners).run(chunks, events)
     ego = choose_ego(draft, crossing=junction.crossing)
-    happenings = read_amounts(numbers, chunks, scenes, context)
+    happenings = read_amounts(numbers, chunks, scenes, context, ego[0])
     for scene in scenes:
         say("movements.runs", scene, context)
     limit_mps, _ = surroundings.road.get("speed_limit_mps", (None, None))

@@ -62,7 +62,7 @@ def _in_one_lane(text: Telling) -> None:
     """``ego 50 km/h, target 20 km/h, same lane``: whom the faster one comes up to is ahead."""
     span, ego = text.find("same_lane", 0, len(text.tokens)), text.ego
     others = [e for e in text.draft.entities if e is not ego and e.is_vehicle]
-    if span is None or ego is None or ego.speed is None or len(others) != 1:
+    if span is None or ego.speed is None or len(others) != 1:
         return
     other = others[0]
     placed = any(other in (p.entity, p.reference) for p in text.draft.placements)

@@ -41,10 +41,10 @@ def read_outcome(text: Telling) -> None:
         struck(ending, text)
         _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
-    other = next((e for e in ending.between if not e.ego), None) if ending is not None else None
-    if span is not None and other is not None:  # the share that no number tells
+    if ending is not None and span is not None and ending.other is not None:
+        # the share that no number tells
         amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
-        apart = Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT)
+        apart = Apart(Measure.OVERLAP_PERCENT, ending.other, text.ego, amount, CONTACT)
         text.found.spacings.append(apart)
 
 
@@ -288,10 +288,10 @@ def _around(i: int, known: Entity | None, text: Telling) -> list[Entity]:
 
 def impact(figure: Figure) -> bool:
     """``at 25 % of its width counted from its right side``."""
-    text, ego = figure.text, figure.text.ego
+    text = figure.text
     value, basis, ending = figure.quantity.exact, figure.amount.basis, figure.text.found.ending
     if ending is None:
-        ending = Ending(OutcomeKind.COLLISION, basis, _around(figure.i, ego, text))
+        ending = Ending(OutcomeKind.COLLISION, basis, _around(figure.i, text.ego, text))
         text.found.ending = ending
     left = text.find("left_edge", figure.j, figure.end)
     edge = left or text.find("right_edge", figure.j, figure.end)
@@ -299,8 +299,7 @@ def impact(figure: Figure) -> bool:
     if edge is not None:
         basis = Basis(basis.i, edge[1], basis.reason)
     else:
-        other = next((e for e in ending.between if e is not ego), None)
-        mirrored = other is not None and _from_the_right(other, text)
+        mirrored = ending.other is not None and _from_the_right(ending.other, text)
         if value.low != _HALF:
             side = "right" if mirrored else "left"
             reason = f"counted from the {side}, from where the other comes"

@@ -33,9 +33,8 @@ def held(figure: Figure) -> bool:
     if taken and not shared:
         return True
     whose = _able(figure, [e for e in _whose(figure) if e not in taken])
-    ego = text.ego
-    if not whose and ego is not None and ego.speed is None:
-        whose = [ego]
+    if not whose and text.ego.speed is None:
+        whose = [text.ego]
     others = [e for e in whose if e.speed not in (None, speed)]
     again = [e for e in whose if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
     if whose and all(e in others or e in again for e in whose):
@@ -48,7 +47,7 @@ def held(figure: Figure) -> bool:
         elif entity.speed != speed:
             return False
         else:
-            text.found.further.append(("speed_mps", entity, words_))
+            text.found.speeds_again.append((entity, words_))
     return bool(taken or whose)
 
 
@@ -110,7 +109,7 @@ def _from_to(figure: Figure) -> Doing | None:
 def _whose(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
     ego = figure.text.ego
-    if figure.heads and ego is not None and ego.speed is None:
+    if figure.heads and ego.speed is None:
         return [ego]
     told = figure.adjacent or figure.own_subject
     if told:

@@ -37,7 +37,7 @@ def struck(ending: Ending, text: Telling) -> None:
         part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
         part = BodySide.FRONT if corner else part
         whose = _owner(place, ending, text)
-        egos = whose is not None and whose is text.ego
+        egos = whose is text.ego
         flank = part not in _ENDS
         if part is None or whose is None or (flank and not (egos and _hit(place, ending, text))):
             continue
@@ -79,11 +79,10 @@ def _portion(place: Place, text: Telling) -> NounPhrase | None:
 
 def settle(text: Telling) -> None:
     """What half of the front is touched, by the numbers if any: by whom it is narrow, where."""
-    ending, ego = text.found.ending, text.ego
+    ending = text.found.ending
     if ending is None or ending.half is None or ending.impact is not None:
         return
     basis, left = ending.half_basis or ending.basis, ending.half is Side.LEFT
-    other = next((e for e in ending.between if e is not ego), None)
     told = [s for s in text.found.spacings if s.measure is Measure.OVERLAP_PERCENT]
     for overlap in told:
         known = overlap.amount.basis
@@ -92,9 +91,10 @@ def settle(text: Telling) -> None:
         overlap.side = overlap.side or ending.half
     if told:
         return
+    other = ending.other
     if other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE:
         amount = Amount(Interval(low=_LITTLE, high=_HALF), basis)
-        apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT, ending.half)
+        apart = Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT, ending.half)
         text.found.spacings.append(apart)
     else:
         value = Interval(low=0.0 if left else _HALF, high=_HALF if left else _WHOLE)
@@ -126,7 +126,7 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     met = met or (prep == "with" and scene.event.lemma == "collide" and not scene.targets)
     doer = scene.actors[0] if scene.actors else None
     if met and own and doer is not None:  # "a car behind hits its rear"
-        return next((e for e in ending.between if not e.ego), None) if doer.ego else text.ego
+        return ending.other if doer.ego else text.ego
     if own or not direct:
         hit_by = scene.event.passive and prep == "by"
         return text.ego if hit_by or doer is None else doer

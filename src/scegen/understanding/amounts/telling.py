@@ -24,9 +24,13 @@ class Telling:
         chunks: its chunks.
         scenes: what happens.
         context: the scenario in the making.
+        ego: the ego.
     """
 
-    def __init__(self, chunks: list[Chunk], scenes: list[Clause], context: Context) -> None:
+    def __init__(
+        self, chunks: list[Chunk], scenes: list[Clause], context: Context, ego: Entity
+    ) -> None:
+        self.ego = ego
         self.tokens = context.tokens
         self.chunks = chunks
         self.scenes = sorted(scenes, key=lambda scene: scene.event.i)
@@ -37,11 +41,6 @@ class Telling:
         self.found = Happenings()
         self._marks = [k for k, token in enumerate(self.tokens) if token.low in _ENDS]
         self._said: dict[str, list[str]] = {}
-
-    @property
-    def ego(self) -> Entity | None:
-        """The ego, if the text names one."""
-        return self.draft.ego
 
     def bounds(self, i: int) -> tuple[int, int]:
         """Where the sentence of a token begins and ends."""
@@ -97,9 +96,8 @@ class Telling:
 
     def stand(self, one: Entity, other: Entity) -> list[tuple[Entity, set[Approach]]]:
         """What is said of where one of two is, seen from the other."""
-        pair, ego = {one, other}, self.ego
-        said = self.draft.placements
-        return [(p.entity, p.approaches) for p in said if {p.entity, p.reference or ego} == pair]
+        said = ((p, {p.entity, p.reference or self.ego}) for p in self.draft.placements)
+        return [(p.entity, p.approaches) for p, pair in said if pair == {one, other}]
 
     def in_file(self, one: Entity, other: Entity) -> tuple[Entity, Entity]:
         """Two as follower and leader: a headway is that of the one behind."""
@@ -116,9 +114,8 @@ class Telling:
             entity: one of them.
             near: who is spoken of around, the nearest last.
         """
-        ego = self.ego
-        if entity is not ego and ego is not None:
-            return ego
+        if entity is not self.ego:
+            return self.ego
         others = [e for e in self.draft.entities if e is not entity]
         named = [e for e in reversed(near) if e in others]
         placed = self.context.placed

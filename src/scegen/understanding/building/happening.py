@@ -37,9 +37,8 @@ class Writer:
 
     def acts(self) -> tuple[Act, ...]:
         """All acts in the order of the text."""
-        for name, whose, basis in self.happenings.further:
-            group = "acts" if isinstance(whose, Doing) else "participants"
-            self.proofs.add(f"{group}.{whose.name}.{name}", basis)
+        for entity, basis in self.happenings.speeds_again:
+            self.proofs.add(f"participants.{entity.name}.speed_mps", basis)
         return tuple(self._act(doing) for doing in self.happenings.acts)
 
     def _act(self, doing: Doing) -> Act:
@@ -86,14 +85,13 @@ class Writer:
         """All spacings in the order of the text."""
         found: list[Spacing] = []
         for apart in self.happenings.spacings:
-            reference = apart.reference or self.ego
-            if reference is apart.entity and apart.measure is not Measure.LATERAL_OFFSET_M:
+            if apart.reference is apart.entity and apart.measure is not Measure.LATERAL_OFFSET_M:
                 continue
             self.proofs.add(f"spacings.{len(found)}", apart.amount.basis)
             found.append(
                 Spacing(
                     participant=apart.entity.name,
-                    reference=reference.name,
+                    reference=apart.reference.name,
                     measure=apart.measure,
                     value=apart.amount.value,
                     at=apart.at if isinstance(apart.at, str) else apart.at.name,
