@@ -149,7 +149,7 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     placed = [p.entity for p in draft.placements if p.reference is None]
     free = [e for e in candidates if e not in placed] or candidates
-    facing = next((e for d in draft.dangers if (e := facing_entry(d, free)) is not None), None)
+    facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
     if facing is not None:
         return facing, "this vehicle comes towards the one that turns left"
     sufferers, causers = draft.suffering(), draft.causing()
@@ -160,7 +160,7 @@ def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     return free[0], "this is the first vehicle"
 
 
-def facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
+def _facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
     """Who enters opposite the one that turns left, where the text fixes the arms.
 
     Args:

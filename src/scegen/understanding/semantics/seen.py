@@ -39,7 +39,7 @@ def seen(entity: Entity, site: Site) -> None:
         entity.approach_basis = site.basis
         return
     reference = _first(place.beside or place.owner)
-    named = lane_of(place) or _side_after(place, draft)
+    named = _lane_of(place) or _side_after(place, draft)
     if named in SIDES and approaches == BY_DIR["adjacent"] and (not reference or reference.ego):
         entity.beside = entity.beside or (named, site.basis)
     kerb = place.kind in {"sidewalk", "shoulder"} and site.value == "from"
@@ -68,7 +68,7 @@ def _in_the_egos_lane(entity: Entity, site: Site) -> None:
         entity.in_egos_lane = entity.in_egos_lane or site.basis
 
 
-def lane_of(place: Place) -> str | None:
+def _lane_of(place: Place) -> str | None:
     """Which lane of several a phrase names: ``left``, ``middle``, ``fast``, ``2`` from inside.
 
     Args:
@@ -94,7 +94,7 @@ def _start_lane(entity: Entity, site: Site) -> None:
     place = site.place
     # "in the lane to its right": which one that is, depends on whose it is
     after = place.head is not None and any(m.i > place.head.i for m in place.mods)
-    named = lane_of(place) if "adjacent" not in place.dirs and not after else None
+    named = _lane_of(place) if "adjacent" not in place.dirs and not after else None
     if named is None:
         return
     site.context.lanes_implied(site.basis, "one of several lanes is named")
