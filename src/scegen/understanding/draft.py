@@ -224,13 +224,13 @@ class Draft:
         """Who suffers them."""
         return [e for d in self.dangers if not kinds or d.kind in kinds for e in d.to]
 
-    def placed(self, entity: Entity) -> list[Placement]:
+    def placements_of(self, entity: Entity) -> list[Placement]:
         """What is said of where a participant is, from whomever it is seen."""
         return [p for p in self.placements if p.entity is entity]
 
     def only(self, entity: Entity, approach: Approach) -> bool:
         """Whether it is said to be at one place and no other, as the ego sees it."""
-        found = (p for p in self.placed(entity) if p.reference is None)
+        found = (p for p in self.placements_of(entity) if p.reference is None)
         return any(p.approaches == {approach} for p in found)
 
     def add(self, kind: ParticipantKind, basis: Basis) -> Entity:

@@ -73,7 +73,7 @@ def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basi
 
 def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
     """``target from the left``: along a road, from the lane on that side."""
-    for placement in context.draft.placed(entity) if not context.junction.crossing else []:
+    for placement in context.draft.placements_of(entity) if not context.junction.crossing else []:
         side = next(iter(placement.approaches)).value
         if len(placement.approaches) == 1 and side in _BACK:
             return side, placement.basis

@@ -220,7 +220,7 @@ class Builder:
         if not entity.approaches:
             return []
         found = [entity.by_heading] if entity.by_heading is not None else []
-        placed = self.draft.placed(entity)
+        placed = self.draft.placements_of(entity)
         found += [p.basis for p in placed if p.approaches & entity.approaches]
         told = [b for b in dict.fromkeys(found) if b.i is not None and b != entity.approach_basis]
         beside = _beside(entity)

@@ -81,7 +81,7 @@ def both_change_lanes(draft: Draft, ego: Entity) -> None:
     """Who changes lanes as the ego does comes from another lane."""
     both = Maneuver.LANE_CHANGE in ego.maneuvers
     for entity in draft.entities if both else []:
-        free = not entity.approaches and not draft.placed(entity)
+        free = not entity.approaches and not draft.placements_of(entity)
         if entity is not ego and free and Maneuver.LANE_CHANGE in entity.maneuvers:
             basis = entity.maneuver_basis or entity.basis
             reason = "who changes lanes beside the ego comes from another lane"

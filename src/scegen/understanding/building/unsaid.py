@@ -106,7 +106,7 @@ def _turned_across(entity: Entity, draft: Draft) -> Basis | None:
 def _oncoming(entity: Entity, draft: Draft) -> Basis | None:
     """``yields to oncoming traffic``: who is called oncoming keeps coming."""
     called = not entity.ego and "opposite" in entity.dirs
-    seen = [p.basis for p in draft.placed(entity) if p.approaches == {Approach.OPPOSITE}]
+    seen = [p.basis for p in draft.placements_of(entity) if p.approaches == {Approach.OPPOSITE}]
     return seen[0] if called and seen else None
 
 

@@ -78,8 +78,8 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     chosen.ego = True
     afoot = [e for e in draft.entities if not e.is_vehicle]
     pair = len(afoot) == len(candidates) == len(movers) == 1
-    if pair and all(p.reference for p in draft.placed(afoot[0])):
-        for placement in draft.placed(chosen):
+    if pair and all(p.reference for p in draft.placements_of(afoot[0])):
+        for placement in draft.placements_of(chosen):
             facing = Approach.OPPOSITE in placement.approaches  # "an approaching taxi": to nobody
             if placement.reference is None and not facing:
                 placement.reference = afoot[0]
@@ -142,7 +142,7 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
         return False
     after = [t.low for t in draft.tokens[entity.basis.j or 0 :][:1]]
     return (entity.basis.j is not None and after == ["ahead"]) or any(
-        p.reference is None and p.approaches <= seen for p in draft.placed(entity)
+        p.reference is None and p.approaches <= seen for p in draft.placements_of(entity)
     )
 
 
@@ -242,7 +242,7 @@ def _in_file(relations: list[Placed]) -> None:
 
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
     """``while the ego comes from the opposite direction``, ``I'm right alongside``: of whom?"""
-    placed = draft.placed(ego)
+    placed = draft.placements_of(ego)
     said = [p for p in placed if p.reference is None and p.approaches <= _SEEN_BACK]
     others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
     if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
@@ -272,7 +272,7 @@ def _own_side(draft: Draft, ego: Entity) -> Approach | None:
     """The side that an observer gives for the ego itself ("one car from the left, …")."""
     if "ego" in ego.named_by:
         return None  # what is said of its place is not a view from outside
-    said = next((p.approaches for p in draft.placed(ego) if p.reference is None), set())
+    said = next((p.approaches for p in draft.placements_of(ego) if p.reference is None), set())
     return next(iter(said)) if len(said) == 1 and said <= _FRAME.keys() else None
 
 

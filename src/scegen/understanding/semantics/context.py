@@ -129,7 +129,7 @@ class Context:
 
     def placed(self, entity: Entity, approach: Approach) -> bool:
         """Whether a participant is said to be, or to come from, somewhere."""
-        return any(approach in p.approaches for p in self.draft.placed(entity))
+        return any(approach in p.approaches for p in self.draft.placements_of(entity))
 
     def oncoming(self, entity: Entity) -> bool:
         """Whether a vehicle is said to come from the front."""
@@ -149,7 +149,7 @@ class Context:
     def comes_across(self, entity: Entity) -> bool:
         """Whether a vehicle comes from another arm of a junction than the ego."""
         across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
-        named = self.draft.placed(entity)
+        named = self.draft.placements_of(entity)
         lateral = {Approach.LEFT, Approach.RIGHT}
         met = self.junction.crossing or self.draft.crossing_implied is not None
         met = met or self.draft.side_road is not None

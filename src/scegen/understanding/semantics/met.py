@@ -101,7 +101,7 @@ def _stand_to_each_other(clause: Clause, context: Context) -> bool:
         p.reference in clause.targets
         or (p.reference is None and (egos or p.approaches != {Approach.ADJACENT}))
         for entity in clause.actors
-        for p in context.draft.placed(entity)
+        for p in context.draft.placements_of(entity)
     )
 
 

@@ -106,7 +106,7 @@ def _on_its_side(entity: Entity, site: Site) -> None:
 
 def _standing(entity: Entity, context: Context) -> set[Approach]:
     """Where one is seen, as far as said."""
-    seen = (p for p in context.draft.placed(entity) if p.reference is None)
+    seen = (p for p in context.draft.placements_of(entity) if p.reference is None)
     return {a for p in seen for a in p.approaches}
 
 

@@ -135,7 +135,7 @@ def _overtaking(clause: Clause, context: Context) -> bool:
     over = any(p.kind == "centerline" for p in clause.places())
     if any(p.value == "behind" for p in clause.event.pps):
         return False  # "passes behind": across the road there
-    placed = (p for e in clause.actors for p in context.draft.placed(e))
+    placed = (p for e in clause.actors for p in context.draft.placements_of(e))
     return over or any(p.approaches == {Approach.BEHIND} for p in placed)
 
 

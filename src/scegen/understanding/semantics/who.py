@@ -70,8 +70,10 @@ ENTITY: dict[str, EntityTest] = {
     "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},
     "in_front": lambda e, c: c.draft.only(e, Approach.AHEAD),
     "aloof": lambda e, c: not any(e in {p.entity, p.reference} for p in c.draft.placements),
-    "unplaced": lambda e, c: not c.draft.placed(e),
-    "unseen": lambda e, c: all(p.reference and not p.reference.ego for p in c.draft.placed(e)),
+    "unplaced": lambda e, c: not c.draft.placements_of(e),
+    "unseen": lambda e, c: all(
+        p.reference and not p.reference.ego for p in c.draft.placements_of(e)
+    ),
     "unfaced": lambda e, c: c.draft.ego is None or met.apart(e, c.draft.ego, c),
     "slower": lambda e, c: e.still or e in c.draft.causing(*_SLOWER),
     "wrong_side": met.on_the_wrong_side,
