@@ -189,7 +189,7 @@ def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if doing.kind is not ActKind.STOP or before is None or before.kind is not ActKind.BRAKE:
         return False
-    if text.find("keeping", before.i, doing.i) is not None:
+    if text.find("holding_at", before.i, doing.i) is not None:
         return False  # "brakes, keeps 20 km/h for 4 s and stops"
     if text.bounds(before.i) != text.bounds(doing.i):
         return False

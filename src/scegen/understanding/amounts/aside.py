@@ -8,8 +8,8 @@ from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Basis
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Amount, Apart
+from scegen.understanding.lexicon import word_list
 
 _REACH, _SIDE_REACH = 8, 14
 SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
@@ -32,7 +32,7 @@ def off_its_lane(figure: Figure) -> bool:
     """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""
     text, who = figure.text, figure.subject
     around = f"{figure.words_around.before}{figure.words_around.after}"
-    said = any(f" {p} " in around for p in words()["lane_centre"])
+    said = any(f" {p} " in around for p in word_list("lane_centre"))
     if not said or not any(e.ego or text.context.oncoming(e) for e in who):
         return False
     text.found.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], signed(figure)))

@@ -12,7 +12,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import AmountFrame, Numbers, words
+from scegen.understanding.frames import AmountFrame, Numbers
 from scegen.understanding.happenings import Amount, Doing, Trigger
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
@@ -215,7 +215,7 @@ class Figure(Clause):
         """``its speed is 50 km/h``, ``my speed``: whose a measure is that opens a sentence."""
         start, mentions = self.start, self.text.mentions
         word = self.text.tokens[start].low
-        if word not in words()["whose"] or any(start < m.i < self.i for m in mentions):
+        if word not in word_list("its_own") or any(start < m.i < self.i for m in mentions):
             return []
         if any(s.actors for s in self.text.within(start, self.i)):
             return []
@@ -233,7 +233,7 @@ class Figure(Clause):
         A comma or conjunction begins a part if it has a subject of its own.
         """
         for k in range(self.i - 1, self.start - 1, -1):
-            if k > self.start and self.text.tokens[k - 1].low not in words()["joints"]:
+            if k > self.start and self.text.tokens[k - 1].low not in word_list("joints"):
                 continue
             named = (m for m in self.text.mentions if k <= m.i < self.i and m.prep is None)
             free = [m for m in named if m.entities]
@@ -245,7 +245,7 @@ class Figure(Clause):
         """``A brakes with 4 m/s², B 1 s later``: B does the same, without a verb."""
         begin, who = self.part
         text, (start, end) = self.text, (self.start, self.end)
-        joints = (k for k in range(self.i, end) if text.tokens[k].low in words()["joints"])
+        joints = (k for k in range(self.i, end) if text.tokens[k].low in word_list("joints"))
         elided = bool(who) and any(c.actors for c in text.within(start, begin))
         if not elided or text.within(begin, next(joints, end)):
             return None

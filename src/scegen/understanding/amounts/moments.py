@@ -8,8 +8,8 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing, Since
+from scegen.understanding.lexicon import word_list
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
@@ -90,7 +90,7 @@ def _in_trigger(doing: Doing, figure: Figure) -> bool:
         clause = figure.clause_of(told)
         if clause is None or not figure.start <= told < figure.end:
             continue
-        if not clause[0] <= figure.i < clause[1] and clause[2] in words()["triggers"]:
+        if not clause[0] <= figure.i < clause[1] and clause[2] in word_list("triggers"):
             return True
     return False
 

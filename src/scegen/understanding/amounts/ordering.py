@@ -7,8 +7,8 @@ from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.amounts.timing import endless, since_green, told_in
 from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
 
 _PARTS = frozenset({",", "and", "but", "while", ";"})
@@ -74,7 +74,7 @@ def _at_once(before: Doing, doing: Doing, text: Telling) -> Amount | None:
     parts = (k for k in range(doing.i + 1, stop) if tokens[k].low in _PARTS)
     stop = min(next(parts, stop), doing.i + _SOON_SAID)
     span = text.find("at_once", start, stop)
-    if span is None or tokens[span[1]].low in words()["no_moment"]:
+    if span is None or tokens[span[1]].low in word_list("no_moment"):
         return None
     return Amount(STILL, Basis(*span))
 
@@ -93,7 +93,7 @@ def _clauses(text: Telling) -> None:
     for chunk in text.subs:
         opening = text.low(chunk.i, chunk.j).strip()
         because = opening in {"because", "since"}
-        if not because and (opening not in words()["triggers"] or opening in {"if", "until"}):
+        if not because and (opening not in word_list("triggers") or opening in {"if", "until"}):
             continue
         start, stop = text.bounds(chunk.i)
         if chunk.j >= stop or quantity_at(text.tokens, chunk.j) is not None:
@@ -109,7 +109,7 @@ def _clauses(text: Telling) -> None:
         first = inside[0]
         over = any(c.event.perfect for c in text.within(chunk.j, end))
         over = over or any(r.i in first.told for r in first.entity.rests)  # "when it has stopped"
-        begun = (because or opening in words()["while_begun"]) and not over
+        begun = (because or opening in word_list("while_begun")) and not over
         steps = first.kind is ActKind.CROSS and endless(first, text)
         since: Since = "begin" if steps or begun else "end"
         basis = Basis(chunk.i, chunk.j)

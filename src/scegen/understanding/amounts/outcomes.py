@@ -13,9 +13,9 @@ from scegen.understanding.amounts.struck import struck
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.happenings import Amount, Apart, Ending
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.contact import goal_of_contact, touched
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import ends_a_quantity
@@ -96,7 +96,7 @@ def _meets(scene: Clause, text: Telling) -> bool:
 def _by_a_part(event: Event, text: Telling) -> bool:
     """``its front catches him``, ``is met by the middle of the ego's front``."""
     by = [p.target for p in event.pps if p.value in {"by", "of"}] if event.passive else []
-    helped = event.i > 0 and text.tokens[event.i - 1].low in words()["required"]
+    helped = event.i > 0 and text.tokens[event.i - 1].low in word_list("required")
     first = event.i - helped  # "its front shall meet the bicycle"
     return _bodies((*by, *(c for c in text.chunks if c.j == first)))
 
@@ -142,7 +142,7 @@ def _of_it(event: Event, start: int, text: Telling) -> str:
 
 def _supposed(before: str) -> bool:
     """``could hit``, ``to avoid hitting``: not that it happens."""
-    said = any(f" {w} " in before for w in words()["supposed"] if w != "to")
+    said = any(f" {w} " in before for w in word_list("supposed") if w != "to")
     return said or before.endswith(" to ")
 
 
@@ -189,9 +189,9 @@ def _of_nouns(text: Telling) -> list[Ending]:
     What is denied of something else denies no contact: "neither brakes; collision".
     """
     tokens, found = text.tokens, []
-    for k in (k for k, t in enumerate(tokens) if t.low in words()["impacts"]):
+    for k in (k for k, t in enumerate(tokens) if t.low in word_list("impacts")):
         begin = k
-        while begin and tokens[begin - 1].low in words()["before_impacts"]:
+        while begin and tokens[begin - 1].low in word_list("before_impacts"):
             begin -= 1
         done = [s.event for s in text.scenes if s.event.i <= k < s.event.j]
         if any(not (e.nominal or _bare(e, text)) for e in done):
@@ -203,7 +203,7 @@ def _of_nouns(text: Telling) -> list[Ending]:
         around = window(tokens, begin, k + 1, {})
         role = frame_of("contact", 0.0, around, frozenset(verbs)).role
         if role != "other":
-            i = begin - (begin > 0 and tokens[begin - 1].low in words()["none"])
+            i = begin - (begin > 0 and tokens[begin - 1].low in word_list("none"))
             i = min([i, *(e.i for e in prevented if e.i < begin)])  # "cannot avoid it"
             found.append(Ending(OutcomeKind(role), Basis(i, k + 1), _around(k, None, text)))
     return found
@@ -212,9 +212,9 @@ def _of_nouns(text: Telling) -> list[Ending]:
 def _bare(event: Event, text: Telling) -> bool:
     """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
     before = text.tokens[event.i - 1]
-    alone = event.i == 0 or before.kind == "punct" or before.low in words()["before_impacts"]
+    alone = event.i == 0 or before.kind == "punct" or before.low in word_list("before_impacts")
     named = isinstance(event.object, Mention)  # "brakes hard, misses him"
-    return alone and event.form == "base" and event.lemma in words()["impacts"] and not named
+    return alone and event.form == "base" and event.lemma in word_list("impacts") and not named
 
 
 def _prevented(start: int, k: int, text: Telling) -> list[Event]:
@@ -233,7 +233,7 @@ def _said_of(k: int, text: Telling) -> set[str]:
     rest = [t.low for t in text.tokens[k + 1 : end]]
     ends = rest.index(":") if rest and rest[0] in _WITH_WHOM and ":" in rest else 0
     entry = rest[ends : ends + 2]  # "Contact: none", "contact with the van: none"
-    said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*words()["none"]} else set()
+    said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*word_list("none")} else set()
     for event in events:
         held = event.name not in _DONE and any(c.i <= k < c.j for c in event.nouns())
         between = text.tokens[k + 1 : event.i]
@@ -241,7 +241,7 @@ def _said_of(k: int, text: Telling) -> set[str]:
         after = event.i > k and (own or not text.spoken_of(k, event.i))
         if held or (after and all(t.kind == "word" for t in between)):
             around = {t.low for t in between} - {"without"}  # "impact without braking is at 25 %"
-            denied = event.negated if held else around & {*words()["none"]}
+            denied = event.negated if held else around & {*word_list("none")}
             said |= {"denied"} if denied else around
             kept = {event.name} & _KEEPING_OFF if after and not denied else set()
             said |= {"in_vain"} if kept and _in_vain(event) else kept

@@ -90,7 +90,7 @@ def at_rest(figure: Figure) -> bool:
 def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     """``passes the parked van at 1 m``, ``drives beside it, 1 m away``: from side to side."""
     measure = figure.measure
-    if measure is not Measure.GAP_M or figure.words_around.opens("along"):
+    if measure is not Measure.GAP_M or figure.words_around.opens("lies_along"):
         return measure
     far = figure.quantity.exact.high
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}

@@ -9,8 +9,8 @@ from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.items import item_of, kind_of, number_them
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing
+from scegen.understanding.lexicon import word_list
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _LINES = JUNCTION | {"crosswalk"}
@@ -20,10 +20,10 @@ _RESTING = frozenset({"wait", "stop", "park"})
 def sets_off(figure: Figure) -> bool:
     """``when the gap is 20 m``, ``50 m before the junction``: what sets an act off."""
     noun, word, clause = figure.noun, figure.led_by, figure.clause
-    opened = clause is not None and clause[2] in words()["triggers"]
+    opened = clause is not None and clause[2] in word_list("triggers")
     nears = clause is not None and clause[2] == "as" and _nears(figure)
     opened = opened or (nears and not isinstance(noun, Place))
-    short = word in words()["short"]
+    short = word in word_list("short_before")
     told = short or word == "to"
     line = noun if isinstance(noun, Place) and noun.kind in _LINES and told else None
     thing = _thing(figure) if short and figure.measure is Measure.GAP_M else None
@@ -79,7 +79,7 @@ def _waits(figure: Figure, entity: Entity) -> bool:
 
 def _nears(figure: Figure) -> bool:
     """``as the ego comes within 30 m``: so near is a moment; "as it follows" lasts."""
-    return figure.verb is not None and figure.verb.lemma in words()["nearing"]
+    return figure.verb is not None and figure.verb.lemma in word_list("nearing")
 
 
 def _thing(figure: Figure) -> Thing | None:

@@ -8,7 +8,6 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Amount, Doing
 from scegen.understanding.lexicon import word_list
 
@@ -115,7 +114,7 @@ def _whose(figure: Figure) -> list[Entity]:
     if told:
         return told
     movers = [e for e in figure.actors if not e.parked]
-    owned = figure.text.tokens[figure.start].low in words()["whose"]
+    owned = figure.text.tokens[figure.start].low in word_list("its_own")
     return figure.subject if owned or not movers else movers
 
 

@@ -8,8 +8,8 @@ from scegen.scenario.vocabulary import BodySide, HazardKind, ParticipantKind, Si
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Amount, Apart, Ending
+from scegen.understanding.lexicon import word_list
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
 _BODY = frozenset({"side", "front", "flank"})
@@ -141,5 +141,5 @@ def _middle(ending: Ending, place: NounPhrase, start: int, text: Telling) -> Non
         ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(*after))
     for k in range(max(start, place.i - _REACH), place.i):
         part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
-        if part and tokens[k].low in words()["middle"]:
+        if part and tokens[k].low in word_list("mid_width"):
             ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(k, place.j))

@@ -9,8 +9,8 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing, Happenings
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 ANY: frozenset[ActKind] = frozenset(ActKind)
@@ -68,7 +68,8 @@ class Telling:
         """Where the first phrase of a list stands whole between two tokens."""
         if name not in self._said:
             text = self.low(0, len(self.tokens))
-            self._said[name] = [p for p in words()[name] if p in text and f" {p} " in text]
+            said = (p for p in word_list(name) if p in text and f" {p} " in text)
+            self._said[name] = sorted(said, key=lambda p: (-len(p), p))
         phrases = self._said[name]
         text = self.low(start, end) if phrases else ""
         for phrase in phrases:

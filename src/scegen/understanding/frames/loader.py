@@ -61,12 +61,3 @@ def always_acts() -> frozenset[str]:
     """The verbs that no way says already: what they tell of is an act, or is not there at all."""
     told = (r["if"][0].split() for r in read("acts")["done"] if "always" in r)
     return frozenset(verb for name, *verbs in told if name == "event" for verb in verbs)
-
-
-@lru_cache(maxsize=1)
-def words() -> dict[str, tuple[str, ...]]:
-    """Named lists of phrases, the longest first."""
-    return {
-        name: tuple(sorted(phrases, key=len, reverse=True))
-        for name, phrases in read("words").items()
-    }

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from scegen.understanding.frames.loader import AmountFrame, amounts, words
+from scegen.understanding.frames.loader import AmountFrame, amounts
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import longest_match
 from scegen.understanding.words.tokens import Token
 
@@ -16,7 +17,7 @@ _BETWEEN = 3
 @cache
 def _any_of(*names: str) -> frozenset[str]:
     """The words of some lists."""
-    return frozenset(word for name in names for word in words()[name])
+    return frozenset(word for name in names for word in word_list(name))
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,17 +76,17 @@ class Window:
         """Whether what follows begins with a phrase of a list.
 
         Args:
-            name: of the list in ``words.yaml``.
+            name: of the list in the lexicon.
         """
-        return any(self.after.startswith(f" {p} ") for p in words()[name])
+        return any(self.after.startswith(f" {p} ") for p in word_list(name))
 
     def closes(self, name: str) -> bool:
         """Whether what stands before ends with a phrase of a list.
 
         Args:
-            name: of the list in ``words.yaml``.
+            name: of the list in the lexicon.
         """
-        return any(self.before.endswith(f" {p} ") for p in words()[name])
+        return any(self.before.endswith(f" {p} ") for p in word_list(name))
 
 
 def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
@@ -141,7 +142,7 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
         if token.low in {"(", ":"} and _any_of("fillers").issuperset(found):
             k -= 1
             continue
-        measured = k > 0 and token.low == "when" and tokens[k - 1].low in _any_of("measures")
+        measured = k > 0 and token.low == "when" and tokens[k - 1].low in _any_of("gauged")
         if token.kind in {"punct", "number"} or k + 1 in ends:
             break
         if token.low in _any_of("clause_words") and not measured:

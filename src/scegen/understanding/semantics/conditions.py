@@ -8,7 +8,7 @@
   the verb or a preposition; ``mod``: before or after it; ``ends``; ``said``: all its lemmas;
   where a list of the lexicon stands for words, it is called ``@NAME``;
 * ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``how VALUE…``: manner;
-* of a number: ``opens LIST``, ``closes LIST``: so begins what stands behind it, ends what stands
+* of a number: ``opens @NAME``, ``closes @NAME``: so begins what stands behind it, ends what stands
   before; ``led WORD…``: one of them leads up to it;
 * ``least|below FIELD NUMBER``: a number says that of it, or every one does (SI units);
 * ``control``, ``junction``; ``danger KIND…``: there is one; or a word of `FACTS`.
@@ -223,8 +223,8 @@ _KINDS: dict[str, Kind] = {
     "child": _among(lambda clause, _: [e.name for e in clause.event.children]),
     "form": _among(lambda clause, _: [clause.event.form]),
     "link": _among(lambda clause, _: [clause.event.link]),
-    "opens": _around(Window.opens),
-    "closes": _around(Window.closes),
+    "opens": _around(lambda window, rest: window.opens(rest.removeprefix("@"))),
+    "closes": _around(lambda window, rest: window.closes(rest.removeprefix("@"))),
     "led": _around(lambda window, rest: any(map(window.preceded, patterns.listed(rest)))),
     "least": _least,
     "below": _below,
