@@ -41,22 +41,20 @@ def off_its_lane(figure: Figure) -> bool:
 
 def signed(figure: Figure) -> Amount:
     """To the left is positive, to the right negative; the left where no side is said."""
-    side, j = _toward(figure)
+    side, j = toward(figure)
     reason = "the side is not said; the left is taken" if side is None else None
     return _to(side is Side.RIGHT, figure.quantity.exact, Basis(figure.i, j, reason))
-
-
-def half(figure: Figure) -> Side | None:
-    """``the left 50 %``, ``the right half of its front (50 % overlap)``."""
-    return _toward(figure)[0]
 
 
 def _to(right: bool, value: Interval, basis: Basis) -> Amount:
     return Amount(Interval(low=-value.high, high=-value.low) if right else value, basis)
 
 
-def _toward(figure: Figure) -> tuple[Side | None, int]:
-    """The side that is named next to a number, and where the words for both end."""
+def toward(figure: Figure) -> tuple[Side | None, int]:
+    """The side that is named next to a number, and where the words for both end.
+
+    ``the left 50 %``, ``the right half of its front (50 % overlap)``.
+    """
     tokens, j = figure.text.tokens, figure.j
     for k in range(j, min(j + _REACH, figure.end)):
         if tokens[k].low in SIDE_WORDS:

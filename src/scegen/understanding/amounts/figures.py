@@ -54,8 +54,7 @@ class Figure(Clause):
         event = Event(self.role, self.i, self.j, "", parent=verb)
         event.pps = [Prep(*self.after)] if self.after is not None else []
         who, whom = (scene.actors, scene.targets) if scene is not None else ([], [])
-        opened = self.clause[2] if self.clause is not None else ""
-        super().__init__(event, who, whom, {}, self.words_around, opened)
+        super().__init__(event, who, whom, {}, self.words_around)
 
     @property
     def amount(self) -> Amount:

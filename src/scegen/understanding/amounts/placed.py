@@ -70,7 +70,7 @@ def _past_all(told: Apart, figure: Figure) -> list[Apart]:
 
 def _ends_up(figure: Figure) -> bool:
     """``drifts until only 0.3 m remain``: how far apart they end up."""
-    if figure.clause is None or figure.opened not in word_list("until"):
+    if figure.clause is None or figure.clause[2] not in word_list("until"):
         return False
     return not figure.text.acts(figure.clause[1], figure.clause[1] + _SOON)
 
@@ -114,7 +114,7 @@ def _between(
     elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
         entity, reference = text.in_file(one, other)
     elif measure is Measure.OVERLAP_PERCENT:
-        side = aside.half(figure) if amount.value.high < _WHOLE else None
+        side = aside.toward(figure)[0] if amount.value.high < _WHOLE else None
         entity, reference = (other, one) if one.ego else (one, other)
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity

@@ -136,10 +136,10 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
 def _middle(ending: Ending, place: NounPhrase, start: int, text: Telling) -> None:
     """``with the middle of its front``, ``with its front at mid-width``."""
     tokens = text.tokens
-    after = text.find("at_its_middle", place.j, text.bounds(place.i)[1])
-    if after is not None:
-        ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(*after))
+    words = text.find("at_its_middle", place.j, text.bounds(place.i)[1])
     for k in range(max(start, place.i - _REACH), place.i):
         part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
         if part and tokens[k].low in word_list("mid_width"):
-            ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(k, place.j))
+            words = k, place.j
+    if words is not None:
+        ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(*words))

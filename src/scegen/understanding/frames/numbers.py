@@ -14,9 +14,8 @@ from scegen.understanding.words.tokens import Token
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """A number with its unit, the words around it, and what they make of it."""
+    """The words around a number, and what they make of it."""
 
-    quantity: Quantity
     around: Window
     frame: AmountFrame
 
@@ -56,7 +55,5 @@ class Numbers:
         if quantity.j in self._behind:  # "20 m after the lead", "1.9 s astern"
             rest = around.after.split()[self._behind[quantity.j] :]
             around = replace(around, after=f" {' '.join(['behind', *rest])} ")
-        low = quantity.value.low
-        return Measured(
-            quantity, around, frame_of(quantity.dimension, low, around, frozenset([verb, *lemma]))
-        )
+        low, verbs = quantity.value.low, frozenset([verb, *lemma])
+        return Measured(around, frame_of(quantity.dimension, low, around, verbs))

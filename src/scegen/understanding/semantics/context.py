@@ -28,7 +28,6 @@ class Clause:
         targets: whom it is done to.
         amounts: what numbers say of it, by the field (SI units); None where one is not told.
         around: the words around the number that it is, if it is one.
-        opened: what opens the part of the sentence in which that number stands ("when", "until").
     """
 
     event: Event
@@ -36,7 +35,6 @@ class Clause:
     targets: list[Entity]
     amounts: dict[str, list[Interval | None]] = field(default_factory=dict)
     around: Window | None = None
-    opened: str = ""
 
     @property
     def drivers(self) -> list[Entity]:
