@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from scegen.scenario.vocabulary import CrossedArm, ParticipantKind
 from scegen.understanding.words.terms import Term
+
+_DEEPEST = 4
+"""So many verbs hang on one another, at most, that one counts for the others."""
 
 
 @dataclass(slots=True, eq=False)
@@ -39,6 +43,16 @@ class NounPhrase:
     def mod(self, *cats: str) -> Term | None:
         """The first word before the head of one of these classes."""
         return next((m for m in self.mods if m.cat in cats), None)
+
+    @property
+    def opening(self) -> str:
+        """Which preposition governs it; empty where none does."""
+        return self.prep.value if self.prep is not None else ""
+
+    @property
+    def possessed(self) -> bool:
+        """``its lane``: whether a word before the head says that it is somebody's."""
+        return self.mod("possessive") is not None
 
     @property
     def dirs(self) -> list[str]:
@@ -200,16 +214,31 @@ class Event:
         """Direction words that belong to the event."""
         return [m for m in self.mods if m.cat == "dir"]
 
+    def nouns(self, *prepositions: str) -> list[NounPhrase | Event]:
+        """Its object, and what its phrases name; of some prepositions, where these are given."""
+        named = [p.target for p in self.pps if not prepositions or p.value in prepositions]
+        return [n for n in (self.object, *named) if n is not None]
+
+    def whom(self, *prepositions: str) -> list[Any]:
+        """Whom its phrases with these prepositions name."""
+        named = [p.target for p in self.pps if p.value in prepositions]
+        return [e for m in named if isinstance(m, Mention) for e in m.entities]
+
+    def upwards(self) -> Iterator[Event]:
+        """It, and the verbs on which it hangs, one after the other."""
+        node: Event | None = self
+        for _ in range(_DEEPEST):
+            if node is not None:
+                yield node
+                node = node.parent
+
     def how(self, *values: str) -> Term | None:
         """The first word of manner with one of these values, here or on the verbs above."""
-        node: Event | None = self
-        depth = 0
-        while node is not None and depth < 4:
-            found = next((m for m in node.mods if m.cat == "manner" and m.value in values), None)
-            if found:
-                return found
-            node = node.parent if node.parent and node.parent.control == "subject" else None
-            depth += 1
+        for event in self.upwards():
+            found = (m for m in event.mods if m.cat == "manner" and m.value in values)
+            term = next(found, None)
+            if term is not None or event.parent is None or event.parent.control != "subject":
+                return term
         return None
 
 

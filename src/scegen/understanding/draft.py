@@ -36,6 +36,10 @@ class Basis:
     j: int | None = None
     reason: str | None = None
 
+    def because(self, reason: str | None) -> Basis:
+        """The same words, with the reason why a fact rests on them."""
+        return Basis(self.i, self.j, reason)
+
 
 @dataclass(slots=True, eq=False)
 class Entity:
@@ -136,9 +140,19 @@ class Entity:
         return self.parked or self.stands is not None
 
     @property
+    def stays(self) -> bool:
+        """It stands in the lane from the start, and nothing says that it drives off."""
+        goes = self.maneuvers - {Maneuver.STAY, Maneuver.STRAIGHT}
+        return self.stands is not None and self.sets_off < 0 and not goes
+
+    @property
     def moving_vehicle(self) -> bool:
         """Whether it may be the ego."""
         return self.is_vehicle and not self.parked
+
+    def comes_from(self, approaches: set[Approach], basis: Basis | None) -> None:
+        """Settles where it is seen, or comes from."""
+        self.approaches, self.approach_basis = approaches, basis
 
 
 @dataclass(slots=True)
@@ -196,6 +210,28 @@ class Draft:
     """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
     lying: list[Any] = field(default_factory=list)
     """The things that lie in the way, in the order of the text."""
+
+    @property
+    def ego(self) -> Entity | None:
+        """The ego, if the text names one."""
+        return next((e for e in self.entities if e.ego), None)
+
+    def causing(self, *kinds: HazardKind) -> list[Entity]:
+        """Who causes hazards of these kinds; of any kind where none is given."""
+        return [e for d in self.dangers if not kinds or d.kind in kinds for e in d.by]
+
+    def suffering(self, *kinds: HazardKind) -> list[Entity]:
+        """Who suffers them."""
+        return [e for d in self.dangers if not kinds or d.kind in kinds for e in d.to]
+
+    def placements_of(self, entity: Entity) -> list[Placement]:
+        """What is said of where a participant is, from whomever it is seen."""
+        return [p for p in self.placements if p.entity is entity]
+
+    def only(self, entity: Entity, approach: Approach) -> bool:
+        """Whether it is said to be at one place and no other, as the ego sees it."""
+        found = (p for p in self.placements_of(entity) if p.reference is None)
+        return any(p.approaches == {approach} for p in found)
 
     def add(self, kind: ParticipantKind, basis: Basis) -> Entity:
         """A new participant.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
@@ -14,6 +14,8 @@ from scegen.scenario.vocabulary import BodySide, Side
 from scegen.understanding.draft import Basis, Entity
 
 STILL = Interval(low=0.0, high=0.0)
+Since: TypeAlias = Literal["begin", "end"]
+"""Whether something counts from when an act begins, or from when it is over."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +38,7 @@ class Trigger:
     basis: Basis
     amount: Amount | None = None
     act: Doing | None = None
-    since: str = "end"
+    since: Since = "end"
     measure: Measure | None = None
     entity: Entity | None = None
     reference: Entity | Item | None = None
@@ -80,15 +82,15 @@ class Doing:
 
 @dataclass(slots=True, eq=False)
 class Apart:
-    """A spacing in the making; ``reference`` None is the ego."""
+    """A spacing in the making."""
 
     measure: Measure
     entity: Entity | Item
-    reference: Entity | None
+    reference: Entity
     amount: Amount
     at: Doing | str = START
     side: Side | None = None
-    since: Literal["begin", "end"] = "begin"
+    since: Since = "begin"
 
 
 @dataclass(slots=True, eq=False)
@@ -103,6 +105,11 @@ class Ending:
     struck_basis: Basis | None = None
     half: Side | None = None
     half_basis: Basis | None = None
+
+    @property
+    def other(self) -> Entity | None:
+        """Who touches the ego."""
+        return next((e for e in self.between if not e.ego), None)
 
 
 @dataclass(slots=True, eq=False)
@@ -128,5 +135,5 @@ class Happenings:
     spacings: list[Apart] = field(default_factory=list)
     items: list[Item] = field(default_factory=list)
     ending: Ending | None = None
-    further: list[tuple[str, Entity | Doing, Basis]] = field(default_factory=list)
-    """Words that say again what a field of a participant or an act holds."""
+    speeds_again: list[tuple[Entity, Basis]] = field(default_factory=list)
+    """Words that say again how fast somebody is."""

@@ -104,7 +104,7 @@ def read(text: str) -> FunctionalScenario:
     named_again(events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
-    draft.ramp = lengthwise.auxiliary_basis
+    draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
@@ -116,13 +116,14 @@ def read(text: str) -> FunctionalScenario:
     manners = Manners(context, numbers, surroundings.measured)
     scenes = Interpreter(context, manners).run(chunks, events)
     ego = choose_ego(draft, crossing=junction.crossing)
-    happenings = read_amounts(numbers, chunks, scenes, context)
+    happenings = read_amounts(numbers, chunks, scenes, context, ego[0])
     for scene in scenes:
         say("movements.runs", scene, context)
-    too_fast(draft, surroundings.speed_limit_mps)
+    limit_mps, _ = surroundings.road.get("speed_limit_mps", (None, None))
+    too_fast(draft, limit_mps)
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
-    scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise, tokens).build()
+    scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise).build()
     return undone(unattached(scenario, terms, tokens), events, tokens)
 
 
@@ -130,6 +131,6 @@ def _arms(junction: JunctionReading) -> int:
     """How many directions "all directions" are."""
     if junction.arms is not None:
         return junction.arms
-    if junction.kind in {None, JunctionKind.ROUNDABOUT}:
+    if junction.kind is None or junction.kind is JunctionKind.ROUNDABOUT:
         return _ASSUMED_ARMS
-    return ARM_COUNTS[junction.kind or JunctionKind.FOUR_WAY][0]
+    return ARM_COUNTS[junction.kind][0]

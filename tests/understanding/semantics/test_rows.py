@@ -13,7 +13,7 @@ from scegen.scenario.vocabulary import BodySide, HazardKind, Maneuver
 from scegen.understanding import read
 from scegen.understanding.amounts.fields import rows as figures
 from scegen.understanding.lexicon import load
-from scegen.understanding.semantics.conditions import events
+from scegen.understanding.semantics.patterns import listed
 from scegen.understanding.semantics.rows import _row, families
 
 READER = Path(scegen.understanding.__file__).parent
@@ -66,7 +66,7 @@ def test_events_that_rows_name_are_in_the_lexicon():
         for _, row in rows()
         for text in row.get("if", ())
         if text.startswith("event ") and " or " not in text
-        for word in events(text.removeprefix("event "))
+        for word in listed(text.removeprefix("event "))
     }
     assert named <= known
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import product
 
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver
@@ -43,13 +44,12 @@ def read_acts(text: Telling) -> None:
     _out_to_pass(found, text)
     _back_from_there(found)
     _past_and_back(found, text)
-    _come_to_rest(found)
+    _come_to_rest(found, text)
 
 
-def _come_to_rest(found: list[Doing]) -> None:
+def _come_to_rest(found: list[Doing], text: Telling) -> None:
     """``brakes hard. Once it stands …``: that is where the braking ends."""
-    resting = {id(d.entity): d.entity for d in found if d.entity.rests}
-    for entity in resting.values():
+    for entity in text.draft.entities:
         for basis in entity.rests:
             at = basis.i or 0
             slowed = [d for d in found if d.entity is entity and d.kind in SLOWING and d.i < at]
@@ -100,24 +100,18 @@ def _out_to_pass(found: list[Doing], text: Telling) -> None:
 
 def _back_from_there(found: list[Doing]) -> None:
     """``overtakes on the right and then cuts in``: back to the side it did not pass on."""
-    for doing in found:
-        passed = [d for d in found if d.kind is ActKind.OVERTAKE and d.i < doing.i and d.side]
-        own = [d for d in passed if d.entity is doing.entity]
-        if doing.kind is ActKind.CHANGE_LANE and own and own[-1].side is not None:
-            doing.side = OTHER[own[-1].side]
+    for doing in [d for d in found if d.kind is ActKind.CHANGE_LANE]:
+        own = [d for d in found if d.entity is doing.entity and d.i < doing.i]
+        sides = [d.side for d in own if d.kind is ActKind.OVERTAKE and d.side is not None]
+        doing.side = OTHER[sides[-1]] if sides else doing.side
 
 
 def _past_and_back(found: list[Doing], text: Telling) -> None:
     """``overtakes a tractor and returns ahead of it``: that belongs to passing it."""
     dangers = text.draft.dangers
-    passed = [
-        (by, to)
-        for d in dangers
-        if d.kind is HazardKind.OVERTAKING
-        for by in d.by
-        for to in d.to
-        if not to.ego
-    ]
+    passing = (d for d in dangers if d.kind is HazardKind.OVERTAKING)
+    pairs = (pair for d in passing for pair in product(d.by, d.to))
+    passed = [(by, to) for by, to in pairs if not to.ego]
     for doing in found:
         if doing.kind is ActKind.CHANGE_LANE and (doing.entity, doing.into) in passed:
             doing.into = None
@@ -195,14 +189,11 @@ def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if doing.kind is not ActKind.STOP or before is None or before.kind is not ActKind.BRAKE:
         return False
-    if text.find("keeping", before.i, doing.i) is not None:
+    if text.find("holding_at", before.i, doing.i) is not None:
         return False  # "brakes, keeps 20 km/h for 4 s and stops"
-    same = text.bounds(before.i) == text.bounds(doing.i)
-    if not same or "target_speed_mps" in before.amounts:
-        if same:
-            before.told.append(doing.i)
-        return same
-    before.amounts["target_speed_mps"] = Amount(STILL, doing.basis)
+    if text.bounds(before.i) != text.bounds(doing.i):
+        return False
+    before.amounts.setdefault("target_speed_mps", Amount(STILL, doing.basis))
     before.told.append(doing.i)
     return True
 

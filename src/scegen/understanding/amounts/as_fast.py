@@ -29,7 +29,7 @@ def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
     """Those of whom no speed is said, and who move, are as fast as another."""
     for entity in whom:
         if entity.speed is None and entity.is_vehicle and not entity.still:
-            entity.speed, entity.speed_basis = model.speed, Basis(words.i, words.j, reason)
+            entity.speed, entity.speed_basis = model.speed, words.because(reason)
 
 
 def _alike(text: Telling) -> None:
@@ -46,7 +46,7 @@ def _alike(text: Telling) -> None:
 
 def _followed(text: Telling) -> None:
     """``the ego follows a car at 100 km/h``: one drives as fast as the other."""
-    slow = [e for d in text.draft.dangers if d.kind is HazardKind.SLOW_DRIVING for e in d.by]
+    slow = text.draft.causing(HazardKind.SLOW_DRIVING)
     for scene in text.scenes:
         pair = [*scene.actors[:1], *scene.targets[:1]]
         follows = scene.event.name in {"follow", "tailgate"}
@@ -62,7 +62,7 @@ def _in_one_lane(text: Telling) -> None:
     """``ego 50 km/h, target 20 km/h, same lane``: whom the faster one comes up to is ahead."""
     span, ego = text.find("same_lane", 0, len(text.tokens)), text.ego
     others = [e for e in text.draft.entities if e is not ego and e.is_vehicle]
-    if span is None or ego is None or ego.speed is None or len(others) != 1:
+    if span is None or ego.speed is None or len(others) != 1:
         return
     other = others[0]
     placed = any(other in (p.entity, p.reference) for p in text.draft.placements)

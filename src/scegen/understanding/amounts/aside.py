@@ -8,8 +8,8 @@ from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Basis
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Amount, Apart
+from scegen.understanding.lexicon import word_list
 
 _REACH, _SIDE_REACH = 8, 14
 SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
@@ -32,7 +32,7 @@ def off_its_lane(figure: Figure) -> bool:
     """``the ego stays 0.3 m left of its lane centre``: from where it should be itself."""
     text, who = figure.text, figure.subject
     around = f"{figure.words_around.before}{figure.words_around.after}"
-    said = any(f" {p} " in around for p in words()["lane_centre"])
+    said = any(f" {p} " in around for p in word_list("lane_centre"))
     if not said or not any(e.ego or text.context.oncoming(e) for e in who):
         return False
     text.found.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who[0], who[0], signed(figure)))
@@ -41,22 +41,20 @@ def off_its_lane(figure: Figure) -> bool:
 
 def signed(figure: Figure) -> Amount:
     """To the left is positive, to the right negative; the left where no side is said."""
-    side, j = _toward(figure)
+    side, j = toward(figure)
     reason = "the side is not said; the left is taken" if side is None else None
     return _to(side is Side.RIGHT, figure.quantity.exact, Basis(figure.i, j, reason))
-
-
-def half(figure: Figure) -> Side | None:
-    """``the left 50 %``, ``the right half of its front (50 % overlap)``."""
-    return _toward(figure)[0]
 
 
 def _to(right: bool, value: Interval, basis: Basis) -> Amount:
     return Amount(Interval(low=-value.high, high=-value.low) if right else value, basis)
 
 
-def _toward(figure: Figure) -> tuple[Side | None, int]:
-    """The side that is named next to a number, and where the words for both end."""
+def toward(figure: Figure) -> tuple[Side | None, int]:
+    """The side that is named next to a number, and where the words for both end.
+
+    ``the left 50 %``, ``the right half of its front (50 % overlap)``.
+    """
     tokens, j = figure.text.tokens, figure.j
     for k in range(j, min(j + _REACH, figure.end)):
         if tokens[k].low in SIDE_WORDS:

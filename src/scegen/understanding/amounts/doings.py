@@ -37,7 +37,7 @@ def made(figure: Figure, kind: ActKind, field: str) -> bool:
 
 def comes_to(figure: Figure) -> bool:
     """``brakes and then holds 30 km/h``: what its own change of speed before that comes to."""
-    text, span = figure.text, (figure.i, figure.j)
+    text = figure.text
     who = figure.actors or figure.subject
     before = [a for a in text.acts(0, figure.i) if a.entity in who and a.kind in _CHANGES]
     if len(who) != 1 or not before or before[-1].i < figure.start:
@@ -45,8 +45,7 @@ def comes_to(figure: Figure) -> bool:
     last = before[-1]
     if last.amounts.get("target_speed_mps") is not None:
         return False
-    basis = last.entity.speed_basis
-    if basis is not None and (basis.i, basis.j) == span:
+    if figure.is_said_by(last.entity.speed_basis):
         last.entity.speed = last.entity.speed_basis = None
     last.amounts["target_speed_mps"] = figure.amount
     return True
@@ -72,9 +71,8 @@ def rests(figure: Figure) -> bool:
 def _give(doing: Doing, figure: Figure, name: str) -> bool:
     """Gives a number to a field of an act, and of those who do the same there."""
     role = figure.role
-    plain = role in _PLAIN or figure.words_around.before.endswith(
-        " up to "
-    )  # where it ends, no bound
+    ends = figure.words_around.before.endswith(" up to ")  # where it ends, no bound
+    plain = ends or role in _PLAIN
     amount: Amount | None = figure.exactly if plain else figure.amount
     if role == "rate" and doing.kind is ActKind.STOP:
         doing.kind = ActKind.BRAKE
@@ -144,8 +142,8 @@ def _changed(doing: Doing, figure: Figure) -> Amount | None:
         return None
     sign = 1 if doing.kind is ActKind.ACCELERATE else -1
     low, high = sorted((speed.low + sign * by.low, speed.high + sign * by.high))
-    reason = "its speed before, changed by so much"
-    return Amount(Interval(low=low, high=high), Basis(figure.i, figure.j, reason))
+    basis = figure.amount.basis.because("its speed before, changed by so much")
+    return Amount(Interval(low=low, high=high), basis)
 
 
 def _further(doing: Doing, figure: Figure) -> Doing:
@@ -178,6 +176,6 @@ def until_the_next(figure: Figure) -> bool:
     if not later or later[0].when is not None:
         return False
     before = [a for a in own if a.i < figure.i]
-    amount, kind = figure.amount, "after" if before else "start"
-    later[0].when = Trigger(kind, amount.basis, amount, before[-1] if before else None)
+    kind = "after" if before else "start"
+    later[0].when = figure.trigger(kind, act=before[-1] if before else None)
     return True

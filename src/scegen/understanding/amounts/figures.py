@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from functools import cached_property
+from typing import Any
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
@@ -11,13 +12,14 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import AmountFrame, Numbers, words
-from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.frames import AmountFrame, Numbers
+from scegen.understanding.happenings import Amount, Doing, Trigger
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import Quantity
 
 _MEASURES = {measure.value.rpartition("_")[0]: measure for measure in Measure}
+NO_RULE = "a measure that no rule could attach; left out"
 _PARENTHESIS = 2
 _SKIPPED = frozenset({"aux", "manner", "unknown", "possessive", "(", ":"})
 _OWNS = (["'s"], ["'"], ["("])
@@ -52,8 +54,7 @@ class Figure(Clause):
         event = Event(self.role, self.i, self.j, "", parent=verb)
         event.pps = [Prep(*self.after)] if self.after is not None else []
         who, whom = (scene.actors, scene.targets) if scene is not None else ([], [])
-        opened = self.clause[2] if self.clause is not None else ""
-        super().__init__(event, who, whom, {}, self.words_around, opened)
+        super().__init__(event, who, whom, {}, self.words_around)
 
     @property
     def amount(self) -> Amount:
@@ -65,22 +66,30 @@ class Figure(Clause):
         """The number itself, without what "up to" or "about" make of it."""
         return Amount(self.quantity.exact, Basis(self.i, self.j))
 
+    def trigger(self, kind: str, **rest: Any) -> Trigger:  # noqa: ANN401 - fields of a trigger
+        """What sets an act off by this number."""
+        return Trigger(kind, self.amount.basis, self.amount, **rest)
+
+    def is_said_by(self, basis: Basis | None) -> bool:
+        """Whether something rests on just these words."""
+        return basis is not None and (basis.i, basis.j) == (self.i, self.j)
+
     def note(self, instead: str | None = None) -> None:
         """Reports that no field holds it."""
-        instead = instead or self.frame.instead
-        left_out = instead or "a measure that no rule could attach; left out"
+        left_out = instead or self.frame.instead or NO_RULE
         self.text.draft.note(self.i, self.j, left_out)
 
     @cached_property
     def scene(self) -> Clause | None:
         """The clause in which it stands."""
-        for scene in self.text.scenes:
-            if any((m.i, m.j) == (self.i, self.j) for m in scene.event.mods):
-                return scene
+        own = [scene for scene in self.text.scenes if self._modifies(scene.event)]
         here = self.text.within(self.start, self.end)
         here = [s for s in here if s.event.name not in {"inert", "match"}]
         before = [s for s in here if s.event.i < self.i]
-        return before[-1] if before else next(iter(here), None)
+        return next(iter((*own, *before[-1:], *here)), None)
+
+    def _modifies(self, event: Event) -> bool:
+        return any((m.i, m.j) == (self.i, self.j) for m in event.mods)
 
     @property
     def measure(self) -> Measure:
@@ -103,8 +112,7 @@ class Figure(Clause):
             return told[-1].event if told else None
         if scene is None or clause is None or clause[0] <= scene.event.i:
             return scene.event if scene is not None else None
-        own = any((m.i, m.j) == (self.i, self.j) for m in scene.event.mods)
-        return scene.event if own else None
+        return scene.event if self._modifies(scene.event) else None
 
     @cached_property
     def clause(self) -> tuple[int, int, str] | None:
@@ -139,9 +147,8 @@ class Figure(Clause):
     @cached_property
     def adjacent(self) -> list[Entity]:
         """Who is named right before it, forms of "to be" and adverbs skipped."""
-        ego = self.text.ego
         ours = self.i > self.start and self.text.tokens[self.i - 1].low in {"our", "my"}
-        return [ego] if ours and ego is not None else self.named_before(self.i)
+        return [self.text.ego] if ours else self.named_before(self.i)
 
     @property
     def heads(self) -> bool:
@@ -174,6 +181,11 @@ class Figure(Clause):
         named = [m for m in self.text.mentions if start <= m.i < self.i and m.entities]
         return [m for m in named if m.prep is None and not m.possessor]
 
+    def last_named(self, start: int) -> list[Entity]:
+        """Who is named last before it, in no phrase of place if that can be."""
+        named = [m for m in self.text.mentions if start <= m.i < self.i and m.entities]
+        return list((self._free(start) or named)[-1].entities) if named else []
+
     @cached_property
     def said_of(self) -> Entity | None:
         """Whom a clause is about that says how far off one is: "a van that is still 60 m away"."""
@@ -181,9 +193,8 @@ class Figure(Clause):
         opened = [c for c in words_ if c.cat in {"rel", "sub"}]
         who = self.own_subject if opened else []
         if opened and opened[-1].cat == "rel":
-            mentions = self.text.mentions
-            named = [m for m in mentions if m.i < opened[-1].i and not m.possessor]
-            who = named[-1].entities if named else []
+            before = (m for m in reversed(self.text.mentions) if m.i < opened[-1].i)
+            who = next((m.entities for m in before if not m.possessor), [])
         return next(iter(who), None)
 
     @cached_property
@@ -193,19 +204,17 @@ class Figure(Clause):
         if own:
             return own
         before = [s for s in self.text.within(self.start, self.i) if s.actors]
-        free = self._free(self.start)
-        last = before[-1] if before else None
-        if last is not None:
-            later = [m for m in free if m.i > last.event.i and m is not last.event.object]
-            return list(later[-1].entities if later else last.actors)
-        named = [m for m in self.text.mentions if self.start <= m.i < self.i and m.entities]
-        return list((free or named)[-1].entities) if named else []
+        if not before:
+            return self.last_named(self.start)
+        last = before[-1]
+        later = [m for m in self._free(last.event.i + 1) if m is not last.event.object]
+        return list(later[-1].entities if later else last.actors)
 
     def _owner(self) -> list[Entity]:
         """``its speed is 50 km/h``, ``my speed``: whose a measure is that opens a sentence."""
         start, mentions = self.start, self.text.mentions
         word = self.text.tokens[start].low
-        if word not in words()["whose"] or any(start < m.i < self.i for m in mentions):
+        if word not in word_list("its_own") or any(start < m.i < self.i for m in mentions):
             return []
         if any(s.actors for s in self.text.within(start, self.i)):
             return []
@@ -223,7 +232,7 @@ class Figure(Clause):
         A comma or conjunction begins a part if it has a subject of its own.
         """
         for k in range(self.i - 1, self.start - 1, -1):
-            if k > self.start and self.text.tokens[k - 1].low not in words()["joints"]:
+            if k > self.start and self.text.tokens[k - 1].low not in word_list("joints"):
                 continue
             named = (m for m in self.text.mentions if k <= m.i < self.i and m.prep is None)
             free = [m for m in named if m.entities]
@@ -235,7 +244,7 @@ class Figure(Clause):
         """``A brakes with 4 m/s², B 1 s later``: B does the same, without a verb."""
         begin, who = self.part
         text, (start, end) = self.text, (self.start, self.end)
-        joints = (k for k in range(self.i, end) if text.tokens[k].low in words()["joints"])
+        joints = (k for k in range(self.i, end) if text.tokens[k].low in word_list("joints"))
         elided = bool(who) and any(c.actors for c in text.within(start, begin))
         if not elided or text.within(begin, next(joints, end)):
             return None

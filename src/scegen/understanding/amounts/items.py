@@ -15,7 +15,7 @@ from scegen.understanding.semantics.context import Clause
 _ANY = ThingKind.OBSTACLE.value
 _MOST = 5
 _NEAR = 4
-_SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
+_SIDES = frozenset(Side)
 _HIDING = frozenset({"behind", "between", "by", "from", "due"})
 _VERBS = frozenset({"hide", "block", "cross", "walk", "appear", "move", "enter", "wait", "locate",
                     "pull_out", "stop", "dash", "encounter", "overlook"})  # fmt: skip
@@ -75,10 +75,9 @@ def _again(thing: Thing, before: list[Thing]) -> bool:
 def _who_reacts(thing: Thing, text: Telling) -> Entity | None:
     """``a van brakes for a fallen tree``: who does something about it."""
     for scene in text.within(*text.bounds(thing.i)):
-        about = [scene.event.object, *(p.target for p in scene.event.pps)]
         if scene.event.object is thing and scene.event.lemma in word_list("shedding"):
             return None  # it lies in the way of who comes behind
-        if scene.drivers and any(each is thing for each in about):
+        if scene.drivers and any(each is thing for each in scene.event.nouns()):
             return scene.drivers[0]
     return None
 
@@ -135,7 +134,8 @@ def item_of(thing: Thing, text: Telling) -> Item:
     item = Item(ThingKind(kind_of(thing)), called, Basis(thing.i, thing.j))
     places = [c for c in text.chunks if isinstance(c, Place) and 0 <= c.i - thing.j <= _NEAR]
     after = [d for c in places if c.kind in {"side", "sidewalk"} for d in c.dirs]
-    item.side = next((_SIDES[d] for d in (*thing.dirs, *after) if d in _SIDES), None)
+    sides = (Side(d) for d in (*thing.dirs, *after) if d in _SIDES)
+    item.side = next(sides, None)
     return item
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.patterns import people
 
-SIDES = {"left": Side.LEFT, "right": Side.RIGHT}
 _BACK = {"left": "right", "right": "left"}
 OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 
@@ -28,54 +28,54 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
     if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
         return
     event, entity = scene.event, doing.entity
-    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for", "in"})]
-    sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
-    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
-    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
-    moved = [event.object, *sources]  # "moves one lane to the left", "leaves the lane to the left"
-    lanes = [c for c in lanes if not any(c is m for m in moved)]
-    out_of = [
-        c
-        for c in sources
-        if isinstance(c, Place) and c.kind == "lane" and context.tokens[c.i - 1].low == "from"
-    ]
-    for goal in [p for p in goals if isinstance(p, Place)]:
-        there = goal.kind == "side" and any(c.i < goal.i <= c.j + 1 for c in out_of)
-        if there:  # "from the lane to our left"
-            sides += [(_BACK[d], Basis(goal.i, goal.j)) for d in goal.dirs if d in _BACK]
-            continue
-        within = any(c is not goal and c.i < goal.i <= c.j + 1 for c in lanes)
-        named = [] if within else goal.dirs  # "from the lane to its right": from there
-        sides += [(d, Basis(goal.i, goal.j)) for d in named]
-    for value, basis in sides:
-        if value in SIDES and doing.side is None:
-            doing.side, doing.side_basis = SIDES[value], basis
-    if doing.kind is ActKind.TURN:
+    turns = doing.kind is ActKind.TURN
+    for value, basis in _sides(event, text, leaves=not turns):
+        if value in _BACK and doing.side is None:
+            doing.side, doing.side_basis = Side(value), basis
+    if turns:
         return
-    for place in sources:
-        named = [d for d in place.dirs if d in SIDES] if isinstance(place, Place) else []
-        if named and doing.side is None and place is not None:
-            doing.side, doing.side_basis = OTHER[SIDES[named[0]]], Basis(place.i, place.j)
     _into(doing, scene, context)
     _homewards(doing, event.name == "return", context)
     if entity.by_ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
         doing.side = OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
     homeward = doing.into is None or doing.into.ego
     beside = entity.beside or _comes_from(entity, context)
-    over = doing.kind is ActKind.CHANGE_LANE or any(
-        p.value in word_list("towards") for p in event.pps
-    )
+    towards = any(p.value in word_list("towards") for p in event.pps)
+    over = doing.kind is ActKind.CHANGE_LANE or towards
     if homeward and over and doing.side is None and beside:
         side, words = beside
-        doing.side = OTHER[SIDES[side]] if side in SIDES else None
-        doing.side_basis = Basis(words.i, words.j, "into the lane beside its own")
+        doing.side = Side(_BACK[side])
+        doing.side_basis = words.because("into the lane beside its own")
+
+
+def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basis]]:
+    """The sides that words name to which a movement leads; the other of the lane that it leaves."""
+    sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
+    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
+    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
+    # "moves one lane to the left", "leaves the lane to the left"
+    within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
+    out_of = [c for c in lanes if any(c is m for m in sources)]
+    out_of = [c for c in out_of if text.tokens[c.i - 1].low == "from"]
+    for goal in (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place)):
+        basis = Basis(goal.i, goal.j)
+        if goal.kind == "side" and any(c.i < goal.i <= c.j + 1 for c in out_of):
+            # "from the lane to our left"
+            sides += [(_BACK[d], basis) for d in goal.dirs if d in _BACK]
+        elif not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
+            sides += [(d, basis) for d in goal.dirs]  # "from the lane to its right": from there
+    for place in sources if leaves else []:
+        if isinstance(place, Place):
+            basis = Basis(place.i, place.j)
+            sides += [(_BACK[d], basis) for d in place.dirs if d in _BACK]
+    return sides
 
 
 def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
     """``target from the left``: along a road, from the lane on that side."""
-    for placement in context.draft.placements:
-        side = next(iter(placement.approaches)).value if len(placement.approaches) == 1 else ""
-        if placement.entity is entity and side in SIDES and not context.junction.crossing:
+    for placement in context.draft.placements_of(entity) if not context.junction.crossing else []:
+        side = next(iter(placement.approaches)).value
+        if len(placement.approaches) == 1 and side in _BACK:
             return side, placement.basis
     return None
 
@@ -85,40 +85,30 @@ def _homewards(doing: Doing, returns: bool, context: Context) -> None:
     entity, words = doing.entity, doing.basis
     returns = returns and Maneuver.OVERTAKE in entity.maneuvers and context.oncoming(entity)
     across = Side(context.across)
-    ego = next((e for e in context.draft.entities if e.ego), None)
     if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not returns:
-        doing.into, doing.into_basis = doing.into or ego, doing.into_basis or words
+        doing.into, doing.into_basis = doing.into or context.draft.ego, doing.into_basis or words
         if doing.side is None:
-            doing.side = across
             reason = "who comes from the front crosses the middle of the road"
-            doing.side_basis = Basis(words.i, words.j, reason)
+            doing.side, doing.side_basis = across, words.because(reason)
     back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
     if (returns or back) and doing.side is None and entity.beside is None:
-        doing.side = OTHER[across]
         reason = "who has overtaken comes back to its lane"
-        doing.side_basis = Basis(words.i, words.j, reason)
+        doing.side, doing.side_basis = OTHER[across], words.because(reason)
 
 
 def _into(doing: Doing, scene: Clause, context: Context) -> None:
     if doing.kind is not ActKind.CHANGE_LANE:
         return
     event = scene.event
-    goals = [event.object, *(p.target for p in event.pps if p.value in {"into", "to", "for"})]
-    lanes = [g for g in goals if isinstance(g, Place) and g.kind in {"lane", "path"}]
+    lanes = [g for g in event.nouns("into", "to", "for") if isinstance(g, Place)]
+    lanes = [g for g in lanes if g.kind in {"lane", "path"}]
     owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
-    out = "out" in {t.low for t in context.tokens[event.i : event.j]}  # "cuts out in front of"
-    ahead = [
-        e
-        for p in ([] if out else event.pps)
-        if p.word.cat == "locus" and p.value == "ahead" and isinstance(p.target, Mention)
-        for e in p.target.entities
-    ]
-    cut = [
-        e
-        for d in context.draft.dangers
-        if d.kind is HazardKind.CUT_IN and doing.entity in d.by
-        for e in (d.to or [x for x in context.draft.entities if x.ego])
-    ]
+    out = "out" in context.lows(event.i, event.j)  # "cuts out in front of"
+    fronts = [p for p in event.pps if (p.word.cat, p.value) == ("locus", "ahead") and not out]
+    ahead = people(fronts)
+    cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN)
+    egos = [e for e in context.draft.entities if e.ego]
+    cut = [e for d in cuts if doing.entity in d.by for e in d.to or egos]
     named = [e for e in (*owners, *scene.targets, *ahead, *cut) if e is not doing.entity]
     if named:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
@@ -126,8 +116,7 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
                 for p in context.draft.placements)  # fmt: skip
     if ahead and named and doing.entity.ego and not known and not context.junction.crossing:
         # "changes to the right lane in front of a truck": that one is there
-        words_ = next(p for p in event.pps if p.word.cat == "locus" and p.value == "ahead")
-        basis = Basis(words_.word.i, named[0].basis.j)
+        basis = Basis(fronts[0].word.i, named[0].basis.j)
         context.draft.place(named[0], None, {Approach.ADJACENT}, basis)
         if doing.side is not None:
             named[0].beside = named[0].beside or (doing.side.value, basis)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Mention, Place, Thing
+from scegen.understanding.chunks import Mention, Thing
+from scegen.understanding.clauses.bearing import is_side
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
@@ -52,7 +53,7 @@ def goes_first(clause: Clause, text: Telling) -> list[Doing]:
     """
     event, tokens = clause.event, text.tokens
     goes = event.name in _GOING and event.lemma in word_list("going") and not event.negated
-    after = [t.low for t in tokens[event.j : event.j + 2]]
+    after = text.context.lows(event.j, event.j + 2)
     ends = after[1:] == [] or tokens[event.j + 1].kind == "punct" or after[1] in {"and", "while"}
     told = goes and after[:1] == ["first"] and ends
     if not told or len(clause.drivers) != 1 or event.parent or not text.context.junction.crossing:
@@ -84,13 +85,13 @@ def arrives_first(clause: Clause, text: Telling) -> list[Doing]:
         "before": (named, clause.drivers),
         "after": (clause.drivers, named),
     }.get(word, ([], []))
-    owes = [d.by for d in context.draft.dangers if d.kind is HazardKind.FAILURE_TO_YIELD]
+    owes = context.draft.causing(HazardKind.FAILURE_TO_YIELD)
     basis = Basis(event.i, k + 1)
     return [
         Doing(ActKind.GIVE_WAY, e, basis, event.i, into=one, into_basis=basis)
         for e in later
         for one in first
-        if e.moving_vehicle and not any(e in by for by in owes)
+        if e.moving_vehicle and e not in owes
     ]
 
 
@@ -111,8 +112,8 @@ def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
         gone = clears or told[0].name in _GOES or (told[0].perfect and told[0].name != "leave")
     else:
         marks = (k for k in range(who.j, end) if text.tokens[k].kind == "punct")
-        rest = {t.low for t in text.tokens[who.j : next(marks, end)]}
-        gone = bool(rest & word_list("past_by"))
+        rest = text.context.lows(who.j, next(marks, end))
+        gone = not word_list("past_by").isdisjoint(rest)
     return [e for e in who.entities if gone and e not in clause.actors and not e.still]
 
 
@@ -125,9 +126,7 @@ def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     # "until a truck going straight on has passed": what tells only which one is no doing of its own
     later = [s for n, s in enumerate(later) if not _describes(s, later[n + 1 : n + 2])]
     following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
-    if following is None or following.event.negated:
-        return []
-    if following.event.name != "pass":
+    if following is None or following.event.negated or following.event.name != "pass":
         return []
     others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
     return [] if any(t in clause.actors for t in following.targets) else others
@@ -148,10 +147,7 @@ def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     for told in reversed(before):
         if told.event.negated or told.actors == clause.actors:
             continue
-        from_side = any(
-            p.value == "from" and isinstance(p.target, Place) and p.target.kind == "side"
-            for p in told.event.pps
-        )
+        from_side = any(p.value == "from" and is_side(p) for p in told.event.pps)
         others = [e for e in told.actors if e not in clause.actors]
         meets = [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
         return meets or [e for e in others if "opposite" in e.dirs]

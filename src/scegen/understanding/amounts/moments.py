@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Entity
-from scegen.understanding.frames import words
-from scegen.understanding.happenings import Doing
+from scegen.understanding.happenings import Doing, Since
+from scegen.understanding.lexicon import word_list
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
@@ -92,12 +90,12 @@ def _in_trigger(doing: Doing, figure: Figure) -> bool:
         clause = figure.clause_of(told)
         if clause is None or not figure.start <= told < figure.end:
             continue
-        if not clause[0] <= figure.i < clause[1] and clause[2] in words()["triggers"]:
+        if not clause[0] <= figure.i < clause[1] and clause[2] in word_list("triggers"):
             return True
     return False
 
 
-def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Literal["begin", "end"]:
+def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Since:
     """``when it has changed lanes``; what somebody reveals who leaves the lane.
 
     Args:

@@ -7,8 +7,8 @@ from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.amounts.timing import endless, since_green, told_in
 from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis
-from scegen.understanding.frames import words
-from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
+from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
 
 _PARTS = frozenset({",", "and", "but", "while", ";"})
@@ -38,12 +38,12 @@ def order(text: Telling) -> None:
         if phrase is not None and (told or not own):
             doing.when = Trigger("after", basis, _at_once(before, doing, text), before)
         elif doing.forced and before.always and not own:
-            basis = Basis(basis.i, basis.j, "what one has to do answers what the other does")
+            basis = basis.because("what one has to do answers what the other does")
             doing.when = Trigger("after", basis, act=before, since="begin")
         elif mine and mine[-1].always and doing.always:
             reason = "what one does in turn happens in the order of the text"
             at_once = _at_once(mine[-1], doing, text)
-            basis = at_once.basis if at_once is not None else Basis(basis.i, basis.j, reason)
+            basis = at_once.basis if at_once is not None else basis.because(reason)
             doing.when = Trigger("after", basis, at_once, mine[-1])
 
 
@@ -74,7 +74,7 @@ def _at_once(before: Doing, doing: Doing, text: Telling) -> Amount | None:
     parts = (k for k in range(doing.i + 1, stop) if tokens[k].low in _PARTS)
     stop = min(next(parts, stop), doing.i + _SOON_SAID)
     span = text.find("at_once", start, stop)
-    if span is None or tokens[span[1]].low in words()["no_moment"]:
+    if span is None or tokens[span[1]].low in word_list("no_moment"):
         return None
     return Amount(STILL, Basis(*span))
 
@@ -93,7 +93,7 @@ def _clauses(text: Telling) -> None:
     for chunk in text.subs:
         opening = text.low(chunk.i, chunk.j).strip()
         because = opening in {"because", "since"}
-        if not because and (opening not in words()["triggers"] or opening in {"if", "until"}):
+        if not because and (opening not in word_list("triggers") or opening in {"if", "until"}):
             continue
         start, stop = text.bounds(chunk.i)
         if chunk.j >= stop or quantity_at(text.tokens, chunk.j) is not None:
@@ -109,9 +109,9 @@ def _clauses(text: Telling) -> None:
         first = inside[0]
         over = any(c.event.perfect for c in text.within(chunk.j, end))
         over = over or any(r.i in first.told for r in first.entity.rests)  # "when it has stopped"
-        begun = (because or opening in words()["while_begun"]) and not over
+        begun = (because or opening in word_list("while_begun")) and not over
         steps = first.kind is ActKind.CROSS and endless(first, text)
-        since = "begin" if steps or begun else "end"
+        since: Since = "begin" if steps or begun else "end"
         basis = Basis(chunk.i, chunk.j)
         soon = text.find("at_once", max(chunk.i - 1, start), chunk.j)  # "right after"
         at_once = Amount(STILL, Basis(*soon)) if soon else None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
@@ -11,9 +13,9 @@ from scegen.understanding.amounts.struck import struck
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.happenings import Amount, Apart, Ending
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.contact import goal_of_contact, touched
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import ends_a_quantity
@@ -23,8 +25,7 @@ _WHOLE, _HALF = 100.0, 50.0
 _WITH_WHOM = frozenset({"with", "between"})
 _DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
 """What may be left undone, and a contact follows."""
-_PARTS = frozenset({"side", "middle", "front", "portion"})
-_BODY = _PARTS | {"flank"}
+_BODY = frozenset({"side", "middle", "front", "portion", "flank"})
 _KEEPING_OFF = frozenset({"avoid", "prevent"})
 _NOBODY = frozenset({"neither", "nobody"})
 
@@ -40,10 +41,10 @@ def read_outcome(text: Telling) -> None:
         struck(ending, text)
         _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
-    other = next((e for e in ending.between if not e.ego), None) if ending is not None else None
-    if span is not None and other is not None:  # the share that no number tells
+    if ending is not None and span is not None and ending.other is not None:
+        # the share that no number tells
         amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
-        apart = Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT)
+        apart = Apart(Measure.OVERLAP_PERCENT, ending.other, text.ego, amount, CONTACT)
         text.found.spacings.append(apart)
 
 
@@ -58,9 +59,8 @@ def _from_the_front(ending: Ending, text: Telling) -> None:
 
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
-    clear = _gets_clear(scene)
     noun = _bare(event, text) and not event.subject  # "…; contact is avoided"
-    clear = clear or _stops_first(scene, text)
+    clear = _gets_clear(scene) or _stops_first(scene, text)
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
@@ -86,11 +86,9 @@ def _meets(scene: Clause, text: Telling) -> bool:
     event, lemma = scene.event, scene.event.lemma
     if event.name == "overlook" and lemma == "miss":
         return text.find("nearly", max(0, event.i - _BEFORE), event.i) is not None
-    part = isinstance(event.object, Place) and event.object.kind in _BODY
-    meets = lemma == "meet" and (event.how("head_on") is not None or part)
-    with_ = (p.target for p in event.pps if p.value in {"with", "in"})
-    own = any(isinstance(c, Place) and c.kind in _BODY for c in with_)
-    meets |= lemma == "catch" and own  # "catches him with its front"
+    meets = lemma == "meet" and (event.how("head_on") is not None or _bodies([event.object]))
+    own = (p.target for p in event.pps if p.value in {"with", "in"})
+    meets |= lemma == "catch" and _bodies(own)  # "catches him with its front"
     meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)
     return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
 
@@ -98,17 +96,21 @@ def _meets(scene: Clause, text: Telling) -> bool:
 def _by_a_part(event: Event, text: Telling) -> bool:
     """``its front catches him``, ``is met by the middle of the ego's front``."""
     by = [p.target for p in event.pps if p.value in {"by", "of"}] if event.passive else []
-    helped = event.i > 0 and text.tokens[event.i - 1].low in words()["required"]
+    helped = event.i > 0 and text.tokens[event.i - 1].low in word_list("required")
     first = event.i - helped  # "its front shall meet the bicycle"
-    front = [c for c in text.chunks if isinstance(c, Place) and c.j == first]
-    return any(isinstance(c, Place) and c.kind in _BODY for c in (*by, *front))
+    return _bodies((*by, *(c for c in text.chunks if c.j == first)))
+
+
+def _bodies(nouns: Iterable[object]) -> bool:
+    """Whether one of some nouns is a part of a vehicle."""
+    return any(isinstance(n, Place) and n.kind in _BODY for n in nouns)
 
 
 def _stops_first(scene: Clause, text: Telling) -> bool:
     """``comes to a stop before reaching him``: then nobody is touched."""
     event = scene.event
     stops = any(s.event.name in {"stop", "brake"} for s in text.within(0, event.i))
-    before = {t.low for t in text.tokens[max(0, event.i - _PAIR) : event.i]}
+    before = text.context.lows(event.i - _PAIR, event.i)
     return event.lemma == "reach" and stops and bool(scene.targets) and "before" in before
 
 
@@ -128,9 +130,8 @@ def _open(event: Event, text: Telling) -> bool:
 
 def _aimed(event: Event, text: Telling) -> bool:
     """``would be struck at the middle of its front``: where, if nobody does anything about it."""
-    would = "would" in {t.low for t in text.tokens[max(0, event.i - _BEFORE) : event.i]}
-    at = (p.target for p in event.pps)
-    return would and any(isinstance(c, Place) and c.kind in _PARTS for c in at)
+    would = "would" in text.context.lows(event.i - _BEFORE, event.i)
+    return would and _bodies(p.target for p in event.pps)
 
 
 def _of_it(event: Event, start: int, text: Telling) -> str:
@@ -141,7 +142,7 @@ def _of_it(event: Event, start: int, text: Telling) -> str:
 
 def _supposed(before: str) -> bool:
     """``could hit``, ``to avoid hitting``: not that it happens."""
-    said = any(f" {w} " in before for w in words()["supposed"] if w != "to")
+    said = any(f" {w} " in before for w in word_list("supposed") if w != "to")
     return said or before.endswith(" to ")
 
 
@@ -154,15 +155,14 @@ def _of_nobody(event: Event, text: Telling) -> bool:
     done = [m for e in before for m in e.subject]
     joined = text.tokens[event.i - 1].low in {"or", "nor"}  # "nobody is hurt or touched"
     own = [m for m in event.subject if joined or all(m is not other for other in done)]
-    named = [*own, event.object, *(p.target for p in event.pps)]
-    who = [m for m in named if isinstance(m, Mention)]
-    return any(m.denied or m.pronoun in _NOBODY or _none(m, text) for m in who)
+    named = [m for m in (*own, *event.nouns()) if isinstance(m, Mention)]
+    return any(m.denied or m.pronoun in _NOBODY or _none(m, text) for m in named)
 
 
 def _none(mention: Mention, text: Telling) -> bool:
     """``no car``: not one of those who are only left out of what is shown."""
     first = {token.low for token in text.tokens[max(0, mention.i - 1) : mention.i + 1]}
-    return mention.negated and bool(first & {*words()["none"]})
+    return mention.negated and bool(first & word_list("none"))
 
 
 def _before_it(event: Event, text: Telling) -> bool:
@@ -195,9 +195,9 @@ def _of_nouns(text: Telling) -> list[Ending]:
     What is denied of something else denies no contact: "neither brakes; collision".
     """
     tokens, found = text.tokens, []
-    for k in (k for k, t in enumerate(tokens) if t.low in words()["impacts"]):
+    for k in (k for k, t in enumerate(tokens) if t.low in word_list("impacts")):
         begin = k
-        while begin and tokens[begin - 1].low in words()["before_impacts"]:
+        while begin and tokens[begin - 1].low in word_list("before_impacts"):
             begin -= 1
         done = [s.event for s in text.scenes if s.event.i <= k < s.event.j]
         if any(not (e.nominal or _bare(e, text)) for e in done):
@@ -209,7 +209,7 @@ def _of_nouns(text: Telling) -> list[Ending]:
         around = window(tokens, begin, k + 1, {})
         role = frame_of("contact", 0.0, around, frozenset(verbs)).role
         if role != "other":
-            i = begin - (begin > 0 and tokens[begin - 1].low in words()["none"])
+            i = begin - (begin > 0 and tokens[begin - 1].low in word_list("none"))
             i = min([i, *(e.i for e in prevented if e.i < begin)])  # "cannot avoid it"
             found.append(Ending(OutcomeKind(role), Basis(i, k + 1), _around(k, None, text)))
     return found
@@ -218,9 +218,9 @@ def _of_nouns(text: Telling) -> list[Ending]:
 def _bare(event: Event, text: Telling) -> bool:
     """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
     before = text.tokens[event.i - 1]
-    alone = event.i == 0 or before.kind == "punct" or before.low in words()["before_impacts"]
+    alone = event.i == 0 or before.kind == "punct" or before.low in word_list("before_impacts")
     named = isinstance(event.object, Mention)  # "brakes hard, misses him"
-    return alone and event.form == "base" and event.lemma in words()["impacts"] and not named
+    return alone and event.form == "base" and event.lemma in word_list("impacts") and not named
 
 
 def _prevented(start: int, k: int, text: Telling) -> list[Event]:
@@ -239,16 +239,15 @@ def _said_of(k: int, text: Telling) -> set[str]:
     rest = [t.low for t in text.tokens[k + 1 : end]]
     ends = rest.index(":") if rest and rest[0] in _WITH_WHOM and ":" in rest else 0
     entry = rest[ends : ends + 2]  # "Contact: none", "contact with the van: none"
-    said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*words()["none"]} else set()
+    said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*word_list("none")} else set()
     for event in events:
-        whole = [event.object, *(p.target for p in event.pps)]
-        held = event.name not in _DONE and any(c is not None and c.i <= k < c.j for c in whole)
+        held = event.name not in _DONE and any(c.i <= k < c.j for c in event.nouns())
         between = text.tokens[k + 1 : event.i]
         own = bool(rest) and rest[0] in _WITH_WHOM  # "contact with the van shall be avoided"
         after = event.i > k and (own or not text.spoken_of(k, event.i))
         if held or (after and all(t.kind == "word" for t in between)):
             around = {t.low for t in between} - {"without"}  # "impact without braking is at 25 %"
-            denied = event.negated if held else around & {*words()["none"]}
+            denied = event.negated if held else around & {*word_list("none")}
             said |= {"denied"} if denied else around
             kept = {event.name} & _KEEPING_OFF if after and not denied else set()
             said |= {"in_vain"} if kept and _in_vain(event) else kept
@@ -295,10 +294,10 @@ def _around(i: int, known: Entity | None, text: Telling) -> list[Entity]:
 
 def impact(figure: Figure) -> bool:
     """``at 25 % of its width counted from its right side``."""
-    text, ego = figure.text, figure.text.ego
+    text = figure.text
     value, basis, ending = figure.quantity.exact, figure.amount.basis, figure.text.found.ending
     if ending is None:
-        ending = Ending(OutcomeKind.COLLISION, basis, _around(figure.i, ego, text))
+        ending = Ending(OutcomeKind.COLLISION, basis, _around(figure.i, text.ego, text))
         text.found.ending = ending
     left = text.find("left_edge", figure.j, figure.end)
     edge = left or text.find("right_edge", figure.j, figure.end)
@@ -306,12 +305,11 @@ def impact(figure: Figure) -> bool:
     if edge is not None:
         basis = Basis(basis.i, edge[1], basis.reason)
     else:
-        other = next((e for e in ending.between if e is not ego), None)
-        mirrored = other is not None and _from_the_right(other, text)
+        mirrored = ending.other is not None and _from_the_right(ending.other, text)
         if value.low != _HALF:
             side = "right" if mirrored else "left"
             reason = f"counted from the {side}, from where the other comes"
-            basis = Basis(basis.i, basis.j, reason)
+            basis = basis.because(reason)
     if mirrored:
         value = Interval(low=_WHOLE - value.high, high=_WHOLE - value.low)
     if ending.impact is None or basis.reason is None:

@@ -38,7 +38,7 @@ def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
 def _in_one_file(members: list[Entity], text: Telling) -> bool:
     """``three cars stand in the ego's lane``: one behind the other, the first named in front."""
     ego = text.ego
-    if ego is None or ego in members or len({e.kind for e in members}) != 1:
+    if ego in members or len({e.kind for e in members}) != 1:
         return False
     if not all((e, _AHEAD) in text.stand(e, ego) or e.stands for e in members):
         return False
@@ -55,8 +55,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
         return ending.between[0], ending.between[1]  # of those who touch
     if " the next " in f"{' '.join(figure.words_around.after.split()[:4])} ":
         return None  # "each 3 m clear of the next"
-    own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
-    named = text.named(noun) if not own else []
+    named = text.named(noun) if noun is None or not noun.possessed else []
     word = figure.after[0] if figure.after is not None else None
     located = word is not None and word.cat == "locus"
     before = [m for m in text.mentions if m.i < figure.i]
@@ -83,8 +82,8 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     if subject and named and (located or figure.role != "overlap"):
         return subject[0], named[0]
     first = subject[0] if subject else named[0] if named else text.ego
-    other = text.counterpart(first, text.spoken_of(0, figure.i)) if first is not None else None
-    return (first, other) if first is not None and other not in (None, first) else None
+    other = text.counterpart(first, text.spoken_of(0, figure.i))
+    return (first, other) if other is not None and other is not first else None
 
 
 def _bracketed(figure: Figure) -> Entity | None:

@@ -70,7 +70,7 @@ def _past_all(told: Apart, figure: Figure) -> list[Apart]:
 
 def _ends_up(figure: Figure) -> bool:
     """``drifts until only 0.3 m remain``: how far apart they end up."""
-    if figure.clause is None or figure.opened not in word_list("until"):
+    if figure.clause is None or figure.clause[2] not in word_list("until"):
         return False
     return not figure.text.acts(figure.clause[1], figure.clause[1] + _SOON)
 
@@ -90,7 +90,7 @@ def at_rest(figure: Figure) -> bool:
 def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     """``passes the parked van at 1 m``, ``drives beside it, 1 m away``: from side to side."""
     measure = figure.measure
-    if measure is not Measure.GAP_M or figure.words_around.opens("along"):
+    if measure is not Measure.GAP_M or figure.words_around.opens("lies_along"):
         return measure
     far = figure.quantity.exact.high
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}
@@ -114,7 +114,7 @@ def _between(
     elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
         entity, reference = text.in_file(one, other)
     elif measure is Measure.OVERLAP_PERCENT:
-        side = aside.half(figure) if amount.value.high < _WHOLE else None
+        side = aside.toward(figure)[0] if amount.value.high < _WHOLE else None
         entity, reference = (other, one) if one.ego else (one, other)
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity
@@ -146,7 +146,7 @@ def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amoun
     sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
     if not (placed or meets or sideways or entity.parked or entity.heading):
         reason = "a gap along the road is one to who is ahead"
-        draft.place(entity, None, {Approach.AHEAD}, Basis(amount.basis.i, amount.basis.j, reason))
+        draft.place(entity, None, {Approach.AHEAD}, amount.basis.because(reason))
 
 
 def _with_place(figure: Figure) -> Amount:

@@ -15,6 +15,7 @@ from scegen.understanding.amounts.ordering import order
 from scegen.understanding.amounts.outcomes import read_outcome
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Chunk
+from scegen.understanding.draft import Entity
 from scegen.understanding.frames import Numbers
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
@@ -22,7 +23,7 @@ from scegen.understanding.semantics.rows import say
 
 
 def read_amounts(
-    numbers: Numbers, chunks: list[Chunk], scenes: list[Clause], context: Context
+    numbers: Numbers, chunks: list[Chunk], scenes: list[Clause], context: Context, ego: Entity
 ) -> Happenings:
     """Acts, spacings and the outcome; every number in its field or reported.
 
@@ -31,8 +32,9 @@ def read_amounts(
         chunks: its chunks.
         scenes: what happens, in the order of the text.
         context: the scenario in the making; speeds are filled in, notes are added.
+        ego: the ego.
     """
-    text = Telling(chunks, scenes, context)
+    text = Telling(chunks, scenes, context, ego)
     read_acts(text)
     read_outcome(text)
     figures = [Figure(q, numbers, text) for q in numbers.quantities]

@@ -9,8 +9,8 @@ from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.items import item_of, kind_of, number_them
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
-from scegen.understanding.happenings import Doing, Trigger
+from scegen.understanding.happenings import Doing
+from scegen.understanding.lexicon import word_list
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _LINES = JUNCTION | {"crosswalk"}
@@ -20,10 +20,10 @@ _RESTING = frozenset({"wait", "stop", "park"})
 def sets_off(figure: Figure) -> bool:
     """``when the gap is 20 m``, ``50 m before the junction``: what sets an act off."""
     noun, word, clause = figure.noun, figure.led_by, figure.clause
-    opened = clause is not None and clause[2] in words()["triggers"]
+    opened = clause is not None and clause[2] in word_list("triggers")
     nears = clause is not None and clause[2] == "as" and _nears(figure)
     opened = opened or (nears and not isinstance(noun, Place))
-    short = word in words()["short"]
+    short = word in word_list("short_before")
     told = short or word == "to"
     line = noun if isinstance(noun, Place) and noun.kind in _LINES and told else None
     thing = _thing(figure) if short and figure.measure is Measure.GAP_M else None
@@ -46,14 +46,14 @@ def sets_off(figure: Figure) -> bool:
     moved = subject if subject is not doing.entity else None
     if moved is not None and _waits(figure, moved):
         return False
-    doing.when = Trigger("junction", figure.amount.basis, figure.amount, entity=moved)
+    doing.when = figure.trigger("junction", entity=moved)
     return True
 
 
 def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | None) -> bool:
     """Between whom a measure comes down to a value that sets something off."""
     text, noun = figure.text, figure.noun
-    own = noun is not None and any(m.cat == "possessive" for m in noun.mods)
+    own = noun is not None and noun.possessed
     named = [e for e in (text.named(noun) if not own else []) if e is not subject]
     if line is not None:  # who crosses there: how far that is off is how far they are
         crossing = [e for e in text.draft.entities if Maneuver.CROSS in e.maneuvers]
@@ -68,14 +68,7 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
     figure.behind_or_ahead(subject, other)
     if figure.measure is not Measure.GAP_M:
         subject, other = text.in_file(subject, other)
-    doing.when = Trigger(
-        "measure",
-        figure.amount.basis,
-        figure.amount,
-        measure=figure.measure,
-        entity=subject,
-        reference=other,
-    )
+    doing.when = figure.trigger("measure", measure=figure.measure, entity=subject, reference=other)
     return True
 
 
@@ -86,23 +79,21 @@ def _waits(figure: Figure, entity: Entity) -> bool:
 
 def _nears(figure: Figure) -> bool:
     """``as the ego comes within 30 m``: so near is a moment; "as it follows" lasts."""
-    return figure.verb is not None and figure.verb.lemma in words()["nearing"]
+    return figure.verb is not None and figure.verb.lemma in word_list("nearing")
 
 
 def _thing(figure: Figure) -> Thing | None:
     """The thing that a phrase of place names, or that "it" stands for."""
     noun = figure.noun
-    if isinstance(noun, Mention) and noun.pronoun is not None:
-        before = [c for c in figure.text.chunks if c.i < figure.i]
-        noun = next(
-            (
-                c
-                for c in reversed(before)
-                if isinstance(c, Thing) or (isinstance(c, Mention) and c.pronoun is None)
-            ),
-            None,
-        )
+    if isinstance(noun, Mention) and _refers(noun):
+        named = (c for c in figure.text.chunks if c.i < figure.i)
+        things = [c for c in named if isinstance(c, Thing | Mention) and not _refers(c)]
+        noun = things[-1] if things else None
     return noun if isinstance(noun, Thing) and has_a_size(noun) else None
+
+
+def _refers(noun: Thing | Mention) -> bool:
+    return isinstance(noun, Mention) and noun.pronoun is not None
 
 
 def _before_a_thing(figure: Figure, thing: Thing, clause: tuple[int, int, str] | None) -> bool:
@@ -117,13 +108,8 @@ def _before_a_thing(figure: Figure, thing: Thing, clause: tuple[int, int, str] |
         item.blocks, item.blocked = True, None if doing.entity.ego else doing.entity
         items.append(item)
         number_them(items)
-    doing.when = Trigger(
-        "measure",
-        figure.amount.basis,
-        figure.amount,
-        measure=Measure.GAP_M,
-        entity=doing.entity,
-        reference=item,
+    doing.when = figure.trigger(
+        "measure", measure=Measure.GAP_M, entity=doing.entity, reference=item
     )
     return True
 
@@ -136,7 +122,7 @@ def driven(figure: Figure) -> bool:
         return False
     who = next((e for e in figure.actors if e.is_vehicle), doing.entity)
     moved = who if who is not doing.entity else None
-    doing.when = Trigger("driven", figure.amount.basis, figure.amount, entity=moved)
+    doing.when = figure.trigger("driven", entity=moved)
     return True
 
 
@@ -154,19 +140,16 @@ def _main(figure: Figure, clause: tuple[int, int, str] | None) -> Doing | None:
     here = figure.text.acts(figure.start, figure.end)
     if clause is None:
         before = [a for a in here if a.i < figure.i]
-        return before[-1] if before else here[0] if here else None
+        return next(iter((*before[-1:], *here)), None)
     begin, stop, _ = clause
     before = [a for a in here if a.i < begin]
     after = [a for a in here if a.i >= stop]
     if not (before or after) and begin == figure.start:
         after = [a for a in here if a.i > figure.i]  # no comma: "when it is 20 m away it brakes"
-    return before[-1] if before else next(iter(after), None)
+    return next(iter((*before[-1:], *after)), None)
 
 
 def _subject(figure: Figure, clause: tuple[int, int, str] | None, doing: Doing) -> Entity:
     """Whose distance sets it off: who is named in that clause, else who acts."""
-    mentions: list[Mention] = figure.text.mentions if clause is not None else []
-    inside = [m for m in mentions if clause and clause[0] <= m.i < figure.i and m.entities]
-    free = [m for m in inside if m.prep is None and not m.possessor]
-    who: list[Entity] = (free or inside)[-1].entities if inside else []
+    who = figure.last_named(clause[0]) if clause is not None else []
     return who[0] if who else doing.entity

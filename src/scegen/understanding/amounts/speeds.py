@@ -8,7 +8,6 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Amount, Doing
 from scegen.understanding.lexicon import word_list
 
@@ -19,24 +18,23 @@ _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 def held(figure: Figure) -> bool:
     """A speed that somebody holds: of whom the rules of the clause have not given it to."""
-    text, speed, span = figure.text, figure.quantity.value, (figure.i, figure.j)
+    text, speed, words_ = figure.text, figure.quantity.value, Basis(figure.i, figure.j)
     change = _from_to(figure)
-    taken = [e for e in text.draft.entities if e.speed_basis and _span(e.speed_basis) == span]
+    taken = [e for e in text.draft.entities if figure.is_said_by(e.speed_basis)]
     for entity in [e for e in taken if _stays(e, speed)]:
         entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
     taken = [e for e in taken if e.speed is not None]
     if change is not None:
         for entity in taken or [change.entity]:
-            entity.speed, entity.speed_basis = figure.quantity.parts[0], Basis(*span)
+            entity.speed, entity.speed_basis = figure.quantity.parts[0], words_
         return True
     shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
         return True
     meant = [e for e in _whose(figure) if e not in taken]
-    ego = text.ego
     whose = _able(figure, meant)
-    if not whose and ego is not None and ego.speed is None:
-        whose = _able(figure, [ego]) or meant or [ego]
+    if not whose and text.ego.speed is None:
+        whose = _able(figure, [text.ego]) or meant or [text.ego]
     others = [e for e in whose if e.speed not in (None, speed)]
     again = [e for e in whose if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
     if whose and all(e in others or e in again for e in whose):
@@ -49,12 +47,8 @@ def held(figure: Figure) -> bool:
         elif entity.speed != speed:
             return False
         else:
-            text.found.further.append(("speed_mps", entity, Basis(*span)))
+            text.found.speeds_again.append((entity, words_))
     return bool(taken or whose)
-
-
-def _span(basis: Basis) -> tuple[int | None, int | None]:
-    return basis.i, basis.j
 
 
 def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
@@ -115,13 +109,13 @@ def _from_to(figure: Figure) -> Doing | None:
 def _whose(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
     ego = figure.text.ego
-    if figure.heads and ego is not None and ego.speed is None:
+    if figure.heads and ego.speed is None:
         return [ego]
     told = figure.adjacent or figure.own_subject
     if told:
         return told
     movers = [e for e in figure.actors if not e.parked]
-    owned = figure.text.tokens[figure.start].low in words()["whose"]
+    owned = figure.text.tokens[figure.start].low in word_list("its_own")
     return figure.subject if owned or not movers else movers
 
 
@@ -158,5 +152,5 @@ def relative(figure: Figure) -> bool:
     sign = 1 if word == "faster" else -1
     low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
     who.speed = Interval(low=low, high=high)
-    who.speed_basis = Basis(figure.i, figure.j, f"so much {word} than the other")
+    who.speed_basis = figure.amount.basis.because(f"so much {word} than the other")
     return True

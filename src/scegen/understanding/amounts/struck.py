@@ -8,8 +8,8 @@ from scegen.scenario.vocabulary import BodySide, HazardKind, ParticipantKind, Si
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Amount, Apart, Ending
+from scegen.understanding.lexicon import word_list
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
 _BODY = frozenset({"side", "front", "flank"})
@@ -28,8 +28,7 @@ def struck(ending: Ending, text: Telling) -> None:
     parts = [(p, _portion(p, text)) for p in places]  # "the right corner of its front"
     portions = {id(portion) for place, portion in parts if portion is not place}
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
-        held = place.prep is not None and place.prep.value == "with"
-        if held and place.i < (ending.basis.i or 0):
+        if place.opening == "with" and place.i < (ending.basis.i or 0):
             continue  # "with his back to the ego he is hit"
         of_road = any(c.i == place.j + 1 for c in roads) and text.tokens[place.j].low == "of"
         if text.tokens[place.i - 2].low == "overlap" or of_road:
@@ -38,7 +37,7 @@ def struck(ending: Ending, text: Telling) -> None:
         part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
         part = BodySide.FRONT if corner else part
         whose = _owner(place, ending, text)
-        egos = whose is not None and whose is text.ego
+        egos = whose is text.ego
         flank = part not in _ENDS
         if part is None or whose is None or (flank and not (egos and _hit(place, ending, text))):
             continue
@@ -51,8 +50,7 @@ def struck(ending: Ending, text: Telling) -> None:
             ending.struck, ending.struck_basis = part, basis
             _middle(ending, place, start, text)
         elif ending.struck is None and text.ego in ending.between and part is BodySide.REAR:
-            backing = (d for d in text.draft.dangers if d.kind is HazardKind.REVERSING)
-            backs = any(text.ego in d.by for d in backing)
+            backs = text.ego in text.draft.causing(HazardKind.REVERSING)
             ending.struck = BodySide.REAR if backs else BodySide.FRONT
             ending.struck_basis = basis
     middle = text.find("at_its_middle", start, end)
@@ -62,11 +60,11 @@ def struck(ending: Ending, text: Telling) -> None:
 
 def _hit(place: Place, ending: Ending, text: Telling) -> bool:
     """Whether the ego's part is what is touched: "by its left side", "is hit in the side"."""
-    i, prep = ending.basis.i or 0, place.prep.value if place.prep is not None else ""
+    i, prep = ending.basis.i or 0, place.opening
     here = [s for s in text.scenes if s.event.i == i]
     of_body = place.head is not None or any("of_body" in m.data for m in place.mods)
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
-    told = place.owner is not None or any(m.cat == "possessive" for m in place.mods)
+    told = place.owner is not None or place.possessed
     direct = any(s.event.object is place for s in here)
     within = prep == "in" and of_body
     met = direct or (prep in {"in", "into"} and told)
@@ -84,11 +82,10 @@ def _portion(place: Place, text: Telling) -> NounPhrase | None:
 
 def settle(text: Telling) -> None:
     """What half of the front is touched, by the numbers if any: by whom it is narrow, where."""
-    ending, ego = text.found.ending, text.ego
+    ending = text.found.ending
     if ending is None or ending.half is None or ending.impact is not None:
         return
     basis, left = ending.half_basis or ending.basis, ending.half is Side.LEFT
-    other = next((e for e in ending.between if e is not ego), None)
     told = [s for s in text.found.spacings if s.measure is Measure.OVERLAP_PERCENT]
     for overlap in told:
         known = overlap.amount.basis
@@ -97,9 +94,10 @@ def settle(text: Telling) -> None:
         overlap.side = overlap.side or ending.half
     if told:
         return
+    other = ending.other
     if other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE:
         amount = Amount(Interval(low=_LITTLE, high=_HALF), basis)
-        apart = Apart(Measure.OVERLAP_PERCENT, other, ego, amount, CONTACT, ending.half)
+        apart = Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT, ending.half)
         text.found.spacings.append(apart)
     else:
         value = Interval(low=0.0 if left else _HALF, high=_HALF if left else _WHOLE)
@@ -123,7 +121,7 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     if scene is None:
         return None
     direct = scene.event.object is place
-    prep = place.prep.value if place.prep is not None else ""
+    prep = place.opening
     if prep == "in" and scene.event.name == "collide" and scene.targets:
         return scene.targets[0]  # "hits us in the side", "is hit on its right side"
     flank = bool(_SIDES & set(place.dirs))
@@ -131,7 +129,7 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     met = met or (prep == "with" and scene.event.lemma == "collide" and not scene.targets)
     doer = scene.actors[0] if scene.actors else None
     if met and own and doer is not None:  # "a car behind hits its rear"
-        return next((e for e in ending.between if not e.ego), None) if doer.ego else text.ego
+        return ending.other if doer.ego else text.ego
     if own or not direct:
         hit_by = scene.event.passive and prep == "by"
         return text.ego if hit_by or doer is None else doer
@@ -143,5 +141,5 @@ def _middle(ending: Ending, place: NounPhrase, start: int, text: Telling) -> Non
     tokens = text.tokens
     for k in range(max(start, place.i - _REACH), place.i):
         part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
-        if part and tokens[k].low in words()["middle"]:
+        if part and tokens[k].low in word_list("mid_width"):
             ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(k, place.j))

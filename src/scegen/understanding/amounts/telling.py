@@ -9,8 +9,8 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
 from scegen.understanding.happenings import Doing, Happenings
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 ANY: frozenset[ActKind] = frozenset(ActKind)
@@ -24,9 +24,13 @@ class Telling:
         chunks: its chunks.
         scenes: what happens.
         context: the scenario in the making.
+        ego: the ego.
     """
 
-    def __init__(self, chunks: list[Chunk], scenes: list[Clause], context: Context) -> None:
+    def __init__(
+        self, chunks: list[Chunk], scenes: list[Clause], context: Context, ego: Entity
+    ) -> None:
+        self.ego = ego
         self.tokens = context.tokens
         self.chunks = chunks
         self.scenes = sorted(scenes, key=lambda scene: scene.event.i)
@@ -37,11 +41,6 @@ class Telling:
         self.found = Happenings()
         self._marks = [k for k, token in enumerate(self.tokens) if token.low in _ENDS]
         self._said: dict[str, list[str]] = {}
-
-    @property
-    def ego(self) -> Entity | None:
-        """The ego, if the text names one."""
-        return next((e for e in self.draft.entities if e.ego), None)
 
     def bounds(self, i: int) -> tuple[int, int]:
         """Where the sentence of a token begins and ends."""
@@ -69,7 +68,8 @@ class Telling:
         """Where the first phrase of a list stands whole between two tokens."""
         if name not in self._said:
             text = self.low(0, len(self.tokens))
-            self._said[name] = [p for p in words()[name] if p in text and f" {p} " in text]
+            said = (p for p in word_list(name) if p in text and f" {p} " in text)
+            self._said[name] = sorted(said, key=lambda p: (-len(p), p))
         phrases = self._said[name]
         text = self.low(start, end) if phrases else ""
         for phrase in phrases:
@@ -81,10 +81,10 @@ class Telling:
 
     def named(self, noun: NounPhrase | None) -> list[Entity]:
         """Whom a noun means, or whose part it is ("the ego's front")."""
-        if isinstance(noun, Mention) and noun.entities and not noun.possessor:
-            return list(noun.entities)
-        owner = noun if isinstance(noun, Mention) else getattr(noun, "owner", None)
-        return list(owner.entities) if owner is not None else []
+        if noun is None:
+            return []
+        whom = noun if isinstance(noun, Mention) else noun.owner
+        return list(whom.entities) if whom is not None else []
 
     def add(self, doing: Doing) -> Doing:
         """One more act, at its place in the order of the text."""
@@ -97,9 +97,8 @@ class Telling:
 
     def stand(self, one: Entity, other: Entity) -> list[tuple[Entity, set[Approach]]]:
         """What is said of where one of two is, seen from the other."""
-        pair, ego = {one, other}, self.ego
-        said = self.draft.placements
-        return [(p.entity, p.approaches) for p in said if {p.entity, p.reference or ego} == pair]
+        said = ((p, {p.entity, p.reference or self.ego}) for p in self.draft.placements)
+        return [(p.entity, p.approaches) for p, pair in said if pair == {one, other}]
 
     def in_file(self, one: Entity, other: Entity) -> tuple[Entity, Entity]:
         """Two as follower and leader: a headway is that of the one behind."""
@@ -116,22 +115,14 @@ class Telling:
             entity: one of them.
             near: who is spoken of around, the nearest last.
         """
-        ego = self.ego
-        if entity is not ego and ego is not None:
-            return ego
+        if entity is not self.ego:
+            return self.ego
         others = [e for e in self.draft.entities if e is not entity]
         named = [e for e in reversed(near) if e in others]
         placed = self.context.placed
         ahead = [e for e in others if placed(e, Approach.AHEAD) or "ahead" in e.dirs | e.loci]
         moving = [e for e in ahead if e.stands is None and not e.parked]
-        for choice in (
-            [e for e in named if e in moving],
-            [e for e in named if e in ahead],
-            named,
-            moving,
-            ahead,
-            [e for e in others if not e.parked],
-        ):
-            if choice:
-                return choice[0]
-        return others[0] if len(others) == 1 else None
+        free = [e for e in others if not e.parked]
+        by_name = ([e for e in named if e in some] for some in (moving, ahead))
+        chosen = (*by_name, named, moving, ahead, free, others if len(others) == 1 else [])
+        return next((choice[0] for choice in chosen if choice), None)

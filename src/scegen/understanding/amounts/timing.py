@@ -7,8 +7,8 @@ from scegen.scenario.vocabulary import AtLight
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import ANY, Telling
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames import words
-from scegen.understanding.happenings import Doing, Trigger
+from scegen.understanding.happenings import Doing, Since
+from scegen.understanding.lexicon import word_list
 
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
 _GREEN_REACH = 9
@@ -25,8 +25,7 @@ def delayed(figure: Figure) -> bool:
     base, at = _base(figure, doing)
     if base is None and since == "after" and figure.text.within(figure.j, figure.end):
         return False  # "2 s after the car has passed the sign": since something that is no act
-    kind = "after" if base else "start"
-    doing.when = Trigger(kind, figure.amount.basis, figure.amount, base, at)
+    doing.when = figure.trigger("after" if base else "start", act=base, since=at)
     return True
 
 
@@ -34,7 +33,10 @@ def _since(figure: Figure) -> str:
     """The word after a time: "after" only where it opens a clause ("after that" opens none)."""
     after = figure.text.low(figure.j, figure.j + 4)
     named = any(m.i == figure.j + 1 and m.j > figure.j + 2 for m in figure.text.mentions)
-    if after.startswith(tuple(f" after {that} " for that in words()["after_those"])) and not named:
+    if (
+        after.startswith(tuple(f" after {that} " for that in word_list("after_those")))
+        and not named
+    ):
         return "later"
     if after.startswith(" after ") and figure.text.find("starts", figure.j, figure.j + 4):
         return "start"
@@ -84,7 +86,7 @@ def earlier(figure: Figure) -> bool:
         if not who or first.kind is not ActKind.ENTER:
             return False
         second = text.same(first, who[0], figure.j, first.basis)
-    second.when = Trigger("after", figure.amount.basis, figure.amount, first, "begin")
+    second.when = figure.trigger("after", act=first, since="begin")
     return True
 
 
@@ -149,7 +151,7 @@ def told_in(text: Telling, start: int, end: int) -> list[tuple[int, Doing]]:
     return sorted(found, key=lambda f: f[0])
 
 
-def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, str]:
+def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, Since]:
     """Since when a delay counts."""
     text, since = figure.text, _since(figure)
     if since == "after":
@@ -158,7 +160,7 @@ def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, str]:
             other = _of_the_other(figure, doing)
             return other, "begin" if other is not None else "end"
         begins = text.low(figure.j, clause[0].i)
-        begun = any(f" {w} " in begins for w in words()["begun"])
+        begun = any(f" {w} " in begins for w in word_list("begun"))
         return clause[0], "begin" if begun or endless(clause[0], text) else "end"
     before = [a for a in text.found.acts if a.i < doing.i]
     if doing.kind is ActKind.ENTER and not before and since not in {"into", "past", "from"}:
@@ -170,7 +172,7 @@ def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, str]:
         return None, "end"
     last = before[-1]
     own = last.entity is doing.entity
-    later = any(t.low in words()["later"] for t in text.tokens[figure.j : figure.j + 2])
+    later = any(t.low in word_list("later") for t in text.tokens[figure.j : figure.j + 2])
     # of braking without an end, or that another answers: "the ego reacts after 1 s"
     ends = last.kind not in _LASTING or (own and _ENDING & set(last.amounts))
     return last, "end" if ends and (own or later) else "begin"

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import dataclass, field
+from typing import Any
 
 from scegen.scenario.functional import (
+    Environment,
     FunctionalScenario,
     Hazard,
     Junction,
@@ -17,7 +20,6 @@ from scegen.scenario.vocabulary import (
     Approach,
     AtLight,
     Control,
-    CrossedArm,
     HazardKind,
     JunctionKind,
     Maneuver,
@@ -26,8 +28,6 @@ from scegen.scenario.vocabulary import (
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.in_lane import (
-    beside_of,
-    circulates,
     lanes_of,
     past_people,
     settle_along,
@@ -54,86 +54,79 @@ from scegen.understanding.meaning.breaches import onto_the_road
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
-from scegen.understanding.words.tokens import Token
 
 _NO_LIGHT = "no light stands there for it that could show that; left open"
+_NOT_SAID = (None, None)
 
 
+@dataclass(slots=True)
 class Builder:
     """Puts the parts together.
 
-    Args:
-        ego: who the ego is, and why.
+    Attributes:
         draft: participants, hazards and positions.
+        ego: who the ego is, and why.
         happenings: acts, spacings, things and the outcome.
         reading: what the text says about the junction.
-        surroundings: what it says about everything else.
-        lengthwise: what it says about the road along its length.
-        tokens: the tokens of the text.
+        around: what it says about everything else.
+        along: what it says about the road along its length.
+        proofs: the evidence.
     """
 
-    def __init__(
-        self,
-        draft: Draft,
-        ego: tuple[Entity, Basis],
-        happenings: Happenings,
-        reading: JunctionReading,
-        surroundings: Surroundings,
-        lengthwise: Lengthwise,
-        tokens: list[Token],
-    ) -> None:
-        self._draft = draft
-        self._ego = ego
-        self._happenings = happenings
-        self._around = surroundings
-        self._proofs = Proofs(draft.text, tokens)
-        self._lengthwise = lengthwise
-        self._layout = Layout(draft, reading, surroundings, lengthwise, self._proofs)
+    draft: Draft
+    ego: tuple[Entity, Basis]
+    happenings: Happenings
+    reading: JunctionReading
+    around: Surroundings
+    along: Lengthwise
+    proofs: Proofs = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.proofs = Proofs(self.draft.text, self.draft.tokens)
 
     def build(self) -> FunctionalScenario:
         """The functional scenario with its evidence."""
-        ego, ego_basis = self._ego
-        for entity in self._draft.entities:
+        ego, ego_basis = self.ego
+        for entity in self.draft.entities:
             entity.ego = entity is ego  # "the cops we are": several are called so, one is it
-        settle_arms(self._draft, ego)
-        relations = settle_positions(self._draft, ego)
-        if Strip.PAVEMENT not in self._lengthwise.without:
-            at_the_edge(self._draft, self._happenings)
-        junction = self._layout.build()
-        onto_the_road(self._draft, junction.driving_side)
+        settle_arms(self.draft, ego)
+        relations = settle_positions(self.draft, ego)
+        if Strip.PAVEMENT not in self.along.without:
+            at_the_edge(self.draft, self.happenings)
+        junction = Layout(self.draft, self.reading, self.around, self.along, self.proofs).build()
+        onto_the_road(self.draft, junction.driving_side)
         if junction.kind is JunctionKind.STRAIGHT:
-            in_the_way(self._draft, ego)
-            in_one_lane(self._draft, self._happenings)
-            abreast(self._draft, ego)
-            both_change_lanes(self._draft, ego)
-            from_the_strip(self._draft, ego)
-            settle_along(self._draft, ego, self._happenings)
+            in_the_way(self.draft, ego)
+            in_one_lane(self.draft, self.happenings)
+            abreast(self.draft, ego)
+            both_change_lanes(self.draft, ego)
+            from_the_strip(self.draft, ego)
+            settle_along(self.draft, ego, self.happenings)
             relations = past_people(relations)
             if junction.auxiliary is not None:
                 named = lanes_of(ego, junction)
                 beside = not named or junction.through_lanes in named
-                settle_ramp(self._draft, ego, junction.auxiliary, beside_ego=beside)
+                settle_ramp(self.draft, ego, junction.auxiliary, beside_ego=beside)
         else:
-            alongside(self._draft, ego, self._draft.tokens)
-            settle_roads(self._draft, junction)
-        settle_numbers(self._draft, ego, junction)
+            alongside(self.draft, ego)
+            settle_roads(self.draft, junction)
+        settle_numbers(self.draft, ego, junction)
         self._name(ego)
-        groups = some_of(self._draft, self._happenings, junction.kind, self._proofs)
-        participants = tuple(
-            self._participant(e, ego_basis, junction) for e in self._draft.entities
-        )
+        groups = some_of(self.draft, self.happenings, junction.kind, self.proofs)
+        participants = tuple(self._participant(e, ego_basis, junction) for e in self.draft.entities)
         linked = tuple(
             Relation(participant=a.name, reference=b.name, approaches=frozenset(approaches))
             for a, b, approaches, _ in relations
         )
-        for number, relation in enumerate(relations):
-            self._proofs.add(f"relations.{number}", relation[3])
-        hazards = tuple(self._hazard(d) for d in self._draft.dangers)
-        for name, basis in self._around.bases.items():
-            self._proofs.add(f"environment.{name}", basis)
-        writer = Writer(self._happenings, ego, self._proofs)
+        for number, (*_, basis) in enumerate(relations):
+            self.proofs.add(f"relations.{number}", basis)
+        hazards = tuple(self._hazard(d) for d in self.draft.dangers)
+        conditions = self.around.conditions
+        for name, (_, basis) in conditions.items():
+            self.proofs.add(f"environment.{name}", basis)
+        writer = Writer(self.happenings, ego, self.proofs)
         return FunctionalScenario(
-            description=self._draft.text,
+            description=self.draft.text,
             junction=junction,
             participants=participants,
             relations=linked,
@@ -143,84 +136,69 @@ class Builder:
             spacings=writer.spacings(),
             acts=writer.acts(),
             outcome=writer.outcome(),
-            environment=self._around.environment(),
-            evidence=self._proofs.evidence,
+            environment=Environment(**{name: value for name, (value, _) in conditions.items()}),
+            evidence=self.proofs.evidence,
             unsupported=self._unsupported(),
         )
 
     def _name(self, ego: Entity) -> None:
         counts: dict[str, int] = {}
-        named = ego.basis.i is not None and ego.ego and not self._designated(ego)
-        for entity in self._draft.entities:
-            if entity is ego and (named or ego.basis.i is None):
+        called = ego.basis.i is None or "ego" in ego.named_by
+        for entity in self.draft.entities:
+            if entity is ego and called:
                 entity.name = "ego"
                 continue
             stem = f"parked_{entity.kind.value}" if entity.parked else entity.kind.value
             counts[stem] = counts.get(stem, 0) + 1
             entity.name = f"{stem}_{counts[stem]}"
 
-    def _designated(self, ego: Entity) -> bool:
-        return "ego" not in ego.named_by
-
     def _participant(self, entity: Entity, ego_basis: Basis, junction: Junction) -> Participant:
         path = f"participants.{entity.name}"
-        self._proofs.add(f"{path}.kind", entity.counted or entity.basis)
-        role = Role.EGO if entity.ego else Role.OTHER
-        if role is Role.EGO:
-            self._proofs.add(f"{path}.role", ego_basis)
-        else:
-            self._proofs.add(f"{path}.role", None, "everybody but the ego")
-        maneuvers = maneuvers_of(entity, junction, self._draft)
-        entries = frozenset(a for a in entity.entries if a < junction.arms)
-        lanes, circulating = lanes_of(entity, junction), circulates(entity, junction)
-        strip, strip_basis = entity.strip or (None, None)
-        crosses, crosses_basis = self._crosses(entity, maneuvers, junction)
-        light, light_basis = self._light(entity, maneuvers, junction)
-        delay = entity.green_delay if light is AtLight.WAITS else None
-        for name, value, basis in (
-            ("parked", entity.parked, entity.parked_basis),
-            ("approaches", entity.approaches, entity.approach_basis),
-            ("maneuvers", maneuvers, entity.maneuver_basis),
-            ("entries", entries, entity.entry_basis),
-            ("lanes", lanes, entity.start_lane[1] if entity.start_lane is not None else None),
-            ("circulating", circulating, entity.circulates),
-            ("on_call", entity.on_call is not None, entity.on_call),
-            ("strip", strip, strip_basis),
-            ("crosses", crosses, crosses_basis),
-            ("light", light, light_basis),
-            ("green_delay_s", delay, delay.basis if delay is not None else None),
-            ("speed_mps", entity.speed, entity.speed_basis),
-            *((name, amount.value, amount.basis) for name, amount in entity.sizes.items()),
-        ):
+        self.proofs.add(f"{path}.kind", entity.counted or entity.basis)
+        role, who = Role.OTHER, None
+        if entity.ego:
+            role, who = Role.EGO, ego_basis
+        self.proofs.add(f"{path}.role", who, "everybody but the ego")
+        values = self._values(entity, junction)
+        for name, (value, basis) in values.items():
             if value:
-                self._proofs.add(f"{path}.{name}", basis or entity.basis)
-        for basis in self._further_words(entity):
-            self._proofs.add(f"{path}.approaches", basis)
-        return Participant(
-            id=entity.name,
-            kind=entity.kind,
-            role=role,
-            parked=entity.parked,
-            approaches=frozenset(self._seen_at(entity)),
-            maneuvers=frozenset(maneuvers),
-            entries=entries,
-            lanes=lanes,
-            circulating=circulating,
-            on_call=entity.on_call is not None,
-            strip=strip,
-            crosses=crosses,
-            light=light,
-            green_delay_s=delay.value if delay is not None else None,
-            speed_mps=entity.speed,
-            **{name: amount.value for name, amount in entity.sizes.items()},
-        )
+                self.proofs.add(f"{path}.{name}", basis or entity.basis)
+        for words in self._further_words(entity):
+            self.proofs.add(f"{path}.approaches", words)
+        said = {name: value for name, (value, _) in values.items()}
+        return Participant(id=entity.name, kind=entity.kind, role=role, **said)
 
-    def _crosses(
-        self, entity: Entity, maneuvers: Collection[Maneuver], junction: Junction
-    ) -> tuple[CrossedArm | None, Basis | None]:
-        """Which arm it crosses; on a road without a junction there is but one."""
+    def _values(self, entity: Entity, junction: Junction) -> dict[str, tuple[Any, Basis | None]]:
+        """The fields of a participant, each with the words for it."""
+        beside = _beside(entity)
+        seen = {Approach.ADJACENT, Approach(beside[0])} if beside else entity.approaches
+        maneuvers = maneuvers_of(entity, junction, self.draft)
+        ring = junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
+        light = self._light(entity, maneuvers, junction)
+        delay = entity.green_delay if light[0] is AtLight.WAITS else None
         there = Maneuver.CROSS in maneuvers and junction.kind is not JunctionKind.STRAIGHT
-        return entity.crosses if there and entity.crosses is not None else (None, None)
+        return {
+            "parked": (entity.parked, entity.parked_basis),
+            "approaches": (frozenset(seen), entity.approach_basis),
+            "maneuvers": (frozenset(maneuvers), entity.maneuver_basis),
+            "entries": (
+                frozenset(a for a in entity.entries if a < junction.arms),
+                entity.entry_basis,
+            ),
+            "lanes": (
+                lanes_of(entity, junction),
+                entity.start_lane[1] if entity.start_lane is not None else None,
+            ),
+            "circulating": (ring, entity.circulates),
+            "on_call": (entity.on_call is not None, entity.on_call),
+            "strip": entity.strip or _NOT_SAID,
+            # on a road without a junction there is but one way to cross
+            "crosses": entity.crosses if there and entity.crosses is not None else _NOT_SAID,
+            "light": light,
+            "green_delay_s": (delay.value, delay.basis) if delay is not None else _NOT_SAID,
+            "speed_mps": (entity.speed, entity.speed_basis),
+            **{name: (amount.value, amount.basis) for name, amount in entity.sizes.items()},
+        }
 
     def _light(
         self, entity: Entity, maneuvers: Collection[Maneuver], junction: Junction
@@ -234,34 +212,24 @@ class Builder:
         stands = entity.parked or Maneuver.STAY in maneuvers
         if junction.control is Control.SIGNALS and shown and not stands:
             return light, basis
-        self._draft.note_at(basis, _NO_LIGHT)
+        self.draft.note_at(basis, _NO_LIGHT)
         return None, None
-
-    def _seen_at(self, entity: Entity) -> set[Approach]:
-        """Where it comes from, with the side of the lane beside."""
-        side = beside_of(entity)
-        if side is None or entity.beside is None:
-            return entity.approaches
-        self._proofs.add(f"participants.{entity.name}.approaches", entity.beside[1])
-        return {Approach.ADJACENT, side}
 
     def _further_words(self, entity: Entity) -> list[Basis]:
         """Other words that say the same of where somebody comes from."""
         if not entity.approaches:
             return []
         found = [entity.by_heading] if entity.by_heading is not None else []
-        found += [
-            p.basis
-            for p in self._draft.placements
-            if p.entity is entity and p.approaches & entity.approaches and p.basis.i is not None
-        ]
-        return [b for b in dict.fromkeys(found) if b != entity.approach_basis]
+        placed = self.draft.placements_of(entity)
+        found += [p.basis for p in placed if p.approaches & entity.approaches]
+        told = [b for b in dict.fromkeys(found) if b.i is not None and b != entity.approach_basis]
+        beside = _beside(entity)
+        return [*told, beside[1]] if beside is not None else told
 
     def _hazard(self, danger: Danger) -> Hazard:
         on_foot = danger.kind in {HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_ANIMAL}
         to = [e for e in danger.to if e not in danger.by and not (on_foot and self._passed(e))]
-        field = f"hazards.{danger.kind.value}"
-        self._proofs.add(field, danger.basis)
+        self.proofs.add(f"hazards.{danger.kind.value}", danger.basis)
         return Hazard(
             kind=danger.kind,
             by=tuple(e.name for e in (*danger.by, *danger.items)),
@@ -270,16 +238,17 @@ class Builder:
 
     def _passed(self, entity: Entity) -> bool:
         """Who stands or is overtaken hides those who come out in front: they meet somebody else."""
-        passed = (d.to for d in self._draft.dangers if d.kind is HazardKind.OVERTAKING)
-        return entity.still or any(entity in to for to in passed)
+        return entity.still or entity in self.draft.suffering(HazardKind.OVERTAKING)
 
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []
-        for note in sorted(self._draft.notes, key=lambda n: (n.i, n.j)):
-            start, end = self._proofs.span(note.i, note.j)
-            found.append(
-                Unsupported(
-                    text=self._draft.text[start:end], start=start, end=end, instead=note.instead
-                )
-            )
+        for note in sorted(self.draft.notes, key=lambda n: (n.i, n.j)):
+            start, end = self.proofs.span(note.i, note.j)
+            text = self.draft.text[start:end]
+            found.append(Unsupported(text=text, start=start, end=end, instead=note.instead))
         return tuple(found)
+
+
+def _beside(entity: Entity) -> tuple[str, Basis] | None:
+    """On which side of the ego the lane of somebody beside it lies, with the words for that."""
+    return entity.beside if entity.approaches == {Approach.ADJACENT} else None

@@ -3,34 +3,34 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.draft import Basis, Draft, Entity
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.draft import Draft, Entity
 
 _RIDERS = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _TURNS = {Approach.RIGHT: Maneuver.RIGHT, Approach.LEFT: Maneuver.LEFT}
 
 
-def alongside(draft: Draft, ego: Entity, tokens: list[Token]) -> None:
+def alongside(draft: Draft, ego: Entity) -> None:
     """A rider on the side to which the ego turns, and who goes on, is beside it.
 
     One who comes *from* that side comes out of the road there.
     """
+    crossing = draft.causing(HazardKind.CROSSING_CYCLIST)
     for entity in draft.entities:
         basis = entity.approach_basis
         if entity is ego or entity.kind not in _RIDERS or basis is None or basis.i is None:
             continue
         seen = entity.approaches - {Approach.BEHIND}  # "from behind on its right"
         side = next(iter(seen)) if len(seen) == 1 else None
-        turn = _TURNS.get(side) if side is not None else None
-        crosses = any(
-            d.kind is HazardKind.CROSSING_CYCLIST and entity in d.by for d in draft.dangers
-        )
-        goes_on = entity.maneuvers <= {Maneuver.STRAIGHT} and not crosses
-        words = [t.low for t in tokens[basis.i : basis.j]]
-        from_behind = Approach.BEHIND in entity.approaches
-        comes_from = (words[:1] == ["from"] and not from_behind) or "front" in words
-        if turn is None or ego.maneuvers != {turn} or not goes_on or comes_from:
-            continue
-        reason = f"beside the ego, on the {side}: it turns across its way"
-        entity.approaches = {Approach.ADJACENT, *seen}
-        entity.approach_basis = Basis(basis.i, basis.j, reason)
+        turned_to = side is not None and side in _TURNS and ego.maneuvers == {_TURNS[side]}
+        goes_on = entity.maneuvers <= {Maneuver.STRAIGHT} and entity not in crossing
+        if turned_to and goes_on and not off_the_road(entity, draft):
+            reason = f"beside the ego, on the {side}: it turns across its way"
+            entity.comes_from({Approach.ADJACENT, *seen}, basis.because(reason))
+
+
+def off_the_road(entity: Entity, draft: Draft) -> bool:
+    """``from the right``, ``on the right front``: out of the road or off the pavement there."""
+    basis = entity.approach_basis or entity.basis
+    words = [t.low for t in draft.tokens[basis.i : basis.j]] if basis.i is not None else []
+    from_there = words[:1] == ["from"] and Approach.BEHIND not in entity.approaches
+    return from_there or "front" in words

@@ -5,20 +5,19 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import (
-    ON_FOOT,
     Approach,
     DrivingSide,
     HazardKind,
-    JunctionKind,
     Maneuver,
 )
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.building.viewpoint import Placed
+from scegen.understanding.draft import Draft, Entity
 from scegen.understanding.happenings import Happenings
 from scegen.understanding.semantics.numbered_lanes import EITHER
 
 _FEWEST_WITH_A_MIDDLE = 3
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
-BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
+_BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
 _UNSETTLED = "from which side lanes are counted is not said, so the number names none"
 
 
@@ -27,42 +26,38 @@ def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
 
     So is whoever drives there, where the ego brakes.
     """
-    brakes = any(d.kind in BRAKING and ego in d.by for d in draft.dangers)
+    brakes = ego in draft.causing(*_BRAKING)
     aside = any(a.entity is ego and a.kind in _ASIDE and a.side for a in happenings.acts)
-    passed = {
-        e.index
-        for d in draft.dangers
-        if aside and d.kind is HazardKind.OVERTAKING and ego in d.by
-        for e in d.to
-    }
+    overtaken = [d.to for d in draft.dangers if d.kind is HazardKind.OVERTAKING and ego in d.by]
     for entity in draft.entities:
         if entity is ego:
             continue
-        _in_the_same_lane(entity, ego, passed=entity.index in passed)
+        passed = aside and any(entity in to for to in overtaken)
+        _in_the_same_lane(entity, ego, passed=passed)
         alone = not entity.approaches and entity.heading is None and not entity.parked
         if entity.stands is not None and alone:
-            basis = entity.stands
-            entity.approaches = {Approach.AHEAD}
-            entity.approach_basis = Basis(basis.i, basis.j, "who stands in the lane is ahead")
+            basis = entity.stands.because("who stands in the lane is ahead")
+            entity.comes_from({Approach.AHEAD}, basis)
         if entity.in_egos_lane is not None and alone and entity.moving_vehicle:
-            entity.approaches = {Approach.AHEAD}
-            entity.approaches |= set() if entity.stands or brakes else {Approach.BEHIND}
-            entity.approach_basis = entity.in_egos_lane
-        along = {Approach.AHEAD, Approach.OPPOSITE}
-        walks = entity.kind in ON_FOOT
-        sides = entity.approaches & {Approach.LEFT, Approach.RIGHT}
-        if walks and Maneuver.CROSS in entity.maneuvers and sides:
-            entity.approaches = sides  # "behind it, from the right": from where it comes
-        along |= {Approach.BEHIND} if entity.maneuvers == {Maneuver.STAY} else set()
-        keeps = entity.maneuvers in ({Maneuver.STRAIGHT}, {Maneuver.STAY})
-        if walks and keeps and entity.approaches & along:
-            entity.approaches &= along
-        afoot = entity.kind in ON_FOOT
-        if afoot and alone and entity.maneuvers == {Maneuver.STRAIGHT}:
-            basis = entity.maneuver_basis or entity.basis
-            entity.approaches = {Approach.AHEAD, Approach.OPPOSITE}
-            reason = "along the road; which way is not said"
-            entity.approach_basis = Basis(basis.i, basis.j, reason)
+            either = set() if entity.stands or brakes else {Approach.BEHIND}
+            entity.comes_from({Approach.AHEAD, *either}, entity.in_egos_lane)
+        if not entity.is_vehicle:
+            _afoot(entity, alone=alone)
+
+
+def _afoot(entity: Entity, *, alone: bool) -> None:
+    """Who crosses comes from a side; who walks along the road, or stands, is before one."""
+    along = {Approach.AHEAD, Approach.OPPOSITE}
+    sides = entity.approaches & {Approach.LEFT, Approach.RIGHT}
+    if Maneuver.CROSS in entity.maneuvers and sides:
+        entity.approaches = sides  # "behind it, from the right": from where it comes
+    elif entity.maneuvers == {Maneuver.STAY}:
+        entity.approaches = entity.approaches & (along | {Approach.BEHIND}) or entity.approaches
+    elif entity.maneuvers == {Maneuver.STRAIGHT} and alone:
+        basis = entity.maneuver_basis or entity.basis
+        entity.comes_from(along, basis.because("along the road; which way is not said"))
+    elif entity.maneuvers == {Maneuver.STRAIGHT}:
+        entity.approaches = entity.approaches & along or entity.approaches
 
 
 def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
@@ -74,22 +69,11 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
     if entity.start_lane is None or entity.approaches != {Approach.ADJACENT}:
         return
     same = ego.start_lane is not None and entity.start_lane[0] == ego.start_lane[0]
-    barred = ego.start_lane is None and (passed or entity.stands is not None)
-    if same or barred:
+    if same or (ego.start_lane is None and (passed or entity.stands is not None)):
+        reason = "the ego goes over to pass it" if passed else "who stands in the lane is ahead"
+        reason = "in the lane of the ego" if same else reason
         entity.beside = None
-        basis = entity.start_lane[1]
-        entity.approaches = {Approach.AHEAD}
-        reason = "who stands in the lane is ahead"
-        if same or passed:
-            reason = "in the lane of the ego" if same else "the ego goes over to pass it"
-        entity.approach_basis = Basis(basis.i, basis.j, reason)
-
-
-def beside_of(entity: Entity) -> Approach | None:
-    """On which side of the ego the lane of somebody beside it lies."""
-    if entity.approaches != {Approach.ADJACENT} or entity.beside is None:
-        return None
-    return Approach(entity.beside[0])
+        entity.comes_from({Approach.AHEAD}, entity.start_lane[1].because(reason))
 
 
 def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
@@ -137,14 +121,6 @@ def settle_numbers(draft: Draft, ego: Entity, junction: Junction) -> None:
         expressed = entity in beside or (entity is ego and beside)
         if not expressed:
             draft.note_at(basis, _UNSETTLED)
-
-
-def circulates(entity: Entity, junction: Junction) -> bool:
-    """Whether somebody is said to be in the roundabout already."""
-    return junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
-
-
-Placed = tuple[Entity, Entity, set[Approach], Basis]
 
 
 def past_people(relations: list[Placed]) -> list[Placed]:

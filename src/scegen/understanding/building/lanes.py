@@ -40,13 +40,13 @@ def lanes_of_road(
     adjacent = next((e for e in draft.entities if Approach.ADJACENT in e.approaches), None)
     if implied is None and adjacent is not None:
         basis = adjacent.approach_basis or adjacent.basis
-        implied = Basis(basis.i, basis.j, "vehicles side by side need a second lane")
+        implied = basis.because("vehicles side by side need a second lane")
     most = MAX_LANES if plain else _MOST_LANES
     if around.lanes == 1 and around.lanes_in_all is not None and implied is not None:
         count = min(around.lanes_in_all, most)  # "on a two-lane road, a car in the next lane"
         reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
         counted = around.lanes_basis or implied
-        return (count,) * arms, None, Basis(counted.i, counted.j, reason)
+        return (count,) * arms, None, counted.because(reason)
     if around.lanes_basis is not None and (around.lanes or 0) > (_RING_LANES if ring else most):
         draft.note_at(around.lanes_basis, _RING_OF_TWO if ring else _FEWER_LANES)
     if around.lanes is not None and around.lanes <= most:
@@ -58,14 +58,14 @@ def lanes_of_road(
     if implied is None and passing is not None:
         if not ring and not _parted(along) and _against_oncoming(draft, around):
             reason = "who overtakes uses the oncoming lane"
-            return (1,) * arms, None, Basis(passing.i, passing.j, reason)
-        implied = Basis(passing.i, passing.j, "overtaking needs a second lane")
+            return (1,) * arms, None, passing.because(reason)
+        implied = passing.because("overtaking needs a second lane")
     if implied is None and plain and around.two_lane is not None and not _parted(along):
         counted = around.two_lane
-        return (1,) * arms, None, Basis(counted.i, counted.j, "two lanes, one each way")
+        return (1,) * arms, None, counted.because("two lanes, one each way")
     if implied is None and around.highway is not None:
         reason = "highways have two lanes per direction unless said otherwise"
-        implied = Basis(around.highway.i, around.highway.j, reason)
+        implied = around.highway.because(reason)
     lanes = [e.start_lane for e in draft.entities if e.start_lane is not None]
     named = [name for name, _ in lanes]
     if implied is None or not (ring or named or around.highway is not None):

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from scegen.scenario.bends import Bend
 from scegen.scenario.functional import ARM_COUNTS, Junction
-from scegen.scenario.roadway import (
-    AuxiliaryLane,
-    Carriageway,
-)
+from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
@@ -18,7 +17,7 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.building.lanes import lanes_of_road
 from scegen.understanding.building.proving import Proofs
-from scegen.understanding.building.ramps import auxiliary_lane
+from scegen.understanding.building.ramps import Used, auxiliary_lane
 from scegen.understanding.building.strips import AT_JUNCTIONS, strips_beside
 from scegen.understanding.draft import Basis, Draft
 from scegen.understanding.lexicon import word_list
@@ -37,58 +36,55 @@ _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.M
                           HazardKind.SWERVING, HazardKind.TAILGATING})  # fmt: skip
 
 
+@dataclass(frozen=True, slots=True)
 class Layout:
     """Decides what the road looks like.
 
-    Args:
+    Attributes:
         draft: participants and what they do, which may imply a junction or lanes.
         reading: what the text says about the junction.
-        surroundings: what it says about lanes, limits and the driving side.
-        lengthwise: what it says about the road along its length.
+        around: what it says about lanes, limits and the driving side.
+        along: what it says about the road along its length.
         proofs: where the evidence goes.
     """
 
-    def __init__(
-        self,
-        draft: Draft,
-        reading: JunctionReading,
-        surroundings: Surroundings,
-        lengthwise: Lengthwise,
-        proofs: Proofs,
-    ) -> None:
-        self._draft = draft
-        self._reading = reading
-        self._around = surroundings
-        self._along = lengthwise
-        self._proofs = proofs
+    draft: Draft
+    reading: JunctionReading
+    around: Surroundings
+    along: Lengthwise
+    proofs: Proofs
 
     def build(self) -> Junction:
         """The junction; each of its fields is proved."""
+        named = self.along.auxiliary
+        drops = named is not None and named[0] is AuxiliaryLane.LANE_DROP
+        used = auxiliary_lane(self.draft, drops=drops)
         kind, kind_basis = self._kind()
-        self._of_a_ramp(kind)
+        self._of_a_ramp(kind, used)
         arms, arms_basis = self._arms(kind, kind_basis)
-        control = self._reading.control or Control.UNCONTROLLED
-        self._proofs.add("junction.kind", kind_basis, "no junction is named: a straight road")
-        self._proofs.add("junction.arms", arms_basis)
-        self._proofs.add("junction.control", self._reading.control_basis, "no control is named")
+        control = self.reading.control or Control.UNCONTROLLED
+        self.proofs.add("junction.kind", kind_basis, "no junction is named: a straight road")
+        self.proofs.add("junction.arms", arms_basis)
+        self.proofs.add("junction.control", self.reading.control_basis, "no control is named")
         self._dark_lights(control)
-        angles = self._reading.angles_deg if len(self._reading.angles_deg) == arms else ()
+        angles = self.reading.angles_deg if len(self.reading.angles_deg) == arms else ()
         if angles:
-            self._proofs.add("junction.arm_angles_deg", self._reading.angles_basis)
-        lanes, ring, lanes_basis = lanes_of_road(self._draft, self._around, self._along, kind, arms)
-        self._proofs.add(
+            self.proofs.add("junction.arm_angles_deg", self.reading.angles_basis)
+        lanes, ring, lanes_basis = lanes_of_road(self.draft, self.around, self.along, kind, arms)
+        self.proofs.add(
             "junction.lanes", lanes_basis, "one lane per direction unless more are said"
         )
         if ring is not None:
-            self._proofs.add("junction.ring_lanes", lanes_basis)
-        if self._around.speed_limit_mps is not None:
-            self._proofs.add("junction.speed_limit_mps", self._around.limit_basis)
-        if self._around.lane_width_m is not None:
-            self._proofs.add("junction.lane_width_m", self._around.lane_width_basis)
-        self._proofs.add("junction.driving_side", self._around.side_basis, "right-hand traffic")
+            self.proofs.add("junction.ring_lanes", lanes_basis)
+        said: dict[str, float] = {}
+        for name in ("speed_limit_mps", "lane_width_m"):
+            if name in self.around.road:
+                said[name], basis = self.around.road[name]
+                self.proofs.add(f"junction.{name}", basis)
+        self.proofs.add("junction.driving_side", self.around.side_basis, "right-hand traffic")
         carriageway = self._carriageway(kind, lanes)
-        auxiliary = self._auxiliary(kind)
-        strips = strips_beside(self._draft, self._along, self._proofs, kind, carriageway, auxiliary)
+        auxiliary = self._auxiliary(kind, used)
+        strips = strips_beside(self.draft, self.along, self.proofs, kind, carriageway, auxiliary)
         return Junction(
             carriageway=carriageway,
             strips=strips,
@@ -101,167 +97,160 @@ class Layout:
             arm_angles_deg=angles,
             lanes=lanes,
             ring_lanes=ring,
-            lane_width_m=self._around.lane_width_m,
-            speed_limit_mps=self._around.speed_limit_mps,
-            driving_side=self._around.side or DrivingSide.RIGHT,
+            driving_side=self.around.side or DrivingSide.RIGHT,
             control=control,
+            **said,
         )
 
-    def _of_a_ramp(self, kind: JunctionKind) -> None:
+    def _of_a_ramp(self, kind: JunctionKind, used: Used) -> None:
         """A median parts the directions of a road with ramps, where nothing else is said."""
-        used = auxiliary_lane(self._draft, self._along.auxiliary)
-        built = kind is JunctionKind.STRAIGHT and self._along.bend is None
+        built = kind is JunctionKind.STRAIGHT and self.along.bend is None
         ramp = built and used is not None and used[0] is not AuxiliaryLane.LANE_DROP
-        if ramp and used is not None and self._along.carriageway is None:
-            self._along.carriageway, self._along.carriageway_basis = Carriageway.DIVIDED, used[1]
-            self._along.presumed = True
-            self._around.highway = self._around.highway or used[1]
+        if ramp and used is not None and self.along.carriageway is None:
+            self.along.carriageway, self.along.carriageway_basis = Carriageway.DIVIDED, used[1]
+            self.along.presumed = True
+            self.around.highway = self.around.highway or used[1]
 
     def _dark_lights(self, control: Control) -> None:
         """What of lights that flash or do not work the road does not show."""
-        dark, basis = self._reading.dark, self._reading.control_basis
-        flash = word_list("flashing") if control is Control.ALL_WAY_STOP else frozenset()
-        if basis is not None and flash & {t.low for t in self._draft.tokens[basis.i : basis.j]}:
-            self._draft.note_at(
-                basis, "flashing red tells everybody to stop: stop signs stand for it"
-            )
+        draft, dark, basis = self.draft, self.reading.dark, self.reading.control_basis
+        if control is Control.ALL_WAY_STOP and self._flashes(basis):
+            draft.note_at(basis, "flashing red tells everybody to stop: stop signs stand for it")
         if dark is None or dark.i is None:
             return
-        draft, begins, ends = self._draft, dark.i, dark.j or dark.i
+        begins, ends = dark.i, dark.j or dark.i
         # The control rests on these words: "do not work" is no deed left out.
         draft.notes = [n for n in draft.notes if not begins <= n.i < n.j <= ends]
-        words = {t.low for t in draft.tokens[dark.i : dark.j]}
         if control is not Control.SIGNALS_OFF:
-            self._draft.note_at(
-                dark, f"the rule of the junction is {control}; the lights are left out"
-            )
-        elif words & word_list("flashing"):
-            self._draft.note_at(dark, "lights that do not regulate are shown dark, not flashing")
+            draft.note_at(dark, f"the rule of the junction is {control}; the lights are left out")
+        elif self._flashes(dark):
+            draft.note_at(dark, "lights that do not regulate are shown dark, not flashing")
+
+    def _flashes(self, basis: Basis | None) -> bool:
+        words = self.draft.tokens[basis.i : basis.j] if basis is not None else []
+        return not word_list("flashing").isdisjoint(t.low for t in words)
 
     def _carriageway(self, kind: JunctionKind, lanes: tuple[int, ...]) -> Carriageway:
         """As the words have it; at junctions, and where the other lanes are used, undivided."""
-        said, basis = self._along.carriageway, self._along.carriageway_basis
+        said, basis = self.along.carriageway, self.along.carriageway_basis
         if said is None or basis is None:
             return Carriageway.UNDIVIDED
         if kind is not JunctionKind.STRAIGHT:
-            if self._along.median or not self._along.presumed:
-                self._draft.note_at(basis, AT_JUNCTIONS)
+            if self.along.median or not self.along.presumed:
+                self.draft.note_at(basis, AT_JUNCTIONS)
             return Carriageway.UNDIVIDED
-        narrow = lanes[:1] == (1,) or self._around.two_lane is not None
-        if self._along.presumed and (narrow or self._meets_the_oncoming()):
-            told = any(note.i == basis.i for note in self._draft.notes)
-            if self._along.median and not told:
-                self._draft.note_at(basis, _DRIVEN_OVER)
+        narrow = lanes[:1] == (1,) or self.around.two_lane is not None
+        if self.along.presumed and (narrow or self._meets_the_oncoming()):
+            told = any(note.i == basis.i for note in self.draft.notes)
+            if self.along.median and not told:
+                self.draft.note_at(basis, _DRIVEN_OVER)
             return Carriageway.UNDIVIDED
-        self._proofs.add("junction.carriageway", basis)
+        self.proofs.add("junction.carriageway", basis)
         return said
 
     def _meets_the_oncoming(self) -> bool:
         """Whether somebody comes towards another, or turns back, so that no median can be there."""
-        over = any(d.kind is HazardKind.ONCOMING_LANE for d in self._draft.dangers)
-        return over or any(
+        return any(d.kind is HazardKind.ONCOMING_LANE for d in self.draft.dangers) or any(
             Approach.OPPOSITE in entity.approaches or Maneuver.U_TURN in entity.maneuvers
-            for entity in self._draft.entities
+            for entity in self.draft.entities
         )
 
-    def _auxiliary(self, kind: JunctionKind) -> AuxiliaryLane | None:
+    def _auxiliary(self, kind: JunctionKind, used: Used) -> AuxiliaryLane | None:
         """The lane for a part of the road that somebody uses; none in a bend or at junctions."""
-        found = auxiliary_lane(self._draft, self._along.auxiliary)
-        if found is None:
+        if used is None:
             return None
-        if kind is not JunctionKind.STRAIGHT or self._along.bend is not None:
-            self._draft.note_at(found[1], _NO_RAMP_HERE)
+        if kind is not JunctionKind.STRAIGHT or self.along.bend is not None:
+            self.draft.note_at(used[1], _NO_RAMP_HERE)
             return None
-        self._proofs.add("junction.auxiliary", found[1])
-        return found[0]
+        self.proofs.add("junction.auxiliary", used[1])
+        return used[0]
 
     def _auxiliary_length_m(self, auxiliary: AuxiliaryLane | None) -> float | None:
-        length, basis = self._around.auxiliary_length_m, self._around.auxiliary_length_basis
+        length, basis = self.around.road.get("auxiliary_length_m", (None, None))
         if auxiliary is not None and length is not None:
-            self._proofs.add("junction.auxiliary_length_m", basis)
+            self.proofs.add("junction.auxiliary_length_m", basis)
             return length
-        if basis is not None:
-            self._draft.note_at(basis, _NO_LANE_SO_LONG)
+        self.draft.note_at(basis, _NO_LANE_SO_LONG)
         return None
 
     def _crosswalks(self, kind: JunctionKind, auxiliary: AuxiliaryLane | None) -> frozenset[int]:
         """One over a road without a junction; at junctions they are wherever somebody crosses."""
-        basis = self._along.crosswalk_basis
+        basis = self.along.crosswalk_basis
         if basis is None:
             return frozenset()
         if kind is not JunctionKind.STRAIGHT:
-            if self._draft.tokens[(basis.i or 0) - 1].low in word_list("mid_block"):
-                self._draft.note_at(basis, _AT_ARMS_END)
+            if self.draft.tokens[(basis.i or 0) - 1].low in word_list("mid_block"):
+                self.draft.note_at(basis, _AT_ARMS_END)
             return frozenset()
         if auxiliary is not None:
-            self._draft.note_at(basis, _NOT_AT_RAMPS)
+            self.draft.note_at(basis, _NOT_AT_RAMPS)
             return frozenset()
-        self._proofs.add("junction.crosswalks", basis)
+        self.proofs.add("junction.crosswalks", basis)
         return frozenset({0})
 
     def _bend(self, kind: JunctionKind, angles: tuple[float, ...]) -> Bend | None:
-        basis = self._along.bend_basis
-        if self._along.bend is None or basis is None:
+        if self.along.bend is None:
             return None
+        bend, basis = self.along.bend
         if kind is not JunctionKind.STRAIGHT or angles:
-            self._draft.note_at(basis, AT_JUNCTIONS)
+            self.draft.note_at(basis, AT_JUNCTIONS)
             return None
-        self._proofs.add("junction.bend", basis)
-        return self._along.bend
+        self.proofs.add("junction.bend", basis)
+        return bend
 
     def _kind(self) -> tuple[JunctionKind, Basis | None]:
-        reading = self._reading
+        reading = self.reading
         if reading.kind is not None:
             return reading.kind, reading.kind_basis
         if reading.named is not None:
             reason = "an intersection without a shape is read as four-way"
-            return JunctionKind.FOUR_WAY, Basis(reading.named.i, reading.named.j, reason)
-        access = self._draft.access
+            return JunctionKind.FOUR_WAY, reading.named.because(reason)
+        access = self.draft.access
         if access is not None and reading.straight is None:
             reason = "a side road or driveway meets the road like the stem of a T"
-            return JunctionKind.T, Basis(access.i, access.j, reason)
-        implied = self._draft.crossing_implied or self._lateral()
+            return JunctionKind.T, access.because(reason)
+        implied = self.draft.crossing_implied or self._lateral()
         if implied is None and (implied := self._regulated()) is not None:
             self._lit_crosswalk(implied)
         implied = implied or self._side_road()
         if implied is not None:
             reason = f"{implied.reason}: there must be an intersection, read as four-way"
-            return JunctionKind.FOUR_WAY, Basis(implied.i, implied.j, reason)
+            return JunctionKind.FOUR_WAY, implied.because(reason)
         return JunctionKind.STRAIGHT, reading.straight or reading.road
 
     def _lit_crosswalk(self, regulated: Basis) -> None:
         """``a pelican crossing``, ``a signalised mid-block crossing``: no road is built for it."""
-        words = {t.low for t in self._draft.tokens}
-        marked, light = self._along.crosswalk_basis, self._reading.control_basis
+        words = {t.low for t in self.draft.tokens}
+        marked, light = self.along.crosswalk_basis, self.reading.control_basis
         if (marked is not None and marked == light) or words & word_list("mid_block"):
-            self._draft.note_at(regulated, _NO_LIGHT_HERE)
+            self.draft.note_at(regulated, _NO_LIGHT_HERE)
 
     def _lateral(self) -> Basis | None:
         lateral = {Approach.LEFT, Approach.RIGHT}
-        for placement in self._draft.placements:
+        for placement in self.draft.placements:
             if placement.approaches == lateral and placement.entity.moving_vehicle:
-                return Basis(placement.basis.i, placement.basis.j, "a vehicle comes across")
-        for entity in self._draft.entities:
+                return placement.basis.because("a vehicle comes across")
+        for entity in self.draft.entities:
             crosses = entity.moving_vehicle and entity.approaches & lateral
             if entity.by_heading is not None and crosses:
                 basis = entity.heading_basis or entity.by_heading
-                return Basis(basis.i, basis.j, "the ways of two vehicles cross")
+                return basis.because("the ways of two vehicles cross")
         return None
 
     def _side_road(self) -> Basis | None:
         """``a bus comes from the left``: not on a highway, and not one that changes lanes."""
-        along = self._reading.straight is not None or self._around.highway is not None
-        lanes = any(d.kind in _ALONG_LANES for d in self._draft.dangers)
-        return None if along or lanes or self._draft.from_kerb else self._draft.side_road
+        along = self.reading.straight is not None or self.around.highway is not None
+        lanes = any(d.kind in _ALONG_LANES for d in self.draft.dangers)
+        return None if along or lanes or self.draft.from_kerb else self.draft.side_road
 
     def _regulated(self) -> Basis | None:
-        basis = self._reading.control_basis
-        if basis is None or self._reading.control is Control.UNCONTROLLED:
+        basis = self.reading.control_basis
+        if basis is None or self.reading.control is Control.UNCONTROLLED:
             return None
-        return Basis(basis.i, basis.j, "priority is regulated")
+        return basis.because("priority is regulated")
 
     def _arms(self, kind: JunctionKind, basis: Basis | None) -> tuple[int, Basis]:
-        reading = self._reading
+        reading = self.reading
         if reading.arms is not None:
             return reading.arms, reading.arms_basis or Basis(reason="from the words")
         if kind is JunctionKind.ROUNDABOUT:

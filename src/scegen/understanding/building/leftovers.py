@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
@@ -114,17 +116,10 @@ def _used(draft: Draft, term: Term, crossing: bool) -> bool:
 
 def _unknown(draft: Draft, terms: list[Term]) -> None:
     """Neighbouring unknown words make one note."""
-    start: int | None = None
-    end = 0
-    for term in terms:
-        if "unknown" in {term.cat, term.value}:
-            start = term.i if start is None else start
-            end = term.j
-        elif start is not None:
-            draft.note(start, end, _NOT_UNDERSTOOD)
-            start = None
-    if start is not None:
-        draft.note(start, end, _NOT_UNDERSTOOD)
+    for unknown, together in groupby(terms, lambda t: "unknown" in {t.cat, t.value}):
+        run = list(together)
+        if unknown:
+            draft.note(run[0].i, run[-1].j, _NOT_UNDERSTOOD)
 
 
 def _mention(draft: Draft, mention: Mention) -> None:

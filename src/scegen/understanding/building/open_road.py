@@ -5,7 +5,9 @@ from __future__ import annotations
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.building.hooks import off_the_road
+from scegen.understanding.building.viewpoint import unplaced_dangers
+from scegen.understanding.draft import Draft, Entity
 from scegen.understanding.happenings import Happenings, Item
 
 _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING,
@@ -14,23 +16,16 @@ _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKin
 
 def in_the_way(draft: Draft, ego: Entity) -> None:
     """On a straight road, who endangers the ego by going slowly or stopping is ahead of it."""
-    placed = {p.entity.index for p in draft.placements} | {
-        p.reference.index for p in draft.placements if p.reference is not None
-    }
-    for danger in draft.dangers:
-        if danger.kind not in _IN_THE_WAY or (danger.to and ego not in danger.to):
-            continue
-        for entity in danger.by:
-            free = entity.index not in placed and not entity.approaches and entity.heading is None
-            if free and entity is not ego and entity.is_vehicle:
-                entity.approaches = {Approach.AHEAD}
-                reason = "on a straight road, who is in the way is ahead"
-                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+    placed = [e for p in draft.placements for e in (p.entity, p.reference)]
+    for entity, basis in unplaced_dangers(draft, ego, _IN_THE_WAY):
+        if entity not in placed and entity.heading is None and entity.is_vehicle:
+            reason = "on a straight road, who is in the way is ahead"
+            entity.comes_from({Approach.AHEAD}, basis.because(reason))
 
 
 def at_the_edge(draft: Draft, happenings: Happenings) -> None:
     """Who stands or walks at the edge of the road, and concerns nobody, is beside the lanes."""
-    told: list[Entity | Item | None] = [e for d in draft.dangers for e in (*d.by, *d.to)]
+    told: list[Entity | Item | None] = [*draft.causing(), *draft.suffering()]
     told += [e for s in happenings.spacings for e in (s.entity, s.reference)]
     told += happenings.ending.between if happenings.ending is not None else []
     for entity in draft.entities:
@@ -43,14 +38,14 @@ def in_one_lane(draft: Draft, happenings: Happenings) -> None:
     """On a straight road, two who collide head-on: the one that comes the other way strays."""
     ending = happenings.ending
     pair = ending.between if ending is not None and ending.kind is OutcomeKind.COLLISION else []
-    told = [e for d in draft.dangers for e in (*d.by, *d.to)]
-    for entity in pair if not any(e in told for e in pair) else []:
+    told = {*draft.causing(), *draft.suffering()}
+    for entity in pair if told.isdisjoint(pair) else []:
         oncoming = entity.approaches == {Approach.OPPOSITE} and entity.moving_vehicle
         to = [e for e in pair if e.ego]
         if oncoming and to and entity.stands is None:
             basis = entity.approach_basis or entity.basis
-            reason = "two who collide head-on are in one lane"
-            draft.hazard(HazardKind.ONCOMING_LANE, Basis(basis.i, basis.j, reason), [entity], to)
+            basis = basis.because("two who collide head-on are in one lane")
+            draft.hazard(HazardKind.ONCOMING_LANE, basis, [entity], to)
 
 
 def from_the_strip(draft: Draft, ego: Entity) -> None:
@@ -61,8 +56,7 @@ def from_the_strip(draft: Draft, ego: Entity) -> None:
         entity.parked, entity.parked_basis = True, entity.was_parked
         entity.maneuvers -= {Maneuver.STAY, Maneuver.CROSS}
         if not entity.maneuvers:
-            basis = entity.was_parked
-            entity.maneuver_basis = Basis(basis.i, basis.j, "it pulls out and drives on")
+            entity.maneuver_basis = entity.was_parked.because("it pulls out and drives on")
             entity.maneuvers = {Maneuver.STRAIGHT}
 
 
@@ -70,35 +64,25 @@ def abreast(draft: Draft, ego: Entity) -> None:
     """On a straight road, a vehicle on the left is not one that comes out of a road there."""
     along = draft.access is None and not draft.from_kerb
     for entity in draft.entities if along else []:
-        side = entity.approaches and entity.approaches <= {Approach.LEFT, Approach.RIGHT}
+        seen = entity.approaches
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers
-        if entity is ego or not side or len(entity.approaches) > 1 or not alongside:
+        sided = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT}
+        if entity is ego or not sided or not alongside or entity.pulls_out:
             continue
-        if entity.pulls_out:
+        if entity.kind is ParticipantKind.BICYCLE and off_the_road(entity, draft):
             continue
         basis = entity.approach_basis or entity.basis
-        rides = entity.kind is ParticipantKind.BICYCLE and basis.i is not None
-        words = {t.low for t in draft.tokens[basis.i or 0 : basis.j]}
-        if rides and "front" in words:
-            continue  # "a cyclist on the right front": beside the lane, not in the next one
-        if rides and draft.tokens[basis.i or 0].low == "from":
-            continue  # a cyclist comes from the right: off the pavement
-        reason = "on a straight road, who is at one's side drives in the next lane"
-        named = next(iter(entity.approaches)).value
-        entity.beside = entity.beside or (named, Basis(basis.i, basis.j, reason))
-        entity.approaches = {Approach.ADJACENT}
-        entity.approach_basis = Basis(basis.i, basis.j, reason)
+        basis = basis.because("on a straight road, who is at one's side drives in the next lane")
+        entity.beside = entity.beside or (next(iter(seen)).value, basis)
+        entity.comes_from({Approach.ADJACENT}, basis)
 
 
 def both_change_lanes(draft: Draft, ego: Entity) -> None:
     """Who changes lanes as the ego does comes from another lane."""
-    placed = {p.entity.index for p in draft.placements}
     both = Maneuver.LANE_CHANGE in ego.maneuvers
-    for entity in draft.entities:
-        if entity is ego or entity.approaches or entity.index in placed or not both:
-            continue
-        if Maneuver.LANE_CHANGE in entity.maneuvers:
-            entity.approaches = {Approach.ADJACENT}
+    for entity in draft.entities if both else []:
+        free = not entity.approaches and not draft.placements_of(entity)
+        if entity is not ego and free and Maneuver.LANE_CHANGE in entity.maneuvers:
             basis = entity.maneuver_basis or entity.basis
             reason = "who changes lanes beside the ego comes from another lane"
-            entity.approach_basis = Basis(basis.i, basis.j, reason)
+            entity.comes_from({Approach.ADJACENT}, basis.because(reason))

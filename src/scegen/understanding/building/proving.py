@@ -51,11 +51,9 @@ class Proofs:
             told |= {"text": self._text[start:end], "start": start, "end": end}
         self._found.append(Evidence.from_valid(told, _FIELDS))
 
-    def _reason(self, basis: Basis) -> str | None:
+    def _reason(self, basis: Basis) -> str:
         """Why a field has its value, misspelt words among those that it rests on included."""
-        if not self._slips:
-            return basis.reason or None
         first, end = basis.i or 0, basis.j or 0
-        slips = [self._tokens[k] for k in self._slips if first <= k < end]
+        slips = (self._tokens[k] for k in self._slips if first <= k < end)
         read = [f"'{t.text}' is read as '{t.low}'" for t in slips]
-        return "; ".join([basis.reason, *read] if basis.reason else read) or None
+        return "; ".join([basis.reason, *read] if basis.reason else read)

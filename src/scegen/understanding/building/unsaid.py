@@ -30,29 +30,22 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
     Returns:
         The maneuvers; empty where the text leaves them open.
     """
-    if entity.stands is not None and not entity.ego and _stays(entity):
+    if entity.stays and not entity.ego and not entity.parked:
         entity.maneuver_basis = entity.stands
         return {Maneuver.STAY}
     if entity.maneuvers and (entity.was_parked is not None or not entity.parked):
-        passes = any(d.kind is HazardKind.OVERTAKING and entity in d.by for d in draft.dangers)
         turns = entity.maneuvers & _TURNS
-        return turns if passes and turns else entity.maneuvers  # "overtakes, then turns right"
+        passes = turns and entity in draft.causing(HazardKind.OVERTAKING)
+        return turns if passes else entity.maneuvers  # "overtakes, then turns right"
     found = _followed(entity, junction, draft)
     if found is None:
         left = _ways_left(entity) if junction.kind is not JunctionKind.ROUNDABOUT else set()
-        basis = entity.excluded_basis
-        if left and basis is not None:
-            entity.maneuver_basis = Basis(basis.i, basis.j, "the other ways are ruled out")
+        if left and entity.excluded_basis is not None:
+            entity.maneuver_basis = entity.excluded_basis.because("the other ways are ruled out")
         return left
     maneuver, words, reason = found
-    entity.maneuver_basis = Basis(words.i, words.j, reason)
+    entity.maneuver_basis = words.because(reason)
     return {maneuver}
-
-
-def _stays(entity: Entity) -> bool:
-    """Whether one who stands at first is not said to go anywhere."""
-    goes = entity.maneuvers - {Maneuver.STAY, Maneuver.STRAIGHT}
-    return not goes and not entity.parked and entity.sets_off < 0
 
 
 def _followed(
@@ -60,8 +53,7 @@ def _followed(
 ) -> tuple[Maneuver, Basis, str] | None:
     if entity.parked:
         return Maneuver.STAY, entity.basis, "a parked vehicle stays"
-    runs = any(d.kind is HazardKind.CROSSING_ANIMAL and entity in d.by for d in draft.dangers)
-    if entity.kind in ANIMALS and not runs:
+    if entity.kind in ANIMALS and entity not in draft.causing(HazardKind.CROSSING_ANIMAL):
         return Maneuver.STAY, entity.basis, "an animal of which no more is said stands there"
     if entity.kind in ON_FOOT:
         reason = "nothing else is said: somebody on foot crosses"
@@ -71,33 +63,23 @@ def _followed(
         return Maneuver.STRAIGHT, entity.moves or Basis(), reason
     if junction.kind is JunctionKind.ROUNDABOUT:
         return None
-    crossed = _turned_across(entity, draft)
-    if crossed is not None:
-        return Maneuver.STRAIGHT, crossed, "its way is crossed: nothing says that it turns"
-    priority = _has_the_way(entity, draft)
-    if priority is not None:
-        return Maneuver.STRAIGHT, priority, "it has the way: nothing says that it turns"
     underway = entity.moves or (entity.heading_basis if entity.bound else None)
-    if entity.heading is not None and underway is not None:
-        return Maneuver.STRAIGHT, underway, "it keeps its heading: nothing says that it turns"
-    if entity.through is not None and (entity.ego or entity.claimed):
-        reason = "it drives through: nothing says that it turns"
-        return Maneuver.STRAIGHT, entity.through, reason
-    oncoming = _oncoming(entity, draft)
-    if oncoming is not None:
-        return Maneuver.STRAIGHT, oncoming, "it comes on: nothing says that it turns"
-    return _at_the_light(entity, draft)
-
-
-def _at_the_light(entity: Entity, draft: Draft) -> tuple[Maneuver, Basis, str] | None:
-    """``stands at a red light``: it stays there; who stops there goes on."""
-    stays = entity.held is not None and entity.moves is None and entity.sets_off < 0
-    stays = stays and not entity.pulls_out
-    if stays and not any(token.low == "green" for token in draft.tokens):
-        return Maneuver.STAY, entity.held or Basis(), "nothing says that it goes on"
-    if entity.waits is not None:
-        return Maneuver.STRAIGHT, entity.waits, "it waits for the light: nothing says that it turns"
-    return None
+    through = entity.through if entity.ego or entity.claimed else None
+    stays = entity.moves is None and entity.sets_off < 0 and not entity.pulls_out
+    held = entity.held if stays else None
+    if any(token.low == "green" for token in draft.tokens):
+        held = None  # "stands at a red light", and it turns green
+    for words, why in (
+        (_turned_across(entity, draft), "its way is crossed"),
+        (_has_the_way(entity, draft), "it has the way"),
+        (underway if entity.heading is not None else None, "it keeps its heading"),
+        (through, "it drives through"),
+        (_oncoming(entity, draft), "it comes on"),
+        (entity.waits if held is None else None, "it waits for the light"),
+    ):
+        if words is not None:
+            return Maneuver.STRAIGHT, words, f"{why}: nothing says that it turns"
+    return (Maneuver.STAY, held, "nothing says that it goes on") if held is not None else None
 
 
 def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
@@ -116,29 +98,17 @@ def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
 
 def _turned_across(entity: Entity, draft: Draft) -> Basis | None:
     """``turns left across the path of the van``: the van goes straight on."""
-    return next(
-        (
-            d.basis
-            for d in draft.dangers
-            if d.kind is HazardKind.UNPROTECTED_LEFT_TURN
-            and (entity in d.to or (not d.to and entity.ego and "ego" in entity.named_by))
-            and entity not in d.by
-        ),
-        None,
-    )
+    ego = entity.ego and "ego" in entity.named_by
+    across = (d for d in draft.dangers if d.kind is HazardKind.UNPROTECTED_LEFT_TURN)
+    met = (d for d in across if (entity in d.to or (not d.to and ego)) and entity not in d.by)
+    return next((d.basis for d in met), None)
 
 
 def _oncoming(entity: Entity, draft: Draft) -> Basis | None:
     """``yields to oncoming traffic``: who is called oncoming keeps coming."""
     called = not entity.ego and "opposite" in entity.dirs
-    return next(
-        (
-            p.basis
-            for p in draft.placements
-            if called and p.entity is entity and p.approaches == {Approach.OPPOSITE}
-        ),
-        None,
-    )
+    seen = [p.basis for p in draft.placements_of(entity) if p.approaches == {Approach.OPPOSITE}]
+    return seen[0] if called and seen else None
 
 
 def _ways_left(entity: Entity) -> set[Maneuver]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator
+
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.lexicon import word_list
@@ -24,6 +26,8 @@ _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardK
 _DRIVES = "an ego that stands beside the road at first is not built; it drives from the start"
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
+Placed = tuple[Entity, Entity, set[Approach], Basis]
+"""Who is where, seen from whom, by which words."""
 
 
 def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
@@ -33,7 +37,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         draft: the scenario in the making.
         crossing: whether roads meet.
     """
-    named = next((e for e in draft.entities if e.ego), None)
+    named = draft.ego
     if named is not None and "speaks" in named.named_by and not named.is_vehicle:
         _look_on(draft, named)
     elif named is not None:
@@ -43,7 +47,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         words = named.basis.i is not None
         return named, Basis(named.basis.i, named.basis.j) if words else named.basis
     vehicles = [e for e in draft.entities if e.moving_vehicle]
-    movers = [e for e in vehicles if not _stays(e)]
+    movers = [e for e in vehicles if not e.stays]
     if not movers and crossing and len(draft.entities) == len(vehicles) > 1:
         movers = vehicles  # "two cars stand at a crossroads": nobody else is there
     about = _about(vehicles, draft)
@@ -51,15 +55,12 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         about[0].ego = True
         return about
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
-    crossers = {
-        e.index for d in draft.dangers if d.kind is HazardKind.CROSSING_CYCLIST for e in d.by
-    }
-    riders = [e for e in movers if e.index not in crossers]
-    candidates = motor or riders
+    crossers = draft.causing(HazardKind.CROSSING_CYCLIST)
+    candidates = motor or [e for e in movers if e not in crossers]
     if not candidates:
         return _added(draft, "the text names no moving vehicle; a car is added as the ego")
-    last = next((e for e in candidates if _placed(draft, e, Approach.BEHIND)), None)
-    if last is not None and any(_placed(draft, e, Approach.AHEAD) for e in candidates):
+    last = next((e for e in candidates if draft.only(e, Approach.BEHIND)), None)
+    if last is not None and any(draft.only(e, Approach.AHEAD) for e in candidates):
         last.ego = True
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
     walkers = any(not e.is_vehicle for e in draft.entities)
@@ -76,12 +77,11 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
     afoot = [e for e in draft.entities if not e.is_vehicle]
-    placed = {p.entity.index for p in draft.placements if p.reference is None}
     pair = len(afoot) == len(candidates) == len(movers) == 1
-    if pair and afoot[0].index not in placed:
-        for placement in draft.placements:
+    if pair and all(p.reference for p in draft.placements_of(afoot[0])):
+        for placement in draft.placements_of(chosen):
             facing = Approach.OPPOSITE in placement.approaches  # "an approaching taxi": to nobody
-            if placement.entity is chosen and placement.reference is None and not facing:
+            if placement.reference is None and not facing:
                 placement.reference = afoot[0]
     return chosen, Basis(reason=f"the text names no ego; {reason}")
 
@@ -103,12 +103,6 @@ def _look_on(draft: Draft, teller: Entity) -> None:
             placement.reference = teller
 
 
-def _stays(entity: Entity) -> bool:
-    """``a stationary car``, ``a waiting bus``: it stands, and nothing says that it drives off."""
-    goes = entity.maneuvers - {Maneuver.STAY, Maneuver.STRAIGHT}
-    return entity.stands is not None and entity.sets_off < 0 and not goes
-
-
 def _about(vehicles: list[Entity], draft: Draft) -> tuple[Entity, Basis] | None:
     """Whom a text without an ego is about: its first word, or the party whose case it tells."""
     told = next((e for e in vehicles if _told_of(e, draft)), None)
@@ -124,7 +118,7 @@ def _told_of(entity: Entity, draft: Draft) -> bool:
     """``Vehicle is turning left at …``: the one that a text without articles begins with."""
     i, j = entity.basis.i, entity.basis.j
     first = draft.tokens[0].low if draft.tokens else ""
-    ahead = _placed(draft, entity, Approach.AHEAD)  # "Vehicle in front turns …"
+    ahead = draft.only(entity, Approach.AHEAD)  # "Vehicle in front turns …"
     return i == 0 and j == 1 and first in word_list("bare") and not ahead
 
 
@@ -134,19 +128,12 @@ def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
     return ego, Basis(reason=reason)
 
 
-def _placed(draft: Draft, entity: Entity, approach: Approach) -> bool:
-    return any(
-        p.entity is entity and p.reference is None and p.approaches == {approach}
-        for p in draft.placements
-    )
-
-
 def _met(draft: Draft, entity: Entity) -> bool:
     """``a pedestrian … and an approaching car``: it comes towards the one who is no car."""
-    if _placed(draft, entity, Approach.BEHIND):
+    if draft.only(entity, Approach.BEHIND):
         return True
     named = {t.low for t in draft.tokens[entity.basis.i or 0 : entity.basis.j or 0]}
-    return _placed(draft, entity, Approach.OPPOSITE) and "approaching" in named
+    return draft.only(entity, Approach.OPPOSITE) and "approaching" in named
 
 
 def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
@@ -155,30 +142,25 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
         return False
     after = [t.low for t in draft.tokens[entity.basis.j or 0 :][:1]]
     return (entity.basis.j is not None and after == ["ahead"]) or any(
-        p.entity is entity and p.reference is None and p.approaches <= seen
-        for p in draft.placements
+        p.reference is None and p.approaches <= seen for p in draft.placements_of(entity)
     )
 
 
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
-    placed = {p.entity.index for p in draft.placements if p.reference is None}
-    free = [e for e in candidates if e.index not in placed] or candidates
-    for danger in draft.dangers:
-        facing = facing_entry(danger, free)
-        if facing is not None:
-            return facing, "this vehicle comes towards the one that turns left"
-    sufferers = {e.index for d in draft.dangers for e in d.to}
-    for entity in free:
-        if entity.index in sufferers:
-            return entity, "this vehicle suffers a hazard"
-    causers = {e.index for d in draft.dangers for e in d.by}
-    for entity in free:
-        if entity.index not in causers and causers:
-            return entity, "this is the first vehicle that causes no hazard"
+    placed = [p.entity for p in draft.placements if p.reference is None]
+    free = [e for e in candidates if e not in placed] or candidates
+    facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
+    if facing is not None:
+        return facing, "this vehicle comes towards the one that turns left"
+    sufferers, causers = draft.suffering(), draft.causing()
+    for entity in (e for e in free if e in sufferers):
+        return entity, "this vehicle suffers a hazard"
+    for entity in (e for e in free if causers and e not in causers):
+        return entity, "this is the first vehicle that causes no hazard"
     return free[0], "this is the first vehicle"
 
 
-def facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
+def _facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
     """Who enters opposite the one that turns left, where the text fixes the arms.
 
     Args:
@@ -205,12 +187,10 @@ def relative_to(ego: str, other: str) -> set[Approach]:
     return {_SEEN[quarters]} if quarters in _SEEN else set()
 
 
-def settle_positions(
-    draft: Draft, ego: Entity
-) -> list[tuple[Entity, Entity, set[Approach], Basis]]:
+def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
     """Fills in ``approaches`` of everybody; returns the relations between others."""
     own = _own_side(draft, ego)
-    relations: list[tuple[Entity, Entity, set[Approach], Basis]] = []
+    relations: list[Placed] = []
     for placement in draft.placements:
         entity, reference, approaches = _oriented(placement, ego)
         if entity is ego:
@@ -229,13 +209,14 @@ def settle_positions(
         for entity in draft.entities:
             if entity is ego or entity.heading is None or entity.approaches:
                 continue
-            entity.approaches = relative_to(ego.heading, entity.heading)
-            basis = entity.heading_basis or Basis()
-            reason = f"headed {entity.heading}, the ego {ego.heading}"
-            entity.approach_basis = Basis(basis.i, basis.j, reason)
-            seen = ego.heading_basis or Basis()
-            entity.by_heading = Basis(seen.i, seen.j, f"the ego is headed {ego.heading}")
-    _beside(draft, ego)
+            basis, seen = entity.heading_basis or Basis(), ego.heading_basis or Basis()
+            basis = basis.because(f"headed {entity.heading}, the ego {ego.heading}")
+            entity.comes_from(relative_to(ego.heading, entity.heading), basis)
+            entity.by_heading = seen.because(f"the ego is headed {ego.heading}")
+    for entity, basis in unplaced_dangers(draft, ego, {HazardKind.CUT_IN}):
+        if entity.moving_vehicle:
+            reason = "who cuts in comes from the next lane"
+            entity.comes_from({Approach.ADJACENT}, basis.because(reason))
     _in_the_next_number(draft, ego)
     _in_file(relations)
     ego.approaches = set()
@@ -247,42 +228,36 @@ def _hidden_there(entity: Entity, other: Entity) -> bool:
     return Maneuver.CROSS in entity.maneuvers and other.still
 
 
-def _in_file(relations: list[tuple[Entity, Entity, set[Approach], Basis]]) -> None:
+def _in_file(relations: list[Placed]) -> None:
     """``a van from the left, and a bus behind it``: both come from there."""
     turned = [(b, a, {INVERSE[x] for x in s}, basis) for a, b, s, basis in relations]
     for entity, leader, approaches, basis in (*relations, *turned):
         seen = leader.approaches
-        across = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
-        farther = len(seen) == 1 and seen == approaches
-        along = approaches <= {Approach.AHEAD, Approach.BEHIND} and len(approaches) == 1
+        across = seen <= {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
+        along = len(seen) == 1 and approaches in ({Approach.AHEAD}, {Approach.BEHIND})
         free = not entity.approaches and entity.heading is None and not entity.entries
-        if along and (across or farther) and free and not entity.parked:
-            entity.approaches = set(seen)
-            entity.approach_basis = Basis(basis.i, basis.j, "it is in one file with another")
+        if along and (across or seen == approaches) and free and not entity.parked:
+            entity.comes_from(set(seen), basis.because("it is in one file with another"))
 
 
 def _against_the_ego(draft: Draft, ego: Entity) -> None:
     """``while the ego comes from the opposite direction``, ``I'm right alongside``: of whom?"""
-    said = [
-        p
-        for p in draft.placements
-        if p.entity is ego and p.reference is None and p.approaches <= _SEEN_BACK
-    ]
+    placed = draft.placements_of(ego)
+    said = [p for p in placed if p.reference is None and p.approaches <= _SEEN_BACK]
     others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
     if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
         allow(others[0], {INVERSE[a] for a in said[0].approaches}, said[0].basis)
 
 
-def _beside(draft: Draft, ego: Entity) -> None:
-    """Who cuts in on the ego comes from the next lane, if nothing else is said."""
+def unplaced_dangers(
+    draft: Draft, ego: Entity, kinds: Collection[HazardKind]
+) -> Iterator[tuple[Entity, Basis]]:
+    """Who endangers the ego in one of some ways and is nowhere yet, with the words for that."""
     for danger in draft.dangers:
-        if danger.kind is not HazardKind.CUT_IN or (danger.to and ego not in danger.to):
-            continue
-        for entity in danger.by:
-            if entity is not ego and not entity.approaches and entity.moving_vehicle:
-                entity.approaches = {Approach.ADJACENT}
-                reason = "who cuts in comes from the next lane"
-                entity.approach_basis = Basis(danger.basis.i, danger.basis.j, reason)
+        if danger.kind in kinds and (not danger.to or ego in danger.to):
+            for entity in danger.by:
+                if entity is not ego and not entity.approaches:
+                    yield entity, danger.basis
 
 
 def _in_the_next_number(draft: Draft, ego: Entity) -> None:
@@ -290,18 +265,15 @@ def _in_the_next_number(draft: Draft, ego: Entity) -> None:
     for entity in [e for e in draft.entities if e.lane is not None and e is not ego]:
         away = abs((entity.lane or 0) - ego.lane) if ego.lane is not None else None
         if not entity.approaches and away == 1:
-            entity.approaches, entity.approach_basis = {Approach.ADJACENT}, entity.lane_basis
+            entity.comes_from({Approach.ADJACENT}, entity.lane_basis)
 
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
     """The side that an observer gives for the ego itself ("one car from the left, …")."""
     if "ego" in ego.named_by:
         return None  # what is said of its place is not a view from outside
-    for placement in draft.placements:
-        if placement.entity is ego and placement.reference is None:
-            side = next(iter(placement.approaches))
-            return side if len(placement.approaches) == 1 and side in _FRAME else None
-    return None
+    said = next((p.approaches for p in draft.placements_of(ego) if p.reference is None), set())
+    return next(iter(said)) if len(said) == 1 and said <= _FRAME.keys() else None
 
 
 def _reframed(own: Approach, approaches: set[Approach]) -> set[Approach]:

@@ -28,7 +28,8 @@ class AmountFrame:
 
 
 @cache
-def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
+def read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
+    """What a file of this package holds."""
     text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
     return parse(text, where=f"{name}.yaml")
 
@@ -36,28 +37,19 @@ def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to fi
 @lru_cache(maxsize=1)
 def amounts() -> tuple[AmountFrame, ...]:
     """All rows of what numbers mean, in their order."""
-    return tuple(
-        AmountFrame(
-            dimension=row["dimension"],
-            role=row["role"],
-            named=tuple(row.get("named", ())),
-            before=tuple(row.get("before", ())),
-            next=tuple(row.get("next", ())),
-            near=tuple(row.get("near", ())),
-            verb=frozenset(row.get("verb", ())),
-            unless=tuple(row.get("unless", ())),
-            most=row.get("most"),
-            instead=row.get("instead"),
-        )
-        for row in _read("amounts")
-    )
+    return tuple(map(_frame, read("amounts")))
+
+
+def _frame(row: dict[str, Any]) -> AmountFrame:
+    told = {name: tuple(said) if isinstance(said, list) else said for name, said in row.items()}
+    return AmountFrame(**told | {"verb": frozenset(row.get("verb", ()))})
 
 
 @lru_cache(maxsize=1)
 def acts() -> dict[str, ActKind]:
     """Verb -> the act that it is, or mostly is."""
     found: dict[str, ActKind] = {}
-    for row in _read("acts")["done"]:
+    for row in read("acts")["done"]:
         name, *verbs = row["if"][0].split()
         if name == "event" and "act" in row:
             found = dict.fromkeys(verbs, ActKind(row["act"])) | found
@@ -67,14 +59,5 @@ def acts() -> dict[str, ActKind]:
 @lru_cache(maxsize=1)
 def always_acts() -> frozenset[str]:
     """The verbs that no way says already: what they tell of is an act, or is not there at all."""
-    told = (r["if"][0].split() for r in _read("acts")["done"] if "always" in r)
+    told = (r["if"][0].split() for r in read("acts")["done"] if "always" in r)
     return frozenset(verb for name, *verbs in told if name == "event" for verb in verbs)
-
-
-@lru_cache(maxsize=1)
-def words() -> dict[str, tuple[str, ...]]:
-    """Named lists of phrases, the longest first."""
-    return {
-        name: tuple(sorted(phrases, key=len, reverse=True))
-        for name, phrases in _read("words").items()
-    }

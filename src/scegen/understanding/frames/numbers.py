@@ -14,21 +14,10 @@ from scegen.understanding.words.tokens import Token
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """A number with its unit, the words around it, and what they make of it."""
+    """The words around a number, and what they make of it."""
 
-    quantity: Quantity
     around: Window
     frame: AmountFrame
-
-    @property
-    def i(self) -> int:
-        """Index of its first token."""
-        return self.quantity.i
-
-    @property
-    def j(self) -> int:
-        """Index after its last token."""
-        return self.quantity.j
 
 
 class Numbers:
@@ -66,7 +55,5 @@ class Numbers:
         if quantity.j in self._behind:  # "20 m after the lead", "1.9 s astern"
             rest = around.after.split()[self._behind[quantity.j] :]
             around = replace(around, after=f" {' '.join(['behind', *rest])} ")
-        low = quantity.value.low
-        return Measured(
-            quantity, around, frame_of(quantity.dimension, low, around, frozenset([verb, *lemma]))
-        )
+        low, verbs = quantity.value.low, frozenset([verb, *lemma])
+        return Measured(around, frame_of(quantity.dimension, low, around, verbs))

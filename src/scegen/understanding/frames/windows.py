@@ -3,32 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
-from scegen.understanding.frames.loader import AmountFrame, amounts, words
+from scegen.understanding.frames.loader import AmountFrame, amounts
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import longest_match
 from scegen.understanding.words.tokens import Token
 
 _REACH = 13
 _BETWEEN = 3
-_JOINTS = frozenset({"while", "when", "which", "who", "that", "but", "and", "where", "because"})
-_HEADS = frozenset({"collision", "gap", "distance", "headway", "ttc", "spacing", "overlap"})
-"""Nouns of a measure: a clause between one and its number says when."""
-_CLOSE = frozenset({"to", "by", "for", "in", "over", "at", "with", "after", "within",
-                    "from", "only", "just", "following",
-                    "no", "without", "never", "neither", "nor", "not", "n't"})  # fmt: skip
-"""Words that mean something only right before the number."""
-_FURTHER = frozenset({"with", "at", "by"})
-"""Words that begin another statement after a number."""
-_FILLERS = frozenset({"a", "an", "the", "about", "around", "only", "just", "some", "roughly",
-                      "approximately", "constant", "steady", "speed", "of", "exactly", "approx",
-                      "up", "further", "another", "clear", "well", "almost", "nearly", "than",
-                      "less", "more", "under", "over", "below", "above", "least", "most",
-                      })  # fmt: skip
-_LINKS = _FILLERS | {"is", "are", "was", "were", "be", "being", "to", "amounts", "amount", "equals",
-                     "value", "this", "here", "in", "road", "street", "bend", "curve", "turn",
-                     "on", "there", "set", "down", "limited", "reduced", "restricted", "drops",
-                     "falls"}  # fmt: skip
-"""Words between the name of a measure and its number."""
+
+
+@cache
+def _any_of(*names: str) -> frozenset[str]:
+    """The words of some lists."""
+    return frozenset(word for name in names for word in word_list(name))
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +52,9 @@ class Window:
     def _linked(self, name: str) -> bool:
         """Whether the name of a measure stands before, with nothing but small words between."""
         at = self.before.rfind(f" {name} ")
-        return at >= 0 and _LINKS.issuperset(self.before[at + len(name) + 2 :].split())
+        return at >= 0 and _any_of("fillers", "links").issuperset(
+            self.before[at + len(name) + 2 :].split()
+        )
 
     def _near(self, phrase: str) -> bool:
         return f" {phrase} " in self.before or f" {phrase} " in self.after
@@ -77,25 +68,25 @@ class Window:
         at = self.before.rfind(f" {phrase} ")
         if at < 0:
             return False
-        if phrase.split(maxsplit=1)[0] not in _CLOSE:
+        if phrase.split(maxsplit=1)[0] not in _any_of("only_before"):
             return True
-        return set(self.before[at + len(phrase) + 2 :].split()) <= _FILLERS
+        return _any_of("fillers").issuperset(self.before[at + len(phrase) + 2 :].split())
 
     def opens(self, name: str) -> bool:
         """Whether what follows begins with a phrase of a list.
 
         Args:
-            name: of the list in ``words.yaml``.
+            name: of the list in the lexicon.
         """
-        return any(self.after.startswith(f" {p} ") for p in words()[name])
+        return any(self.after.startswith(f" {p} ") for p in word_list(name))
 
     def closes(self, name: str) -> bool:
         """Whether what stands before ends with a phrase of a list.
 
         Args:
-            name: of the list in ``words.yaml``.
+            name: of the list in the lexicon.
         """
-        return any(self.before.endswith(f" {p} ") for p in words()[name])
+        return any(self.before.endswith(f" {p} ") for p in word_list(name))
 
 
 def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
@@ -121,7 +112,7 @@ def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:
         for end, begin in ends.items():
             between = {t.low for t in tokens[j + 1 : begin]}
             alike = tokens[end - 1].low == tokens[j - 1].low and 0 <= begin - j - 1 <= _BETWEEN
-            if alike and not between & (_CLOSE | _JOINTS | {"of"}):
+            if alike and not between & {"of", *_any_of("only_before", "clause_words")}:
                 return end
     return j
 
@@ -129,7 +120,7 @@ def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:
 def _opens_aside(tokens: list[Token], i: int) -> bool:
     """``three lengths, roughly 50 feet, behind a car``: whether a comma stands before it."""
     k = i - 1
-    while k >= 0 and tokens[k].low in _FILLERS:
+    while k >= 0 and tokens[k].low in _any_of("fillers"):
         k -= 1
     return k >= 0 and tokens[k].low == ","
 
@@ -148,13 +139,13 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
         if opened is not None:  # "behind a van (70 km/h) at 1.8 s"
             k = opened - 1
             continue
-        if token.low in {"(", ":"} and _FILLERS.issuperset(found):
+        if token.low in {"(", ":"} and _any_of("fillers").issuperset(found):
             k -= 1
             continue
-        measured = k > 0 and token.low == "when" and tokens[k - 1].low in _HEADS
+        measured = k > 0 and token.low == "when" and tokens[k - 1].low in _any_of("gauged")
         if token.kind in {"punct", "number"} or k + 1 in ends:
             break
-        if token.low in _JOINTS and not measured:
+        if token.low in _any_of("clause_words") and not measured:
             break
         found.insert(0, token.low)
         k -= 1
@@ -175,7 +166,7 @@ def _both_ends(tokens: list[Token], k: int) -> int | None:
     for b in range(k - 1, max(-1, k - _REACH), -1):
         if tokens[b].low == "between":
             return b
-        if tokens[b].kind in {"punct", "number"} or tokens[b].low in _JOINTS:
+        if tokens[b].kind in {"punct", "number"} or tokens[b].low in _any_of("clause_words"):
             break
     return None
 
@@ -190,7 +181,7 @@ def _after(tokens: list[Token], j: int) -> str:
     found: list[str] = []
     while k < len(tokens) and len(found) < _REACH:
         token = tokens[k]
-        if token.kind in {"punct", "number"} or token.low in _JOINTS | _FURTHER:
+        if token.kind in {"punct", "number"} or token.low in _any_of("clause_words", "further"):
             break
         found += [token.low] if token.kind != "clitic" or found else []  # "2 seconds' distance"
         k += 1

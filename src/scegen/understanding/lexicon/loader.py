@@ -128,10 +128,10 @@ def _lists() -> dict[str, frozenset[str]]:
     Raises:
         TypeError: names a word that YAML takes for a truth value or a number.
     """
-    lists = _read("lists")
+    lists: dict[str, list[str]] = _read("lists") | _read("around_numbers")
     for name, words in lists.items():
         if not all(isinstance(word, str) for word in words):
-            msg = f"lists.yaml: what stands in {name!r} must be quoted"
+            msg = f"lists of words: what stands in {name!r} must be quoted"
             raise TypeError(msg)
     return {name: frozenset(words) for name, words in lists.items()}
 

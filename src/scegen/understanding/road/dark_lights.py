@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
@@ -25,9 +27,7 @@ def out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
     for count in (2, 3):
         if " ".join(before[-count:]) in {*word_list("switched_off"), "non working"}:
             return Basis(i - count, j)
-    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
-    ends = [m for m, word in enumerate(after) if word in _CLAUSES]
-    after = after[: ends[0]] if ends else after
+    after = _rest_of_clause(j, tokens)
     for m, word in enumerate(after):
         something_else = bool(m) and after[m - 1] in {"a", "an", "the"}
         if m < _BROKEN_NEAR and word in word_list("broken") and not something_else:
@@ -50,8 +50,12 @@ def flashing(term: Term, tokens: list[Token], colours: frozenset[str]) -> Basis 
     i, j, words = term.i, term.j, word_list("flashing")
     if i and tokens[i - 1].low in words and colours & {t.low for t in tokens[i:j]}:
         return Basis(i - 1, j)
-    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
-    ends = next((m for m, word in enumerate(after) if word in _CLAUSES), len(after))
-    flashes = (m for m, word in enumerate(after[: ends - 1]) if word in words)
+    after = _rest_of_clause(j, tokens)
+    flashes = (m for m, word in enumerate(after[:-1]) if word in words)
     m = next((m for m in flashes if after[m + 1] in colours), None)
     return Basis(i, j + m + 2) if m is not None else None
+
+
+def _rest_of_clause(j: int, tokens: list[Token]) -> list[str]:
+    after = [t.low for t in tokens[j : j + _BROKEN_REACH]]
+    return list(takewhile(lambda word: word not in _CLAUSES, after))

@@ -234,7 +234,7 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
     elif number.value == "vague":
         reason = f"several exits without a number are read as {_ASSUMED_EXITS}"
-        reading.arms, reading.arms_basis = _ASSUMED_EXITS, Basis(basis.i, basis.j, reason)
+        reading.arms, reading.arms_basis = _ASSUMED_EXITS, basis.because(reason)
     reading.named = reading.named or basis
 
 

@@ -26,10 +26,8 @@ class Lengthwise:
         median: those words name a median.
         strips: what lies beside its lanes, with the words for it.
         without: strips that the text says are not there, with the words for it.
-        bend: the bend that is driven.
-        bend_basis: the words for it.
-        auxiliary: a ramp, or a lane that ends.
-        auxiliary_basis: the words for it.
+        bend: the bend that is driven, with the words for it.
+        auxiliary: a ramp, or a lane that ends, with the words for it.
         crosswalk_basis: the words for a marked crosswalk.
     """
 
@@ -39,10 +37,8 @@ class Lengthwise:
     median: bool = False
     strips: dict[Strip, Basis] = field(default_factory=dict)
     without: dict[Strip, Basis] = field(default_factory=dict)
-    bend: Bend | None = None
-    bend_basis: Basis | None = None
-    auxiliary: AuxiliaryLane | None = None
-    auxiliary_basis: Basis | None = None
+    bend: tuple[Bend, Basis] | None = None
+    auxiliary: tuple[AuxiliaryLane, Basis] | None = None
     crosswalk_basis: Basis | None = None
 
 
@@ -65,16 +61,13 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
             found.carriageway_basis, found.presumed = basis, presumed
             found.median = "median" in term.data
         if "auxiliary" in term.data and found.auxiliary is None:
-            found.auxiliary = AuxiliaryLane(term.data["auxiliary"])
-            found.auxiliary_basis = basis
+            found.auxiliary = AuxiliaryLane(term.data["auxiliary"]), basis
         if term.value == "bend" and found.bend is None:
-            found.bend, found.bend_basis = _bend(term), basis
+            found.bend = _bend(term), basis
         if "marked" in term.data and not absent.away_from(terms, k):
             found.crosswalk_basis = found.crosswalk_basis or basis
         if "strip" in term.data:
-            strip = Strip(term.data["strip"])
-            if strip not in found.strips:
-                found.strips[strip] = basis
+            found.strips.setdefault(Strip(term.data["strip"]), basis)
     return found
 
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from scegen.errors import InfeasibleError
-from scegen.scenario.functional import MAX_LANES, Environment
-from scegen.scenario.vocabulary import DrivingSide, RoadSurface, TimeOfDay, Visibility, Weather
+from scegen.scenario.functional import MAX_LANES
+from scegen.scenario.vocabulary import DrivingSide
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.measures import last_of, role_of, value_of
@@ -27,62 +28,28 @@ class Surroundings:
     """Conditions with the words that they rest on.
 
     Attributes:
-        values: field of the environment -> value.
-        amounts: field of the environment -> number (friction, visual range in m).
-        bases: field -> words.
-        speed_limit_mps: the limit, if one is given.
-        limit_basis: its words.
-        limit_term: the quantity used, so that it is not read as somebody's speed.
-        sight_term: the quantity that says how far one sees, likewise nobody's distance.
+        conditions: field of the environment -> value and words.
+        road: field of the junction for how fast, how wide or how long -> number and words.
+        measured: the numbers that say so, which are nobody's speed and nobody's distance.
         lanes: lanes per direction.
         lanes_basis: the words or the reason.
         lanes_in_all: what the text counts, where it seems to count both directions together.
-        lane_width_m: how wide its lanes are.
-        lane_width_basis: the words for it.
-        auxiliary_length_m: how long a ramp's lane is, or one that ends.
-        auxiliary_length_basis: the words for it.
-        width_terms: the quantities that say so.
         side: driving side.
         side_basis: its words.
+        highway: the words for a road with several lanes each way.
         two_lane: the words "two lanes" without "per direction": those of a roundabout's ring.
     """
 
-    values: dict[str, str] = field(default_factory=dict)
-    amounts: dict[str, float] = field(default_factory=dict)
-    bases: dict[str, Basis] = field(default_factory=dict)
-    speed_limit_mps: float | None = None
-    limit_basis: Basis | None = None
-    limit_term: Term | None = None
-    sight_term: Term | None = None
+    conditions: dict[str, tuple[Any, Basis]] = field(default_factory=dict)
+    road: dict[str, tuple[float, Basis]] = field(default_factory=dict)
+    measured: list[Term] = field(default_factory=list)
     lanes: int | None = None
     lanes_basis: Basis | None = None
     lanes_in_all: int | None = None
-    lane_width_m: float | None = None
-    lane_width_basis: Basis | None = None
-    auxiliary_length_m: float | None = None
-    auxiliary_length_basis: Basis | None = None
-    width_terms: list[Term] = field(default_factory=list)
     side: DrivingSide | None = None
     side_basis: Basis | None = None
     highway: Basis | None = None
     two_lane: Basis | None = None
-
-    @property
-    def measured(self) -> list[Term]:
-        """Quantities of the road, and of nobody on it."""
-        found = (self.limit_term, self.sight_term)
-        return [*(t for t in found if t is not None), *self.width_terms]
-
-    def environment(self) -> Environment:
-        """The environment of the scenario."""
-        values = self.values
-        return Environment(
-            weather=Weather(values["weather"]) if "weather" in values else None,
-            time_of_day=TimeOfDay(values["time_of_day"]) if "time_of_day" in values else None,
-            road_surface=RoadSurface(values["road_surface"]) if "road_surface" in values else None,
-            visibility=Visibility(values["visibility"]) if "visibility" in values else None,
-            **self.amounts,
-        )
 
 
 def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
@@ -95,8 +62,7 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
     for k, term in enumerate(terms):
         basis = Basis(term.i, term.j)
         if term.cat == "env":
-            found.values.setdefault(term.data["field"], term.value)
-            found.bases.setdefault(term.data["field"], basis)
+            found.conditions.setdefault(term.data["field"], (term.value, basis))
         elif term.cat == "side" and found.side is None:
             found.side, found.side_basis = DrivingSide(term.value), basis
         elif term.cat in {"quantity", "num"} and _measured(found, terms, k, tokens):
@@ -121,11 +87,11 @@ def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token
     elif role in _CONDITIONS:
         _conditions(found, terms, k, role)
     elif (width := lane_width_m(terms, k, tokens)) is not None:
-        found.lane_width_m, found.lane_width_basis = width, basis
-        found.width_terms.append(term)
+        found.road["lane_width_m"] = width, basis
+        found.measured.append(term)
     elif (length := auxiliary_length_m(terms, k, tokens)) is not None:
-        found.auxiliary_length_m, found.auxiliary_length_basis = length, basis
-        found.width_terms.append(term)
+        found.road["auxiliary_length_m"] = length, basis
+        found.measured.append(term)
     else:
         return False
     return True
@@ -134,7 +100,7 @@ def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token
 def _limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:
     """``a limit of 70 km/h``; ``a 30 zone`` in the unit of the other speeds, else km/h."""
     number, value = terms[k], value_of(terms, k).high
-    if found.speed_limit_mps is not None:
+    if "speed_limit_mps" in found.road:
         return
     around = terms[max(0, k - _LIMIT_REACH) : k + _LIMIT_REACH]
     near = [t for t in around if t.cat == "limit" or "pace" in t.data]
@@ -148,9 +114,8 @@ def _limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
         value, reason = speed_mps(value, unit), f"no unit is given; {unit} is taken"
     elif not 0 < value <= _FASTEST_MPS:
         return
-    found.speed_limit_mps = value
-    found.limit_basis = Basis(span[0].i, span[-1].j, reason)
-    found.limit_term = number if number.cat == "quantity" else None
+    found.road["speed_limit_mps"] = value, Basis(span[0].i, span[-1].j, reason)
+    found.measured.append(number)
 
 
 def _conditions(found: Surroundings, terms: list[Term], k: int, role: str) -> None:
@@ -160,17 +125,16 @@ def _conditions(found: Surroundings, terms: list[Term], k: int, role: str) -> No
     if not 0 < value.high <= most:
         return
     reason = "the middle of the range" if value.low < value.high else None
-    found.amounts[name] = value.middle
-    found.bases[name] = Basis(terms[k].i, last_of(terms, k).j, reason)
+    basis = Basis(terms[k].i, last_of(terms, k).j, reason)
+    found.conditions[name] = value.middle, basis
     if role == "sight":
-        found.sight_term = terms[k]
+        found.measured.append(terms[k])
 
 
 def _two_lanes(found: Surroundings, term: Term, tokens: list[Token]) -> None:
     """``two lanes per direction``; on a plain road "two lanes" are one for each direction."""
     basis = Basis(term.i, term.j)
-    after = [t.low for t in tokens[term.j : term.j + 4]]
-    if "direction" in after or "way" in after or "approach" in after:
+    if {"direction", "way", "approach"} & {t.low for t in tokens[term.j : term.j + 4]}:
         found.lanes, found.lanes_basis = 2, basis
     found.two_lane = found.two_lane or basis
 
@@ -181,13 +145,9 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     noun = next((t for t in terms[k + 1 : k + 3] if t.cat == "place"), None)
     if noun is None:
         return
-    words = [t.low for t in tokens[noun.i : noun.j]]
-    if noun.value == "lane":
-        after = [t.low for t in tokens[noun.j : noun.j + 4]]
-        each_way = "direction" in after or "way" in after
-    elif words[0] == "lane":
-        each_way = False
-    else:
+    after = {t.low for t in tokens[noun.j : noun.j + 4]}
+    each_way = noun.value == "lane" and bool(after & {"direction", "way"})
+    if noun.value != "lane" and tokens[noun.i].low != "lane":
         return
     count = int(min(number.data["number"], 99))
     if count == 1 and {t.low for t in tokens[noun.j : noun.j + 3]} & word_list("lanes_aside"):
@@ -200,11 +160,10 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     if lanes > MAX_LANES:
         msg = f"a road with {lanes} lanes a direction is not built: at most {MAX_LANES}"
         raise InfeasibleError(msg, where="junction.lanes", hint="Say fewer, or no number.")
-    basis = Basis(number.i, noun.j)
+    found.lanes, found.lanes_basis = lanes, Basis(number.i, noun.j)
     if not each_way:
-        basis = Basis(basis.i, basis.j, f"{count} lanes in both directions together")
         found.lanes_in_all = count
-    found.lanes, found.lanes_basis = lanes, basis
+        found.lanes_basis = found.lanes_basis.because(f"{count} lanes in both directions together")
 
 
 def _one_way(after: list[Term], count: int, tokens: list[Token]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.chunks import Mention, Place, Prep
@@ -16,24 +16,23 @@ _WAYS = frozenset({"road", "highway", "side", "shoulder", "lane", "centerline", 
                    "bike_lane"})  # fmt: skip
 
 
-def keep_along(clause: Clause, context: Context) -> bool:
-    """``walks along the road``, ``runs down the street``, ``on the pavement``: not across.
-
-    Returns:
-        Whether that is said.
-    """
+def _keeps_along(clause: Clause, context: Context) -> bool:
+    """``walks along the road``, ``runs down the street``, ``on the pavement``: not across."""
     event = clause.event
-    words = {context.tokens[p.word.i].low for p in event.pps}
-    words |= {context.tokens[m.j - 1].low for m in event.dirs}  # "straight across"
-    left = {id(p.target) for p in event.pps if context.tokens[p.word.i].low in _LEAVING}
-    aside = any(p.kind == "sidewalk" and id(p) not in left for p in clause.places())
-    along = event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps)
+    opening = {id(p): context.tokens[p.word.i].low for p in event.pps}
+    left = [p.target for p in event.pps if opening[id(p)] in _LEAVING]
+    aside = any(p.kind == "sidewalk" and all(p is not n for n in left) for p in clause.places())
+    walks = event.name == "walk"
     free = not any(Maneuver.CROSS in e.maneuvers for e in clause.walkers)
-    along = along or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
-    along = along or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
-    along = along or (event.name == "walk" and _ahead_in_a_lane(event.pps, context))
-    along = along or (free and event.name == "walk" and _the_same_way(clause, context))
-    return aside or (along and not words & word_list("across"))
+    along = (
+        (event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps))
+        or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
+        or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
+        or (walks and _ahead_in_a_lane(event.pps, context))
+        or (walks and free and _the_same_way(clause, context))
+    )
+    words = {*opening.values(), *(context.tokens[m.j - 1].low for m in event.dirs)}
+    return aside or (along and words.isdisjoint(word_list("across")))  # "straight across"
 
 
 def _ahead_in_a_lane(preps: list[Prep], context: Context) -> bool:
@@ -45,27 +44,18 @@ def _ahead_in_a_lane(preps: list[Prep], context: Context) -> bool:
     return ahead and within and not sided
 
 
-def _after(clause: Clause, context: Context) -> str:
-    """The words after the verb, to the end of its clause."""
-    after = context.tokens[clause.event.i : clause.event.i + _REACH]
-    end = next((k for k, t in enumerate(after) if t.low in {".", ";"}), len(after))
-    return f" {' '.join(t.low for t in after[:end])} "
-
-
-def _heads_towards(clause: Clause, context: Context) -> bool:
-    words = _after(clause, context)
-    return any(f" {w} " in words for w in word_list("facing"))
-
-
-def _heads_with(clause: Clause, context: Context) -> bool:
-    words = _after(clause, context)
-    return any(f" {w} " in words for w in word_list("with_the_traffic"))
-
-
 def _the_same_way(clause: Clause, context: Context) -> bool:
     """``runs ahead of the ego on the right, the same way``."""
-    words = _after(clause, context)
-    return any(f" {w} " in words for w in word_list("with_the_traffic") if w.startswith("same"))
+    ways = (w for w in word_list("with_the_traffic") if w.startswith("same"))
+    return _says(clause, context, ways)
+
+
+def _says(clause: Clause, context: Context, phrases: Iterable[str]) -> bool:
+    """Whether one of some phrases stands after the verb, before the end of its clause."""
+    after = context.lows(clause.event.i, clause.event.i + _REACH)
+    end = next((k for k, word in enumerate(after) if word in {".", ";"}), len(after))
+    words = f" {' '.join(after[:end])} "
+    return any(f" {phrase} " in words for phrase in phrases)
 
 
 def _from_or_to_a_vehicle(prep: Prep, context: Context) -> bool:
@@ -87,8 +77,8 @@ def _lengthwise(prep: Prep, context: Context) -> bool:
 
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
-    "keeps_along": keep_along,
-    "heads_towards": _heads_towards,
-    "heads_with": _heads_with,
+    "keeps_along": _keeps_along,
+    "heads_towards": lambda clause, c: _says(clause, c, word_list("facing")),
+    "heads_with": lambda clause, c: _says(clause, c, word_list("with_the_traffic")),
 }
 """Words of conditions that ask for a way along the road."""

@@ -56,7 +56,8 @@ def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     if prep in word_list("past") and {"front", "rear"} & set(dirs):
         return frozenset()  # "runs around its front": past it, not there
     sides = {SIDES[d] for d in dirs if d in SIDES}
-    if place.kind == "direction" and any(m.cat == "det" and m.value == "other" for m in place.mods):
+    other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
+    if place.kind == "direction" and other:
         return BY_DIR["opposite"]
     if place.kind in {"lane", "bike_lane"}:
         if "opposite" in dirs:
@@ -70,7 +71,6 @@ def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     if "front" in dirs:
         return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
     if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
-        other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
         return BY_DIR["opposite" if other else "lateral"]
     if "same" in dirs and prep != "from":
         return frozenset()  # "in the same direction" is the way of those on one road anyway

@@ -8,8 +8,8 @@
   the verb or a preposition; ``mod``: before or after it; ``ends``; ``said``: all its lemmas;
   where a list of the lexicon stands for words, it is called ``@NAME``;
 * ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``how VALUE…``: manner;
-* of a number: ``opens LIST``, ``closes LIST``: so begins what stands behind it, ends what stands
-  before; ``led WORD…``: one of them leads up to it; ``opened WORD…``: its part of the sentence;
+* of a number: ``opens @NAME``, ``closes @NAME``: so begins what stands behind it, ends what stands
+  before; ``led WORD…``: one of them leads up to it;
 * ``least|below FIELD NUMBER``: a number says that of it, or every one does (SI units);
 * ``control``, ``junction``; ``danger KIND…``: there is one; or a word of `FACTS`.
 
@@ -18,39 +18,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from enum import StrEnum
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
-from scegen.understanding.semantics import (
-    along,
-    doing,
-    lanes,
-    met,
-    of_numbers,
-    owed,
-    patterns,
-    seen,
-    ways,
-)
+from scegen.understanding.frames.windows import Window
+from scegen.understanding.semantics import along, doing, lanes, met, owed, patterns, seen, ways
 from scegen.understanding.semantics.contact import goal_of_contact
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rewriting import passes_round
 from scegen.understanding.semantics.values import alike
 from scegen.understanding.semantics.who import entity, who
+from scegen.understanding.words.tokens import base_words
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
+Kind: TypeAlias = Callable[[str], Test]
 _SOON = 5
 
+_OF_THE_VERB = ("modal", "nominal", "passive", "perfect", "negated", "late", "unable")
+
+
+def _is(name: str) -> Test:
+    return lambda clause, _: bool(getattr(clause.event, name))
+
+
 FACTS: dict[str, Test] = {
+    **{name: _is(name) for name in _OF_THE_VERB},
     "reaction": lambda clause, _: clause.reaction,
-    "modal": lambda clause, _: clause.event.modal,
-    "nominal": lambda clause, _: clause.event.nominal,
-    "passive": lambda clause, _: clause.event.passive,
-    "perfect": lambda clause, _: clause.event.perfect,
-    "negated": lambda clause, _: clause.event.negated,
-    "late": lambda clause, _: clause.event.late,
-    "unable": lambda clause, _: clause.event.unable,
     "sudden": lambda clause, _: clause.sudden is not None,
     "premodifier": lambda clause, _: clause.event.premod_of is not None,
     "subject": lambda clause, _: bool(clause.event.subject),
@@ -96,138 +91,45 @@ FACTS: dict[str, Test] = {
 }
 
 
-def _path(rest: str) -> Test:
-    find = patterns.phrases(rest)
-    return lambda clause, c: bool(find(clause, c))
+def _among(found: Callable[[Clause, Context], Iterable[str | None]]) -> Kind:
+    """Whether one of some words of a clause is named, or in a list of the lexicon ("@gently")."""
+
+    def kind(rest: str) -> Test:
+        words = patterns.listed(rest)
+        return lambda clause, context: not words.isdisjoint(found(clause, context))
+
+    return kind
 
 
-def _at(rest: str) -> Test:
-    test = patterns.noun(rest.split())
-    return lambda clause, c: any(test(p, c) for p in clause.places())
+def _fits(nouns: Callable[[Clause], Iterable[object]]) -> Kind:
+    """Whether one of some nouns of a clause fits a pattern."""
+
+    def kind(rest: str) -> Test:
+        test = patterns.noun(rest.split())
+        return lambda clause, context: any(test(noun, context) for noun in nouns(clause))
+
+    return kind
 
 
-def _noun(rest: str) -> Test:
-    test = patterns.noun(rest.split())
-    return lambda clause, c: any(test(m, c) for m in clause.event.subject)
+def _one_of(kinds: type[StrEnum], held: Callable[[Context], Iterable[object]]) -> Kind:
+    """Whether the scenario holds one of some words of the vocabulary."""
+
+    def kind(rest: str) -> Test:
+        named = frozenset(kinds(word) for word in rest.split())
+        return lambda _, context: not named.isdisjoint(held(context))
+
+    return kind
 
 
-def _object(rest: str) -> Test:
-    test = patterns.noun(rest.split())
-    return lambda clause, c: test(clause.event.object, c)
+def _each(judge: Callable[[Iterable[bool]], bool]) -> Kind:
+    """``WHO is WORD``: of whom something holds."""
 
+    def kind(rest: str) -> Test:
+        left, _, word = rest.rpartition(" is ")
+        find, test = who(left), entity(word)
+        return lambda clause, context: judge(test(e, context) for e in find(clause, context))
 
-def _goal(rest: str) -> Test:
-    test = patterns.noun(rest.split())
-    return lambda clause, c: test(lanes.into_lane(clause.event), c)
-
-
-def _ends(rest: str) -> Test:
-    return lambda clause, c: c.tokens[clause.event.j - 1].low == rest
-
-
-def _before(rest: str) -> Test:
-    words = patterns.listed(rest)
-    return lambda clause, c: clause.event.i > 0 and c.tokens[clause.event.i - 1].low in words
-
-
-def _next(rest: str) -> Test:
-    words = patterns.listed(rest)
-    return lambda clause, c: (
-        not words.isdisjoint([t.low for t in c.tokens[clause.event.j : clause.event.j + 1]])
-    )
-
-
-def _soon(rest: str) -> Test:
-    words = patterns.listed(rest)
-    return lambda clause, c: (
-        not words.isdisjoint([t.low for t in c.tokens[clause.event.j : clause.event.j + _SOON]])
-    )
-
-
-def _said(rest: str) -> Test:
-    forms = rest.split()
-    return lambda clause, c: (
-        [t.forms[-1][0] for t in c.tokens[clause.event.i : clause.event.j]] == forms
-    )
-
-
-def _via(rest: str) -> Test:
-    words, own = patterns.listed(rest), _own(rest)
-    return lambda clause, c: (
-        own(clause, c) or any(c.tokens[p.word.i].low in words for p in clause.event.pps)
-    )
-
-
-def _over(rest: str) -> Test:
-    own, direct, phrase = _own("across over"), _object(rest), _path(f"=across|=over {rest}")
-    return lambda clause, c: (own(clause, c) and direct(clause, c)) or phrase(clause, c)
-
-
-def _how(rest: str) -> Test:
-    values = rest.split()
-    return lambda clause, _: clause.event.how(*values) is not None
-
-
-def _own(rest: str) -> Test:
-    words = patterns.listed(rest)
-    return lambda clause, c: (
-        not words.isdisjoint([t.low for t in c.tokens[clause.event.i : clause.event.j]])
-    )
-
-
-def _mod(rest: str) -> Test:
-    words = patterns.listed(rest)
-    return lambda clause, c: (
-        not words.isdisjoint([c.tokens[m.j - 1].low for m in clause.event.mods])
-    )
-
-
-def _lemma(rest: str) -> Test:
-    words = patterns.listed(rest)
-    return lambda clause, _: clause.event.lemma in words
-
-
-def events(rest: str) -> frozenset[str]:
-    """Events by name, and those of a list of the lexicon ("@steady")."""
-    return frozenset().union(*map(patterns.listed, rest.split()))
-
-
-def _event(rest: str) -> Test:
-    names = events(rest)
-    return lambda clause, _: clause.event.name in names
-
-
-def _parent(rest: str) -> Test:
-    names = frozenset(rest.split())
-    return lambda clause, _: clause.event.parent is not None and clause.event.parent.name in names
-
-
-def _child(rest: str) -> Test:
-    names = frozenset(rest.split())
-    return lambda clause, _: any(c.name in names for c in clause.event.children)
-
-
-def _form(rest: str) -> Test:
-    return lambda clause, _: clause.event.form == rest
-
-
-def _link(rest: str) -> Test:
-    return lambda clause, _: clause.event.link == rest
-
-
-def _control(rest: str) -> Test:
-    kinds = frozenset(Control(word) for word in rest.split())
-    return lambda _, context: context.junction.control in kinds
-
-
-def _junction(rest: str) -> Test:
-    kinds = frozenset(JunctionKind(word) for word in rest.split())
-    return lambda _, context: context.junction.kind in kinds
-
-
-def _danger(rest: str) -> Test:
-    kinds = frozenset(HazardKind(word) for word in rest.split())
-    return lambda _, context: any(d.kind in kinds for d in context.draft.dangers)
+    return kind
 
 
 def _some(rest: str) -> Test:
@@ -240,32 +142,96 @@ def _one(rest: str) -> Test:
     return lambda clause, context: len(find(clause, context)) == 1
 
 
-def _any(rest: str) -> Test:
-    left, _, word = rest.rpartition(" is ")
-    find, test = who(left), entity(word)
-    return lambda clause, context: any(test(e, context) for e in find(clause, context))
-
-
-def _all(rest: str) -> Test:
-    left, _, word = rest.rpartition(" is ")
-    find, test = who(left), entity(word)
-    return lambda clause, context: all(test(e, context) for e in find(clause, context))
-
-
 def _no(rest: str) -> Test:
-    found = _any(rest) if " is " in rest else _some(rest)
+    found = _each(any)(rest) if " is " in rest else _some(rest)
     return lambda clause, context: not found(clause, context)
 
 
-_KINDS: dict[str, Callable[[str], Test]] = {
-    "path": _path, "at": _at, "noun": _noun, "object": _object, "goal": _goal, "how": _how,
-    "own": _own,
-    "mod": _mod, "lemma": _lemma, "event": _event, "parent": _parent, "child": _child,
-    "form": _form, "ends": _ends, "link": _link, "control": _control, "junction": _junction,
-    "danger": _danger, "before": _before, "next": _next, "soon": _soon, "said": _said,
-    "via": _via, "over": _over, **of_numbers.KINDS,
-    "some": _some, "one": _one, "any": _any, "all": _all, "no": _no,
-}  # fmt: skip
+def _path(rest: str) -> Test:
+    find = patterns.phrases(rest)
+    return lambda clause, context: bool(find(clause, context))
+
+
+def _over(rest: str) -> Test:
+    own, direct = _KINDS["own"]("across over"), _KINDS["object"](rest)
+    phrase = _path(f"=across|=over {rest}")
+    return lambda clause, c: (own(clause, c) and direct(clause, c)) or phrase(clause, c)
+
+
+def _how(rest: str) -> Test:
+    values = rest.split()
+    return lambda clause, _: clause.event.how(*values) is not None
+
+
+def _said(rest: str) -> Test:
+    return lambda clause, c: base_words(c.tokens, clause.event.i, clause.event.j) == rest
+
+
+def _own(clause: Clause, context: Context) -> list[str]:
+    return context.lows(clause.event.i, clause.event.j)
+
+
+def _least(rest: str) -> Test:
+    name, value = rest.split()
+    return lambda clause, _: any(
+        v is not None and v.low >= float(value) for v in clause.amounts.get(name, ())
+    )
+
+
+def _below(rest: str) -> Test:
+    name, value = rest.split()
+    return lambda clause, _: (
+        name in clause.amounts
+        and all(v is not None and v.high < float(value) for v in clause.amounts[name])
+    )
+
+
+def _around(asked: Callable[[Window, str], bool]) -> Kind:
+    """Whether something holds of the words around a number."""
+    return lambda rest: lambda clause, _: clause.around is not None and asked(clause.around, rest)
+
+
+_KINDS: dict[str, Kind] = {
+    "path": _path,
+    "at": _fits(Clause.places),
+    "noun": _fits(lambda clause: clause.event.subject),
+    "object": _fits(lambda clause: [clause.event.object]),
+    "goal": _fits(lambda clause: [lanes.into_lane(clause.event)]),
+    "over": _over,
+    "some": _some,
+    "one": _one,
+    "any": _each(any),
+    "all": _each(all),
+    "no": _no,
+    "how": _how,
+    "own": _among(_own),
+    "mod": _among(lambda clause, c: [c.tokens[m.j - 1].low for m in clause.event.mods]),
+    "via": _among(
+        lambda clause, c: [
+            *_own(clause, c),
+            *(c.tokens[p.word.i].low for p in clause.event.pps),
+        ]
+    ),
+    "ends": _among(lambda clause, c: [c.tokens[clause.event.j - 1].low]),
+    "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),
+    "next": _among(lambda clause, c: c.lows(clause.event.j, clause.event.j + 1)),
+    "soon": _among(lambda clause, c: c.lows(clause.event.j, clause.event.j + _SOON)),
+    "said": _said,
+    "lemma": _among(lambda clause, _: [clause.event.lemma]),
+    "event": _among(lambda clause, _: [clause.event.name]),
+    "parent": _among(lambda clause, _: [e.name for e in [clause.event.parent] if e is not None]),
+    "child": _among(lambda clause, _: [e.name for e in clause.event.children]),
+    "form": _among(lambda clause, _: [clause.event.form]),
+    "link": _among(lambda clause, _: [clause.event.link]),
+    "opens": _around(lambda window, rest: window.opens(rest.removeprefix("@"))),
+    "closes": _around(lambda window, rest: window.closes(rest.removeprefix("@"))),
+    "led": _around(lambda window, rest: any(map(window.preceded, patterns.listed(rest)))),
+    "least": _least,
+    "below": _below,
+    "control": _one_of(Control, lambda context: [context.junction.control]),
+    "junction": _one_of(JunctionKind, lambda context: [context.junction.kind]),
+    "danger": _one_of(HazardKind, lambda context: [d.kind for d in context.draft.dangers]),
+}
 
 
 def condition(text: str) -> Test:

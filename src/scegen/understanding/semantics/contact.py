@@ -50,7 +50,7 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     if not isinstance(goal, Place) or goal.kind not in _BODY:
         return False
     end = bool({"front", "rear"} & set(goal.dirs))
-    owned = goal.owner is not None or any(m.cat == "possessive" for m in goal.mods)
+    owned = goal.owner is not None or goal.possessed
     named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
     rests = clause.event.lemma in word_list("ending_up")  # "in its side"; "into its side" of a road
     return end or (owned and (named or rests))

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Approach, ParticipantKind
+from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.frames.windows import Window
@@ -28,7 +28,6 @@ class Clause:
         targets: whom it is done to.
         amounts: what numbers say of it, by the field (SI units); None where one is not told.
         around: the words around the number that it is, if it is one.
-        opened: what opens the part of the sentence in which that number stands ("when", "until").
     """
 
     event: Event
@@ -36,7 +35,6 @@ class Clause:
     targets: list[Entity]
     amounts: dict[str, list[Interval | None]] = field(default_factory=dict)
     around: Window | None = None
-    opened: str = ""
 
     @property
     def drivers(self) -> list[Entity]:
@@ -51,14 +49,8 @@ class Clause:
     @property
     def alternative(self) -> int | None:
         """Marks events that the text offers as alternatives ("either … or …")."""
-        node: Event | None = self.event
-        depth = 0
-        while node is not None and depth < 4:
-            if node.alternative is not None:
-                return node.alternative
-            node = node.parent
-            depth += 1
-        return None
+        told = (e.alternative for e in self.event.upwards() if e.alternative is not None)
+        return next(told, None)
 
     @property
     def reaction(self) -> bool:
@@ -82,8 +74,7 @@ class Clause:
 
     def places(self) -> list[Place]:
         """Places named with the event."""
-        named = [self.event.object, *[p.target for p in self.event.pps]]
-        return [p for p in named if isinstance(p, Place)]
+        return [p for p in self.event.nouns() if isinstance(p, Place)]
 
 
 def span(event: Event, i: int, j: int) -> Basis:
@@ -114,26 +105,29 @@ class Context:
     barred: bool = False
     """Whether a thing is in the way, or the text tells of getting past."""
 
+    def lows(self, i: int, j: int) -> list[str]:
+        """The words from one token to before another."""
+        return [t.low for t in self.tokens[max(i, 0) : max(j, 0)]]
+
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""
         if self.draft.crossing_implied is None:
-            self.draft.crossing_implied = Basis(basis.i, basis.j, reason)
+            self.draft.crossing_implied = basis.because(reason)
 
     def lanes_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a second lane."""
         if self.draft.lanes_implied is None:
-            self.draft.lanes_implied = Basis(basis.i, basis.j, reason)
+            self.draft.lanes_implied = basis.because(reason)
 
     def ahead(self, front: list[Entity], back: list[Entity], basis: Basis) -> None:
         """The first drive ahead of the second."""
         for leader in front:
             for follower in back[:1]:
-                if leader is not follower:
-                    self.draft.place(leader, follower, {Approach.AHEAD}, basis)
+                self.draft.place(leader, follower, {Approach.AHEAD}, basis)
 
     def placed(self, entity: Entity, approach: Approach) -> bool:
         """Whether a participant is said to be, or to come from, somewhere."""
-        return any(p.entity is entity and approach in p.approaches for p in self.draft.placements)
+        return any(approach in p.approaches for p in self.draft.placements_of(entity))
 
     def oncoming(self, entity: Entity) -> bool:
         """Whether a vehicle is said to come from the front."""
@@ -147,17 +141,13 @@ class Context:
         """Whether words of order stand between, or right before, two things that one does."""
         if earlier is None or earlier.i is None or event.i <= earlier.i:
             return False
-        between = self.tokens[max(0, earlier.i - _ORDER_REACH) : event.i]
-        return any(t.low in word_list("order") for t in between)
-
-    def is_cyclist(self, entity: Entity) -> bool:
-        """Whether somebody rides a bicycle."""
-        return entity.kind is ParticipantKind.BICYCLE
+        between = self.lows(earlier.i - _ORDER_REACH, event.i)
+        return not word_list("order").isdisjoint(between)
 
     def comes_across(self, entity: Entity) -> bool:
         """Whether a vehicle comes from another arm of a junction than the ego."""
         across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
-        named = [p for p in self.draft.placements if p.entity is entity]
+        named = self.draft.placements_of(entity)
         lateral = {Approach.LEFT, Approach.RIGHT}
         met = self.junction.crossing or self.draft.crossing_implied is not None
         met = met or self.draft.side_road is not None

@@ -53,7 +53,7 @@ def _begins(clause: Clause, _: Context) -> bool:
     return not verbs.isdisjoint(word_list("starting"))
 
 
-def may_cross(entity: Entity, _: Context) -> bool:
+def _may_cross(entity: Entity, _: Context) -> bool:
     """Whoever is said to, or is on foot and not said to keep along the road."""
     afoot = not entity.is_vehicle and entity.maneuvers != {Maneuver.STRAIGHT}
     return afoot or Maneuver.CROSS in entity.maneuvers
@@ -68,7 +68,7 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
 }
 """Words of conditions that ask whether something is done."""
 ENTITY: dict[str, Callable[[Entity, Context], bool]] = {
-    "may_cross": may_cross,
+    "may_cross": _may_cross,
     "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
     "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
     "braked": lambda e, c: (

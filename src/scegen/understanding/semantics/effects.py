@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Any, TypeAlias
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import NounPhrase, Prep
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.draft import Basis
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
-from scegen.understanding.semantics.marks import MARKS
+from scegen.understanding.semantics.marks import MARKS, Mark, first
 from scegen.understanding.semantics.met import apart
 from scegen.understanding.semantics.patterns import end, noun, people, phrases
 from scegen.understanding.semantics.rewriting import REWRITES
@@ -80,27 +80,22 @@ def _hazard(kind: HazardKind, by: str, to: str, words: Words) -> Effect:
     return effect
 
 
+def _ways(said: str) -> Callable[[Clause, Context], Collection[Maneuver]]:
+    """Maneuvers by name, or what words of the clause name."""
+    if said in VALUES:
+        return VALUES[said]
+    named = {Maneuver(value) for value in said.split()}
+    return lambda _clause, _context: named
+
+
 def _maneuver(said: str, of: str, words: Words) -> Effect:
-    whom, find = who(of), VALUES.get(said)
-    named = {Maneuver(value) for value in said.split()} if find is None else set()
+    whom, ways = who(of), _ways(said)
 
     def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        values = named if find is None else set(find(clause, context))
+        basis, values = words(clause, context), set(ways(clause, context))
         for entity in list(whom(clause, context)) if values else []:
             later = context.in_order(entity.maneuver_basis, clause.event)
             context.draft.maneuver(entity, values, basis, clause.alternative, later=later)
-
-    return effect
-
-
-def _light(said: str, of: str, words: Words) -> Effect:
-    whom, light = who(of), AtLight(said)
-
-    def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context)
-        for entity in list(whom(clause, context)):
-            entity.light = entity.light or (light, basis)
 
     return effect
 
@@ -129,14 +124,12 @@ def _drop(kind: HazardKind, of: str) -> Effect:
     def effect(clause: Clause, context: Context) -> None:
         found = whom(clause, context)
         context.draft.dangers[:] = [
-            d for d in context.draft.dangers if d.kind not in kinds or not _all_in(d.by, found)
+            d
+            for d in context.draft.dangers
+            if d.kind not in kinds or not d.by or any(e not in found for e in d.by)
         ]
 
     return effect
-
-
-def _all_in(some: list[Entity], found: list[Entity]) -> bool:
-    return bool(some) and all(e in found for e in some)
 
 
 def _unplace(approach: Approach, of: str) -> Effect:
@@ -150,8 +143,8 @@ def _unplace(approach: Approach, of: str) -> Effect:
     return effect
 
 
-def _mark(name: str, of: str, words: Words) -> Effect:
-    whom, mark = who(of), MARKS[name]
+def _mark(mark: Mark, of: str, words: Words) -> Effect:
+    whom = who(of)
 
     def effect(clause: Clause, context: Context) -> None:
         basis = words(clause, context)
@@ -214,12 +207,11 @@ def _parts(row: dict[str, Any]) -> Effect:
 
 
 def _rule_out(said: str) -> Effect:
-    find = VALUES.get(said)
-    named = {Maneuver(value) for value in said.split()} if find is None else set()
+    ways = _ways(said)
 
     def effect(clause: Clause, context: Context) -> None:
         for entity in clause.drivers:
-            entity.excluded |= named if find is None else set(find(clause, context))
+            entity.excluded.update(ways(clause, context))
             entity.excluded_basis = clause.words
 
     return effect
@@ -233,13 +225,6 @@ def _imply(name: str, words: Words) -> Effect:
             return
         known = getattr(context.draft, name)
         setattr(context.draft, name, known or (name == "from_kerb") or words(clause, context))
-
-    return effect
-
-
-def _note(instead: str, words: Words) -> Effect:
-    def effect(clause: Clause, context: Context) -> None:
-        context.draft.note_at(words(clause, context), instead)
 
     return effect
 
@@ -263,13 +248,13 @@ def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable
     if "unplace" in row:
         yield _unplace(Approach(row["unplace"]), of)
     for name in row.get("marks", ()):
-        yield _mark(name, of, words)
+        yield _mark(MARKS[name], of, words)
     for name in row.get("puts", ()):
         yield _put(name, row["where"], of)
     if "maneuver" in row:
         yield _maneuver(row["maneuver"], of, words)
     if "light" in row:
-        yield _light(row["light"], of, words)
+        yield _mark(first("light", AtLight(row["light"])), of, words)
     if "hazard" in row:
         yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
     if "act" in row:
@@ -297,4 +282,4 @@ def effects_of(row: dict[str, Any]) -> Iterable[Effect]:
     if "implies" in row:
         yield _imply(row["implies"], words)
     if "note" in row:
-        yield _note(row["note"], words)
+        yield lambda clause, c: c.draft.note_at(words(clause, c), row["note"])

@@ -8,33 +8,23 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place, Thing
 from scegen.understanding.draft import Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import FACING
+from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
 
 _BESIDE = frozenset({"adjacent", "left", "right"})
 """Which lane it is, seen from the one that somebody drives in."""
-_OTHER = {"left": "right", "right": "left"}
 
 
 def into_lane(event: Event) -> Place | None:
     """The lane or path that a movement ends in ("into the ego's path")."""
-    for prep in event.pps:
-        target = prep.target
-        goal = prep.value in {"into", "to", "for"} and isinstance(target, Place)
-        if goal and isinstance(target, Place) and target.kind in {"lane", "path"}:
-            return target
-    direct = event.object
-    return direct if isinstance(direct, Place) and direct.kind in {"lane", "path"} else None
+    goals = [p.target for p in event.pps if p.value in {"into", "to", "for"}]
+    lanes = (g for g in (*goals, event.object) if isinstance(g, Place))
+    return next((lane for lane in lanes if lane.kind in {"lane", "path"}), None)
 
 
-def next_lane(event: Event, context: Context) -> bool:
-    """``swings into the right lane``: on a road without a junction, a change of lane.
-
-    Args:
-        event: a movement.
-        context: the scenario in the making.
-    """
-    lane = into_lane(event)
+def _next_lane(clause: Clause, context: Context) -> bool:
+    """``swings into the right lane``: on a road without a junction, a change of lane."""
+    event, lane = clause.event, into_lane(clause.event)
     ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
     beside = ranked or (lane is not None and lane.kind == "lane" and bool(_BESIDE & set(lane.dirs)))
     beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
@@ -58,13 +48,8 @@ def _into_a_gap(event: Event) -> bool:
     return any(isinstance(g, Thing) and g.head is not None and "gap" in g.head.data for g in goals)
 
 
-def against(entity: Entity, place: Place) -> bool:
-    """Whether a lane leads the other way than somebody is headed ("the northbound lane").
-
-    Args:
-        entity: who drives into it.
-        place: the lane.
-    """
+def _against(entity: Entity, place: Place) -> bool:
+    """Whether a lane leads the other way than somebody is headed ("the northbound lane")."""
     ways = {m.value for m in place.mods if m.cat == "compass"}
     heading = entity.heading or ""
     return place.kind == "lane" and FACING.get(heading, "") in ways
@@ -76,25 +61,18 @@ def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]
         return []
     if lane.owner is not None:
         return list(lane.owner.entities)
-    possessed = any(m.cat == "possessive" for m in lane.mods)
     kept = any(m.value == "same" for m in lane.mods)
     others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.actors]
-    named = [d for d in lane.dirs if d in _OTHER]
+    named = [d for d in lane.dirs if d in SIDES]
     there = [e for e in others if e.ego and e.start_lane and e.start_lane[0] in named]
     if there and lane.kind == "lane":
         return there  # "the ego in the right lane …, a car changes to the right lane"
     its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
-    return its if possessed and not kept else []
+    return its if lane.possessed and not kept else []
 
 
-def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
-    """``an oncoming van drifts into the ego's lane``: it has no business there.
-
-    Args:
-        clause: what happens.
-        place: where it ends.
-        context: the scenario in the making.
-    """
+def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:
+    """``an oncoming van drifts into the ego's lane``: it has no business there."""
     if place is None or not owners(place, clause, context):
         return False
     words = context.tokens
@@ -107,11 +85,11 @@ def head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     if place.kind != "lane" or not (entered or place.owner is not None):
         return False  # "stays in its lane"
     egos = place.owner is not None and any(e.ego for e in place.owner.entities)
-    sideways = any(t.value in _OTHER for t in clause.event.dirs) and not egos
+    sideways = any(t.value in SIDES for t in clause.event.dirs) and not egos
     return not sideways and any(context.oncoming(e) and not e.ego for e in clause.drivers)
 
 
-def head_on_somewhere(clause: Clause, context: Context) -> bool:
+def _head_on_somewhere(clause: Clause, context: Context) -> bool:
     """Whether any place of a clause leads the other way, or is another's.
 
     Not the one it leaves, nor one that a turn leads across.
@@ -123,7 +101,7 @@ def head_on_somewhere(clause: Clause, context: Context) -> bool:
         if p.value in {"from", "against"} or (turns and context.tokens[p.word.i].low == "across")
     }
     return any(
-        head_on(clause, place, context) or any(against(e, place) for e in clause.drivers)
+        _head_on(clause, place, context) or any(_against(e, place) for e in clause.drivers)
         for place in clause.places()
         if id(place) not in left
     )
@@ -131,13 +109,13 @@ def head_on_somewhere(clause: Clause, context: Context) -> bool:
 
 def _against_lane(clause: Clause, _: Context) -> bool:
     lane = into_lane(clause.event)
-    return lane is not None and any(against(e, lane) for e in clause.drivers)
+    return lane is not None and any(_against(e, lane) for e in clause.drivers)
 
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
-    "next_lane": lambda clause, c: next_lane(clause.event, c),
+    "next_lane": _next_lane,
     "against_lane": _against_lane,
-    "head_on_somewhere": head_on_somewhere,
-    "head_on": lambda clause, c: head_on(clause, into_lane(clause.event), c),
+    "head_on_somewhere": _head_on_somewhere,
+    "head_on": lambda clause, c: _head_on(clause, into_lane(clause.event), c),
 }
 """Words of conditions that ask for a lane."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.model import Interval
@@ -28,19 +28,17 @@ def _told(field: str) -> Mark:
     return mark
 
 
-def _true(field: str) -> Mark:
-    return lambda entity, _: setattr(entity, field, True)
+def first(field: str, value: object) -> Mark:
+    """Sets a field to a value with the first words that say so."""
 
-
-def _either(field: str, *, so: bool) -> Mark:
     def mark(entity: Entity, basis: Basis) -> None:
-        setattr(entity, field, getattr(entity, field) or (so, basis))
+        setattr(entity, field, getattr(entity, field) or (value, basis))
 
     return mark
 
 
-def _all(make: Callable[[str], Mark], fields: Iterable[str]) -> dict[str, Mark]:
-    return {field: make(field) for field in fields}
+def _true(field: str) -> Mark:
+    return lambda entity, _: setattr(entity, field, True)
 
 
 def _parked(entity: Entity, basis: Basis) -> None:
@@ -75,9 +73,9 @@ def _parks(entity: Entity, basis: Basis) -> None:
 
 
 MARKS: dict[str, Mark] = {
-    **_all(_told, _TOLD),
-    **_all(_true, _TRUE),
-    **{name: _either(field, so=so) for name, (field, so) in _EITHER.items()},
+    **{field: _told(field) for field in _TOLD},
+    **{field: _true(field) for field in _TRUE},
+    **{name: first(field, so) for name, (field, so) in _EITHER.items()},
     "parked": _parked,
     "parks": _parks,
     "sets_off": _sets_off,

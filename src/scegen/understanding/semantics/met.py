@@ -20,8 +20,7 @@ def into_rear(event: Event, context: Context) -> bool:
         event: a collision.
         context: the scenario in the making.
     """
-    ends = [event.object, *(p.target for p in event.pps)]
-    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in ends)
+    rear = any(isinstance(c, Place) and "rear" in c.dirs for c in event.nouns())
     behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
     return rear or behind or _rear_inside(event, context)
 
@@ -31,32 +30,25 @@ def _rear_inside(event: Event, context: Context) -> bool:
     return any(t.low in _REAR for t in context.tokens[event.i : event.j])
 
 
-def rear_ends(clause: Clause, context: Context) -> bool:
+def _rear_ends(clause: Clause, context: Context) -> bool:
     """Whether somebody hits another from behind."""
     return clause.event.name == "collide" and into_rear(clause.event, context)
 
 
 def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
     """``closes in on a stopped van``, ``encounters a slow tractor``, ``hits its rear``."""
-    event, rear = clause.event, rear_ends(clause, context)
+    event, rear = clause.event, _rear_ends(clause, context)
     found = list(clause.targets)
     for prep in event.pps:
-        head = prep.target.head if isinstance(prep.target, Mention) else None
-        queue = head is not None and "mass" in head.data  # "the tail of a queue"
-        towards = prep.value in _TOWARDS
-        if isinstance(prep.target, Mention) and (
-            towards or (prep.value == "of" and (queue or rear))
-        ):
-            found += prep.target.entities
-    ends = [event.object, *(p.target for p in event.pps)]
-    found += [
-        e
-        for c in ends
-        if isinstance(c, Place) and c.owner is not None
-        if "rear" in c.dirs or (rear and c is event.object)
-        for e in c.owner.entities
-    ]
-    its = any(isinstance(c, Place) and _its(c, event) for c in ends)
+        whom = prep.target
+        if isinstance(whom, Mention):
+            queue = whom.head is not None and "mass" in whom.head.data  # "the tail of a queue"
+            if prep.value in _TOWARDS or (prep.value == "of" and (queue or rear)):
+                found += whom.entities
+    ends = clause.places()
+    owned = [c for c in ends if "rear" in c.dirs or (rear and c is event.object)]
+    found += [e for c in owned if c.owner is not None for e in c.owner.entities]
+    its = any(_its(c, event) for c in ends)
     its = its or (_rear_inside(event, context) and not event.passive)
     if rear and not found and its:
         others = [e for e in context.draft.entities if e not in clause.actors]
@@ -65,9 +57,9 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
 
 
 def _its(part: Place, event: Event) -> bool:
-    own = any(m.cat == "possessive" for m in part.mods) and part.owner is None
-    met = {"into"} | ({"with"} if event.lemma == "collide" else set())
-    return own and "rear" in part.dirs and (part.prep is None or part.prep.value in met)
+    own = part.possessed and part.owner is None
+    met = {"", "into", *(["with"] if event.lemma == "collide" else [])}
+    return own and "rear" in part.dirs and part.opening in met
 
 
 def apart(entity: Entity, observer: Entity, context: Context) -> bool:
@@ -82,14 +74,13 @@ def apart(entity: Entity, observer: Entity, context: Context) -> bool:
 
 def on_the_wrong_side(entity: Entity, context: Context) -> bool:
     """Whether it drives where others come towards it, and passes nobody."""
-    dangers = [d for d in context.draft.dangers if d.kind is HazardKind.ONCOMING_LANE]
-    passing = Maneuver.OVERTAKE in entity.maneuvers
-    return not passing and any(entity in d.by for d in dangers)
+    strays = entity in context.draft.causing(HazardKind.ONCOMING_LANE)
+    return strays and Maneuver.OVERTAKE not in entity.maneuvers
 
 
-def may_get_past(_: Clause, context: Context) -> bool:
+def _may_get_past(_: Clause, context: Context) -> bool:
     """Whether the ego goes no way of its own, and something is in it."""
-    ego = next((e for e in context.draft.entities if e.ego), None)
+    ego = context.draft.ego
     if ego is None or ego.maneuvers & _SETTLED or context.junction.crossing:
         return False
     dangers = [d for d in context.draft.dangers if not any(e.ego for e in d.by)]
@@ -107,18 +98,16 @@ def _stand_to_each_other(clause: Clause, context: Context) -> bool:
     """Whether it is said how one who acts stands to those on whom it is done."""
     egos = any(e.ego for e in clause.targets)
     return any(
-        p.entity in clause.actors
-        and (
-            p.reference in clause.targets
-            or (p.reference is None and (egos or p.approaches != {Approach.ADJACENT}))
-        )
-        for p in context.draft.placements
+        p.reference in clause.targets
+        or (p.reference is None and (egos or p.approaches != {Approach.ADJACENT}))
+        for entity in clause.actors
+        for p in context.draft.placements_of(entity)
     )
 
 
 FACTS = {
     "stand_to_each_other": _stand_to_each_other,
-    "rear_ends": rear_ends,
-    "may_get_past": may_get_past,
+    "rear_ends": _rear_ends,
+    "may_get_past": _may_get_past,
 }
 """Words of conditions that ask for a meeting."""

@@ -83,20 +83,15 @@ def overlooked(clause: Clause, context: Context) -> list[Entity]:
 
 def in_the_way(clause: Clause, context: Context) -> list[Entity]:
     """Who is said to keep somebody from seeing; else the one that is parked there."""
-    named = [
-        e
-        for p in clause.event.pps
-        if isinstance(p.target, Mention) and p.value in {"due", "with", "for", "by"}
-        for e in p.target.entities
-        if e.is_vehicle and not e.ego
-    ]
+    named = clause.event.whom("due", "with", "for", "by")
+    named = [e for e in named if e.is_vehicle and not e.ego]
     parked = [e for e in context.draft.entities if e.parked and e not in clause.targets]
     return named or (parked if len(parked) == 1 else [])
 
 
 def _no_leeway(clause: Clause, context: Context) -> bool:
     """``has no chance to stop``, ``with no time left to brake``: the other's fault."""
-    before = {t.low for t in context.tokens[max(0, clause.event.i - _PHRASE) : clause.event.i]}
+    before = {*context.lows(clause.event.i - _PHRASE, clause.event.i)}
     return bool(before & word_list("leeway")) and bool(before & word_list("none_of"))
 
 
@@ -110,21 +105,16 @@ def _ignores_it(clause: Clause, context: Context) -> bool:
         return False
     others = [e for e in context.draft.entities if not e.ego and e not in clause.actors]
     ways = {"through"} if others else {"through", "past"}
-    named = [clause.event.object, *(p.target for p in clause.event.pps)]
-    return any(
-        isinstance(m, Mention) and _it(m, context) and context.tokens[m.i - 1].low in ways
-        for m in named
-    )
+    named = [m for m in clause.event.nouns() if _it(m, context)]
+    return any(context.tokens[m.i - 1].low in ways for m in named)
 
 
 def _turns_on_red(clause: Clause, context: Context) -> bool:
     """A turn across the oncoming lane, which a red light forbids everywhere."""
     event = clause.event
     side = event.object.dirs if isinstance(event.object, Place) else []
-    return event.name in {"turn", "light"} and context.across in {
-        *(t.value for t in event.dirs),
-        *side,
-    }
+    named = {*side, *(t.value for t in event.dirs)}
+    return event.name in {"turn", "light"} and context.across in named
 
 
 def _object_sign(clause: Clause, context: Context) -> bool:
@@ -136,14 +126,12 @@ def _object_sign(clause: Clause, context: Context) -> bool:
 def _out_of_the_stem(clause: Clause, context: Context) -> bool:
     """Who crosses on red, or leaves the side road of a T, comes across the way of the ego."""
     event, junction = clause.event, context.junction
-    ego = next((e for e in context.draft.entities if e.ego), None)
+    ego = context.draft.ego
     implied = context.draft.access is not None and junction.straight is None
     if ego is None or ego in clause.actors or not (junction.crossing or implied):
         return False
-    if event.name == "cross" and any(
-        clause.drivers == d.by and d.kind is HazardKind.RED_LIGHT_RUNNING
-        for d in context.draft.dangers
-    ):
+    red = [d.by for d in context.draft.dangers if d.kind is HazardKind.RED_LIGHT_RUNNING]
+    if event.name == "cross" and clause.drivers in red:
         return True
     sources = [*event.pps, *(p for m in event.subject for p in m.pps)]
     out = event.name in {"pull_out", "reverse", "leave", "appear"}

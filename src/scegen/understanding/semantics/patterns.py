@@ -3,18 +3,19 @@
 A phrase is one or more prepositions by their value, with ``=`` by the word itself (``=@NAME``: a
 list of the lexicon), with ``!`` by any other value and ``~`` any other word, after ``<`` the one
 inside ("from behind"), after ``&`` right after somebody; then a noun. A noun is a kind of place,
-``who`` (participants), ``who.it`` (that pronoun), ``thing`` or ``thing.view``, ``event``, ``place``
-(any), ``none``, ``named`` (any but none); ``any`` is whatever stands there. ``+x`` and ``-x`` ask
-for, and rule out, a direction, one of `_FILTERS`, a word of a list (``@NAME``), one before its
+``who`` (participants), ``who.it`` (that pronoun), ``thing`` or ``thing.view``, ``place`` (any),
+``none``, ``named`` (any but none); ``any`` is whatever stands there. ``+x`` and ``-x`` ask for,
+and rule out, a direction, one of `_FILTERS`, a word of a list (``@NAME``), one before its
 preposition (``led@NAME``), or what the lexicon says of its head (``does.overtaking``).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any, TypeAlias
 
 from scegen.scenario.roadway import BAYS
+from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Entity
 from scegen.understanding.lexicon import word_list
@@ -42,7 +43,7 @@ def _opaque(n: NounPhrase | Event, _: Context) -> bool:
 
 
 def _stopped(n: Mention, context: Context) -> bool:
-    stopping = [e for d in context.draft.dangers if d.kind == "stopping" for e in d.by]
+    stopping = context.draft.causing(HazardKind.STOPPING)
     return bool(n.entities) and all(e.parked or e in stopping for e in n.entities)
 
 
@@ -60,6 +61,17 @@ def _of_road(n: NounPhrase, context: Context) -> bool:
     return of == "of" and not word_list("roads").isdisjoint(after)
 
 
+def _said(*values: str) -> NounTest:
+    return lambda n, _: any(m.value in values for m in n.mods)
+
+
+def _head(key: str, values: Collection[str] = ()) -> NounTest:
+    """What the lexicon says of the head: any value, or one of these."""
+    return lambda n, _: (
+        n.head is not None and key in n.head.data and (not values or n.head.data[key] in values)
+    )
+
+
 _OF_REACH = 4
 _OPAQUE = frozenset({"bus_stop", "feature", "parking"})
 _FILTERS: dict[str, NounTest] = {
@@ -68,11 +80,11 @@ _FILTERS: dict[str, NounTest] = {
     "other_half": _other_half,
     "another": lambda n, _: any(e.is_vehicle and not e.ego for e in n.entities),
     "owned": lambda n, _: n.owner is not None,
-    "its": lambda n, _: any(m.cat == "possessive" for m in n.mods),
+    "its": lambda n, _: n.possessed,
     "egos": lambda n, _: n.owner is not None and any(e.ego for e in n.owner.entities),
-    "other": lambda n, _: any(m.value == "other" for m in n.mods),
-    "strip": lambda n, _: n.head is not None and "stands_on" in n.head.data,
-    "bay": lambda n, _: n.head is not None and n.head.data.get("stands_on") in BAYS,
+    "other": _said("other"),
+    "strip": _head("stands_on"),
+    "bay": _head("stands_on", BAYS),
     "numbered": lambda n, c: lane_number(n, c.tokens) is not None,
     "armed": lambda n, _: n.arm is not None,
     "of_road": _of_road,
@@ -81,16 +93,15 @@ _FILTERS: dict[str, NounTest] = {
     "both": lambda n, c: any(m.cat == "quant" for m in n.mods) or c.tokens[n.i - 1].low == "either",
     "compass": lambda n, _: n.mod("compass") is not None,
     "bound": lambda n, _: any(m.cat == "compass" and "bound" in m.data for m in n.mods),
-    "different": lambda n, _: any(m.value in {"different", "another"} for m in n.mods),
+    "different": _said("different", "another"),
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
-    "unprotected": lambda n, _: any(m.value == "unprotected" for m in n.mods),
-    "ranked": lambda n, _: n.head is not None and "ranked" in n.head.data,
+    "unprotected": _said("unprotected"),
     "compound": lambda n, _: n.head is not None and n.head.j - n.head.i > 1,
-    "gap": lambda n, _: n.head is not None and "gap" in n.head.data,
-    "leads_off": lambda n, _: n.head is not None and n.head.data.get("auxiliary") == "off_ramp",
+    "gap": _head("gap"),
+    "leads_off": _head("auxiliary", ["off_ramp"]),
     "plural": lambda n, _: n.head is not None and n.head.form == "s",
     "headed": lambda n, _: n.head is not None,
-    "roundabout": lambda n, _: n.head is not None and n.head.data.get("kind") == "roundabout",
+    "roundabout": _head("kind", ["roundabout"]),
     "undirected": lambda n, _: not n.dirs,
     "vehicle": lambda n, _: any(e.is_vehicle for e in n.entities),
     "afoot": lambda n, _: any(not e.is_vehicle for e in n.entities),
@@ -104,23 +115,21 @@ _FILTERS: dict[str, NounTest] = {
 }
 
 
+_NOUNS: dict[str, NounTest] = {
+    ANY: lambda _n, _c: True,
+    "none": lambda n, _: n is None,
+    "named": lambda n, _: n is not None,
+    "place": lambda n, _: isinstance(n, Place),
+}
+
+
 def _alternative(word: str) -> NounTest:
     kind, _, detail = word.partition(".")
     if kind == "who":
         return lambda n, _: isinstance(n, Mention) and detail in {"", n.pronoun}
     if kind == "thing":
         return lambda n, _: isinstance(n, Thing) and (not detail or n.kind == detail)
-    if kind == "event":
-        return lambda n, _: isinstance(n, Event)
-    if kind == ANY:
-        return lambda _n, _c: True
-    if kind == "none":
-        return lambda n, _: n is None
-    if kind == "named":
-        return lambda n, _: n is not None
-    if kind == "place":
-        return lambda n, _: isinstance(n, Place)
-    return lambda n, _: isinstance(n, Place) and n.kind == kind
+    return _NOUNS.get(word) or (lambda n, _: isinstance(n, Place) and n.kind == kind)
 
 
 def _filter(word: str) -> NounTest:
@@ -150,25 +159,11 @@ def noun(words: list[str]) -> NounTest:
     Args:
         words: the pattern, split at blanks.
     """
-    if not words or words == [ANY]:
-        return lambda _n, _c: True
+    kinds = [_alternative(kind) for kind in (words[0] if words else ANY).split("|")]
     filters = [_filter(word) for word in words[1:]]
-    kinds = words[0].split("|")
-    special = {"who", "thing", "event", "none", "place", "named", ANY}
-    named = frozenset(kinds)
-    tests = [_alternative(kind) for kind in kinds]
-    kind: NounTest = tests[0]
-    if all(k.partition(".")[0] not in special for k in kinds):
-        kind = lambda n, _: isinstance(n, Place) and n.kind in named  # noqa: E731
-    elif len(tests) > 1:
-        kind = lambda n, c: any(t(n, c) for t in tests)  # noqa: E731
-    for further in filters:
-        kind = _both(kind, further)
-    return kind
-
-
-def _both(one: NounTest, other: NounTest) -> NounTest:
-    return lambda n, c: one(n, c) and other(n, c)
+    if len(kinds) == 1 and not filters:
+        return kinds[0]
+    return lambda n, c: any(kind(n, c) for kind in kinds) and all(f(n, c) for f in filters)
 
 
 def _in_front(p: Prep, context: Context) -> bool:
@@ -234,5 +229,6 @@ def end(found: Prep) -> int:
 
 
 def listed(rest: str) -> frozenset[str]:
-    """Words, or those of a list of the lexicon ("@gently")."""
-    return word_list(rest[1:]) if rest.startswith("@") else frozenset(rest.split())
+    """Words, and those of lists of the lexicon ("@gently")."""
+    named = (word_list(word[1:]) if word[0] == "@" else {word} for word in rest.split())
+    return frozenset().union(*named)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, Maneuver
-from scegen.understanding.chunks import Event, Mention, Prep, Thing, Word
+from scegen.understanding.chunks import Mention, Prep, Thing, Word
 from scegen.understanding.draft import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
@@ -20,17 +20,18 @@ def _side_to_verb(clause: Clause, _: Context) -> None:
     event.mods, event.object = [*turned, *ways], None
 
 
-def _round(clause: Clause, context: Context) -> tuple[Prep, list[Entity]] | None:
-    """The phrase that names what somebody gets past, with the vehicles in it."""
+def _round(clause: Clause, context: Context) -> tuple[Prep, Thing | Mention, list[Entity]] | None:
+    """The phrase that names what somebody gets past, with that, and the vehicles in it."""
     for prep in clause.event.pps if clause.event.object is None else []:
         passed = prep.target
         if context.tokens[prep.word.i].low not in word_list("past"):
             continue
-        thing = isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}
+        if isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}:
+            return prep, passed, []
         who = passed.entities if isinstance(passed, Mention) else []
         vehicles = [e for e in who if e.is_vehicle and e not in clause.actors]
-        if thing or vehicles:
-            return prep, vehicles
+        if vehicles and isinstance(passed, Mention):
+            return prep, passed, vehicles
     return None
 
 
@@ -42,9 +43,9 @@ def passes_round(clause: Clause, context: Context) -> bool:
 def _take_round(clause: Clause, context: Context) -> None:
     """What is passed becomes the object of the verb."""
     found, event = _round(clause, context), clause.event
-    if found is not None and not isinstance(found[0].target, Event):
-        event.object, clause.targets = found[0].target, found[1]
-        event.pps = [p for p in event.pps if p is not found[0]]
+    if found is not None:
+        phrase, event.object, clause.targets = found
+        event.pps = [p for p in event.pps if p is not phrase]
 
 
 def _lane_left(clause: Clause, _: Context) -> None:
@@ -57,49 +58,30 @@ def _lane_left(clause: Clause, _: Context) -> None:
 def _who_is_passed(clause: Clause, context: Context) -> None:
     """``drives behind a tractor and overtakes``, ``passes``: who is ahead, or goes the same way."""
     event = clause.event
-    goes_on = event.name == "pass" and not any(
-        p.value != "with" and not isinstance(p.target, Thing) for p in event.pps
-    )
-    goes_on = goes_on and not (context.junction.crossing or event.nominal or event.negated)
-    if not (event.name == "overtake" or goes_on):
-        return
     if clause.targets or event.object is not None or event.passive:
         return
-    leaders = [
-        p.entity
-        for p in context.draft.placements
-        if p.approaches == {Approach.AHEAD}
-        and (p.reference in clause.actors or p.reference is None)
-    ]
-    one = [e for e in dict.fromkeys(leaders) if e.moving_vehicle and e not in clause.actors]
-    one = one or ([] if goes_on else _same_way(clause, context))
+    there = any(p.value != "with" and not isinstance(p.target, Thing) for p in event.pps)
+    there = there or context.junction.crossing or event.nominal or event.negated
+    if event.name != "overtake" and (event.name != "pass" or there):
+        return
+    seen = [p for p in context.draft.placements if p.reference in (None, *clause.actors)]
+    leaders = dict.fromkeys(p.entity for p in seen if p.approaches == {Approach.AHEAD})
+    one = [e for e in leaders if e.moving_vehicle and e not in clause.actors]
+    if not one and event.name == "overtake" and not context.junction.crossing:
+        elsewhere = [p.entity for p in seen if Approach.AHEAD not in p.approaches]
+        others = [e for e in context.draft.entities if e not in (*elsewhere, *clause.actors)]
+        one = [e for e in others if _goes_the_same_way(e, event.i)]
     together = len({(e.basis.i, e.basis.j) for e in one}) == 1  # "two cyclists ride …"
     if together and any(e.ego for e in clause.actors):
         clause.targets = one
 
 
-def _same_way(clause: Clause, context: Context) -> list[Entity]:
+def _goes_the_same_way(entity: Entity, i: int) -> bool:
     """``a cyclist rides along the road, the ego overtakes``: who is named before and drives on."""
-    if context.junction.crossing:
-        return []
-    elsewhere = {
-        p.entity.index
-        for p in context.draft.placements
-        if (p.reference is None or p.reference in clause.actors)
-        and Approach.AHEAD not in p.approaches
-    }
-    return [
-        e
-        for e in context.draft.entities
-        if e not in clause.actors
-        and e.moving_vehicle
-        and (e.basis.i is not None and e.basis.i < clause.event.i)
-        and e.index not in elsewhere
-        and "opposite" not in e.dirs
-        and Maneuver.CROSS not in e.maneuvers
-        and e.heading is None
-        and not e.entries
-    ]
+    named = entity.basis.i is not None and entity.basis.i < i
+    comes = "opposite" in entity.dirs or entity.heading is not None or bool(entity.entries)
+    crosses = Maneuver.CROSS in entity.maneuvers
+    return named and entity.moving_vehicle and not comes and not crosses
 
 
 REWRITES: dict[str, Callable[[Clause, Context], None]] = {

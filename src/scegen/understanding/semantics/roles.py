@@ -21,24 +21,11 @@ def clause_of(event: Event) -> Clause:
     direct = event.object
     targets = [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
     if event.passive:
-        agents = [
-            e
-            for p in event.pps
-            if p.value == "by" and isinstance(p.target, Mention)
-            for e in p.target.entities
-        ]
-        if not agents and isinstance(direct, Mention):
-            agents = targets  # "is passed by a bus": the verb has taken the "by"
-        if event.name != "hide":
-            return Clause(event, agents, actors)
-        return Clause(event, actors, [])
+        # "is passed by a bus": the verb has taken the "by"
+        agents = event.whom("by") or targets
+        return Clause(event, actors, []) if event.name == "hide" else Clause(event, agents, actors)
     if not targets and event.name in {"yield", "merge", "follow", "collide"}:
-        targets = [
-            e
-            for p in event.pps
-            if p.value in {"to", "with", "in", "into", "against"} and isinstance(p.target, Mention)
-            for e in p.target.entities
-        ]
+        targets = event.whom("to", "with", "in", "into", "against")
     return Clause(event, actors, [e for e in targets if e not in actors])
 
 

@@ -22,14 +22,13 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from importlib.resources import files
 from typing import Any, TypeAlias
 
-from scegen.scenario.parsing import parse
+from scegen.understanding.frames.loader import read
 from scegen.understanding.semantics.conditions import Test, condition
-from scegen.understanding.semantics.conditions import events as events_named
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
+from scegen.understanding.semantics.patterns import listed
 
 _FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
@@ -74,7 +73,7 @@ def _row(
     try:
         said = list(row.get("if", ()))
         first = said[0].partition(" ") if said and " or " not in said[0] else ("", "", "")
-        events = events_named(first[2]) if first[0] == "event" else None
+        events = listed(first[2]) if first[0] == "event" else None
         said = said[1:] if events else said
         plain = {
             t.removeprefix("not "): t in _PLAIN for t in said if t.removeprefix("not ") in _PLAIN
@@ -115,9 +114,7 @@ def read_rows(
         keys: what a row may have.
     """
     found: dict[str, tuple[Row, ...]] = {}
-    path = files("scegen.understanding.frames").joinpath(f"{name}.yaml")
-    data: Any = parse(path.read_text(encoding="utf-8"), where=f"{name}.yaml")
-    for events, rows in data.items():
+    for events, rows in read(name).items():
         made = tuple(_row(row, f"{name}.yaml, {events}", effects, keys) for row in rows)
         found.update((f"{name}.{event.strip()}", made) for event in events.split(","))
     return found

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, ParticipantKind
-from scegen.understanding.chunks import Event, Place
+from scegen.understanding.chunks import Mention, Place, Prep
 from scegen.understanding.clauses.bearing import from_the_wrong_lane
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import BY_DIR, FACING, SIDES, place_approaches
+from scegen.understanding.semantics.approaches import (
+    BY_DIR,
+    FACING,
+    INVERSE,
+    SIDES,
+    place_approaches,
+)
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.site import Put, Site
 from scegen.understanding.words.quantities import ends_a_quantity
 
-_ACROSS = {"left": Approach.RIGHT, "right": Approach.LEFT}
 _SIDE_REACH = 3
 
 
@@ -33,9 +38,8 @@ def seen(entity: Entity, site: Site) -> None:
         entity.opposed |= {e.index for e in together}
         entity.approach_basis = site.basis
         return
-    whose = place.beside or place.owner
-    reference = whose.entities[0] if whose and whose.entities else None
-    named = lane_of(place) or _side_after(place, draft)
+    reference = _first(place.beside or place.owner)
+    named = _lane_of(place) or _side_after(place, draft)
     if named in SIDES and approaches == BY_DIR["adjacent"] and (not reference or reference.ego):
         entity.beside = entity.beside or (named, site.basis)
     kerb = place.kind in {"sidewalk", "shoulder"} and site.value == "from"
@@ -43,10 +47,14 @@ def seen(entity: Entity, site: Site) -> None:
     draft.place(entity, reference, set(approaches), _to_the_other_side(site))
 
 
+def _first(whose: Mention | None) -> Entity | None:
+    return next(iter(whose.entities), None) if whose is not None else None
+
+
 def _to_the_other_side(site: Site) -> Basis:
     """``from left to right``."""
     j, basis = site.place.j, site.basis
-    over = [t.low for t in site.context.tokens[j : j + 2]]
+    over = site.context.lows(j, j + 2)
     across = site.value == "from" and over[:1] == ["to"] and over[-1] in SIDES
     return Basis(basis.i, j + 2) if across else basis
 
@@ -60,7 +68,7 @@ def _in_the_egos_lane(entity: Entity, site: Site) -> None:
         entity.in_egos_lane = entity.in_egos_lane or site.basis
 
 
-def lane_of(place: Place) -> str | None:
+def _lane_of(place: Place) -> str | None:
     """Which lane of several a phrase names: ``left``, ``middle``, ``fast``, ``2`` from inside.
 
     Args:
@@ -86,7 +94,7 @@ def _start_lane(entity: Entity, site: Site) -> None:
     place = site.place
     # "in the lane to its right": which one that is, depends on whose it is
     after = place.head is not None and any(m.i > place.head.i for m in place.mods)
-    named = lane_of(place) if "adjacent" not in place.dirs and not after else None
+    named = _lane_of(place) if "adjacent" not in place.dirs and not after else None
     if named is None:
         return
     site.context.lanes_implied(site.basis, "one of several lanes is named")
@@ -114,14 +122,14 @@ def _headed(entity: Entity, site: Site) -> None:
 
 def _crossing_to(entity: Entity, site: Site) -> None:
     """``crosses to the left``: from the right."""
-    whence = {_ACROSS[d] for d in site.place.dirs if d in _ACROSS}
+    whence = {INVERSE[SIDES[d]] for d in site.place.dirs if d in SIDES}
     if len(whence) == 1:
         site.context.draft.place(entity, None, whence, site.basis)
 
 
 def _abreast(entity: Entity, site: Site) -> None:
     """``drives to the right of the bus``: beside it; people stand on that side."""
-    owner = site.place.owner.entities[0] if site.place.owner and site.place.owner.entities else None
+    owner = _first(site.place.owner)
     sides = {SIDES[d] for d in site.place.dirs if d in SIDES}
     abreast = entity.moving_vehicle and entity.kind is not ParticipantKind.BICYCLE
     where = {Approach.ADJACENT} if abreast else sides
@@ -132,7 +140,7 @@ def _abreast(entity: Entity, site: Site) -> None:
 
 def _either_side(entity: Entity, site: Site) -> None:
     """``two vans on either side of the bus``: abreast of it, one on each; parked ones in turn."""
-    owner = site.place.owner.entities[0] if site.place.owner and site.place.owner.entities else None
+    owner = _first(site.place.owner)
     if entity.parked or entity.was_parked is not None:
         kerb = site.context.draft.kerb  # who pulls out is the first, beside the lane
         sides = sorted(SIDES, key=lambda side: side != kerb)
@@ -169,29 +177,21 @@ SEEN: dict[str, Put] = {
 
 def _within_the_lane(clause: Clause, context: Context) -> bool:
     """``offset 0.5 m to the left``, ``the lane change of the lead to the left``: no place."""
-    return any(_is_offset(p.word.i, p.value, p.target, clause, context) for p in clause.event.pps)
+    return any(_is_offset(p, clause, context) for p in clause.event.pps)
 
 
-def _is_offset(i: int, value: str, place: object, clause: Clause, context: Context) -> bool:
-    tokens = context.tokens
+def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
+    tokens, i, value, place = context.tokens, phrase.word.i, phrase.value, phrase.target
     if value == "to" and any(e.dirs & {"ahead", "behind"} for e in clause.actors):
         return True
     number = ends_a_quantity(tokens, i)
-    share = number is not None and number.dimension == "percentage"  # "hit at 25 % from the left"
-    length = number is not None and number.dimension == "length"
-    before = tokens[i - 1].low if i else ""
-    edge = isinstance(place, Place) and tokens[place.j - 1].low in word_list("edges")
-    if value == "from":
-        return share or (number is not None and edge)  # "0.5 m from the right edge"
-    return value in {"to", "in"} and (length or share or before in word_list("within_lane"))
-
-
-def _wrong_lane(clause: Clause, _: Context) -> bool:
-    return any(from_the_wrong_lane(p, clause.event) for p in clause.event.pps)
-
-
-def _headings(event: Event) -> bool:
-    return any(m.cat == "compass" for m in event.mods)
+    dimension = number.dimension if number is not None else ""
+    if value == "from":  # "hit at 25 % from the left", "0.5 m from the right edge"
+        edge = isinstance(place, Place) and tokens[place.j - 1].low in word_list("edges")
+        return dimension == "percentage" or (bool(dimension) and edge)
+    aside = dimension in {"length", "percentage"}
+    aside = aside or not word_list("within_lane").isdisjoint(context.lows(i - 1, i))
+    return value in {"to", "in"} and aside
 
 
 def _seen_on_foot(_: Clause, context: Context) -> bool:
@@ -205,8 +205,10 @@ def _seen_on_foot(_: Clause, context: Context) -> bool:
 FACTS = {
     "seen_on_foot": _seen_on_foot,
     "within_the_lane": _within_the_lane,
-    "wrong_lane": _wrong_lane,
-    "own_heading": lambda clause, _: _headings(clause.event),
+    "wrong_lane": lambda clause, _: any(
+        from_the_wrong_lane(p, clause.event) for p in clause.event.pps
+    ),
+    "own_heading": lambda clause, _: any(m.cat == "compass" for m in clause.event.mods),
     "several": lambda clause, _: len(clause.actors) > 1,
 }
 """Words of conditions that ask what a phrase of place is."""

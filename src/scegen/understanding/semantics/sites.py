@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.roadway import BAYS, Strip
-from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Basis, Danger, Entity
 from scegen.understanding.semantics.approaches import SIDES
@@ -31,14 +31,10 @@ def _on_strip(entity: Entity, site: Site) -> None:
     if entity.pulls_out or (strip in BAYS and entity.sets_off >= 0):
         entity.was_parked = entity.was_parked or site.basis
     elif entity.still or strip in BAYS:
-        entity.parked, entity.parked_basis = (
-            True,
-            entity.parked_basis or entity.stands or site.basis,
-        )
-        entity.stands = None
-        site.context.draft.dangers[:] = [
-            d for d in site.context.draft.dangers if not _none_of(d, entity)
-        ]
+        basis = entity.parked_basis or entity.stands or site.basis
+        entity.parked, entity.parked_basis, entity.stands = True, basis, None
+        dangers = site.context.draft.dangers
+        dangers[:] = [d for d in dangers if not _none_of(d, entity)]
 
 
 def _none_of(danger: Danger, entity: Entity) -> bool:
@@ -59,26 +55,25 @@ def _in_numbered(entity: Entity, site: Site) -> None:
     site.context.lanes_implied(basis, "one of several lanes is named")
 
 
-def _leads_to(_: Entity, site: Site) -> None:
+def _used_as(arm: CrossedArm) -> Put:
     """``turns into a side road``: for who comes by "the side road" later on."""
-    site.context.draft.used.setdefault(getattr(site.noun, "kind", ""), CrossedArm.EXIT)
 
+    def put(_: Entity, site: Site) -> None:
+        site.context.draft.used.setdefault(site.place.kind, arm)
 
-def _comes_by(_: Entity, site: Site) -> None:
-    site.context.draft.used.setdefault(getattr(site.noun, "kind", ""), CrossedArm.ENTRY)
+    return put
 
 
 def _crosses(entity: Entity, site: Site) -> None:
     """Which road of a junction it goes over, by where another comes from or goes to."""
-    if not isinstance(site.noun, Place):
-        return
-    arm = site.noun.arm or site.context.draft.used.get(site.noun.kind)
-    arm = CrossedArm.EXIT if arm is None and site.noun.kind == "exit" else arm
+    road = site.place
+    arm = road.arm or site.context.draft.used.get(road.kind)
+    arm = CrossedArm.EXIT if arm is None and road.kind == "exit" else arm
     if arm is None:
         return
     entity.crosses = entity.crosses or (arm, site.basis)
-    _meets(entity, site.noun, site.context)
-    if site.context.is_cyclist(entity):
+    _meets(entity, road, site.context)
+    if entity.kind is ParticipantKind.BICYCLE:
         site.context.draft.maneuver(entity, {Maneuver.CROSS}, site.basis)
 
 
@@ -104,35 +99,32 @@ def _on_its_side(entity: Entity, site: Site) -> None:
         sides = found if len(found) == 1 else set()
     elif sides:
         end = max([end, *(m.j for m in site.noun.mods)])
-    on_foot = not entity.is_vehicle or (site.context.is_cyclist(entity) and not entity.ego)
+    on_foot = not entity.is_vehicle or ((entity.kind is ParticipantKind.BICYCLE) and not entity.ego)
     if on_foot and not _standing(entity, site.context) & set(SIDES.values()):
         site.context.draft.place(entity, None, sides, Basis(site.basis.i, end))
 
 
 def _standing(entity: Entity, context: Context) -> set[Approach]:
     """Where one is seen, as far as said."""
-    seen = [p for p in context.draft.placements if p.entity is entity and p.reference is None]
+    seen = (p for p in context.draft.placements_of(entity) if p.reference is None)
     return {a for p in seen for a in p.approaches}
 
 
 def _at_sides(entity: Entity, site: Site) -> None:
-    sides = {Approach(d) for d in site.noun.dirs if d in {"left", "right"}}
+    sides = {SIDES[d] for d in site.noun.dirs if d in SIDES}
     site.context.draft.place(entity, None, sides, site.basis)
 
 
 def _with_them(entity: Entity, site: Site) -> None:
     """``a van is parked on the cycle lane; a cyclist swerves around it``: there, too."""
-    lanes = [e.strip for e in getattr(site.noun, "entities", ()) if e.strip is not None]
-    if entity.strip is None and not entity.ego and (Strip.CYCLE_LANE in [s for s, _ in lanes]):
-        entity.strip = (
-            Strip.CYCLE_LANE,
-            Basis(site.basis.i, site.basis.j, "it gets past who is there"),
-        )
+    lanes = [e.strip[0] for e in getattr(site.noun, "entities", ()) if e.strip is not None]
+    if entity.strip is None and not entity.ego and Strip.CYCLE_LANE in lanes:
+        entity.strip = Strip.CYCLE_LANE, site.basis.because("it gets past who is there")
 
 
 def _at_kerb(entity: Entity, site: Site) -> None:
-    if not site.noun.dirs:
-        site.context.draft.place(entity, None, {Approach(site.context.draft.kerb)}, site.basis)
+    kerb = {Approach(site.context.draft.kerb)} if not site.noun.dirs else set()
+    site.context.draft.place(entity, None, kerb, site.basis)
 
 
 PUTS: dict[str, Put] = {
@@ -142,8 +134,8 @@ PUTS: dict[str, Put] = {
     "kerb": _at_kerb,
     "with_them": _with_them,
     "lane": _in_numbered,
-    "leads_to": _leads_to,
-    "comes_by": _comes_by,
+    "leads_to": _used_as(CrossedArm.EXIT),
+    "comes_by": _used_as(CrossedArm.ENTRY),
     "crosses": _crosses,
     "its_side": _on_its_side,
 }

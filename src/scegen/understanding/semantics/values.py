@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding.chunks import Event, NounPhrase
 from scegen.understanding.draft import Basis
 from scegen.understanding.semantics import lanes, ways
 from scegen.understanding.semantics.context import Clause, Context
@@ -30,7 +31,7 @@ def _aside(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
 def alike(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
     """``the car ahead, which is turning as well``: the same way as the one before."""
     event = clause.event
-    near = [t.low for t in context.tokens[max(0, event.i - _REACH) : event.j + _REACH]]
+    near = context.lows(event.i - _REACH, event.j + _REACH)
     if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
         return {}
     turned = [e.maneuvers & _TURNS for e in context.draft.entities if e not in clause.actors]
@@ -59,15 +60,8 @@ VALUES: dict[str, Named] = {
 }
 
 
-def _goal(clause: Clause, _: Context) -> Basis | None:
-    lane = lanes.into_lane(clause.event)
-    event = clause.event
-    return Basis(event.i, max(event.j, lane.j)) if lane is not None else None
-
-
-def _object(clause: Clause, _: Context) -> Basis | None:
-    event = clause.event
-    return Basis(event.i, max(event.j, event.object.j)) if event.object is not None else None
+def _upto(event: Event, noun: NounPhrase | None) -> Basis | None:
+    return Basis(event.i, max(event.j, noun.j)) if noun is not None else None
 
 
 def _child(clause: Clause, _: Context) -> Basis | None:
@@ -81,8 +75,8 @@ def _onward(clause: Clause, _: Context) -> Basis | None:
 
 
 WORDS: dict[str, Callable[[Clause, Context], Basis | None]] = {
-    "goal": _goal,
-    "object": _object,
+    "goal": lambda clause, _: _upto(clause.event, lanes.into_lane(clause.event)),
+    "object": lambda clause, _: _upto(clause.event, clause.event.object),
     "child": _child,
     "onward": _onward,
     "through": lambda clause, context: ways.through(clause.event, context),

@@ -35,11 +35,10 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
     found = {
         DIRECTIONS[t.value]: span(event, t.i, t.j)
         for t in event.dirs
-        if t.value in DIRECTIONS and not beside_somebody(t.j, tokens)
+        if t.value in DIRECTIONS and not _beside_somebody(t.j, tokens)
     }
-    lanes = {
-        p.target.j for p in event.pps if isinstance(p.target, Place) and p.target.kind == "lane"
-    }
+    named = (p.target for p in event.pps)
+    lanes = {n.j for n in named if isinstance(n, Place) and n.kind == "lane"}
     for prep in event.pps:
         target = prep.target
         if prep.word.i in lanes or after_a_measure(tokens, prep.word.i):
@@ -47,21 +46,20 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
-            its = any(m.cat == "possessive" for m in target.mods)
-            seen = its and (prep.on_mention is not None or _goes_on(event))
+            seen = target.possessed and (prep.on_mention is not None or _goes_on(event))
             if target.owner is not None or seen or _our_side(target, event):
                 continue  # "to the right of the bus", "the lorry to its left": where it is
             for value in target.dirs:
-                if value in {"left", "right"}:
+                if value in _OTHER:
                     way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
                     found[way] = span(event, target.i, target.j)
     goal = event.object
-    moves = isinstance(goal, Place) and goal.kind in _GOALS and event.name == "move"
-    takes = isinstance(goal, Place) and goal.kind in _BRANCHES and event.lemma == "take"
-    if isinstance(goal, Place) and (moves or takes):
-        found |= {
-            DIRECTIONS[d]: span(event, goal.i, goal.j) for d in goal.dirs if d in {"left", "right"}
-        }
+    if isinstance(goal, Place) and (
+        (goal.kind in _GOALS and event.name == "move")
+        or (goal.kind in _BRANCHES and event.lemma == "take")
+    ):
+        sides = (d for d in goal.dirs if d in _OTHER)
+        found |= {DIRECTIONS[d]: span(event, goal.i, goal.j) for d in sides}
     return found
 
 
@@ -76,13 +74,8 @@ def _our_side(side: Place, event: Event) -> bool:
     return ours and not any(e.ego for m in event.subject for e in m.entities)
 
 
-def beside_somebody(j: int, tokens: list[Token]) -> bool:
-    """``right of the centre line``: where somebody is, no turn.
-
-    Args:
-        j: index after the word for the side.
-        tokens: the tokens of the text.
-    """
+def _beside_somebody(j: int, tokens: list[Token]) -> bool:
+    """``right of the centre line``: where somebody is, no turn."""
     return j < len(tokens) and tokens[j].low == "of"
 
 
@@ -96,8 +89,8 @@ def through(event: Event, context: Context) -> Basis | None:
     """``drives through the intersection``; a roundabout is left by one of its exits."""
     if context.junction.kind is JunctionKind.ROUNDABOUT:
         return None
-    words = {t.low for t in context.tokens[event.i : event.j]}
-    if words & _THROUGH and isinstance(event.object, Place) and event.object.kind == "junction":
+    own = not _THROUGH.isdisjoint(context.lows(event.i, event.j))
+    if own and isinstance(event.object, Place) and event.object.kind == "junction":
         return Basis(event.i, event.object.j)
     for prep in event.pps:
         place, word = prep.target, context.tokens[prep.word.i].low
@@ -110,25 +103,24 @@ def through(event: Event, context: Context) -> Basis | None:
     return None
 
 
-def only_signalled(event: Event, context: Context) -> bool:
+def _only_signalled(clause: Clause, context: Context) -> bool:
     """``signals a right turn but carries straight on``: a turn that is not made."""
-    after = [t.low for t in context.tokens[event.j : event.j + 2] if t.low != ","]
+    event = clause.event
+    after = [word for word in context.lows(event.j, event.j + 2) if word != ","]
     signalled = event.parent is not None and event.parent.name == "inert"
-    before = {t.low for t in context.tokens[max(0, event.i - _LAMP_REACH) : event.i]}
+    before = {*context.lows(event.i - _LAMP_REACH, event.i)}
     signalled = signalled or (event.nominal and bool(before & word_list("lamps")))
     return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
 
 
-def without_arrow(context: Context) -> bool:
+def _without_arrow(_: Clause, context: Context) -> bool:
     """``a plain green, no arrow``: nothing holds the oncoming traffic back."""
-    words = [t.low for t in context.tokens]
-    return any(
-        word in {"arrow", "arrows"} and {"no", "without", "nor"} & set(words[max(0, k - 3) : k])
-        for k, word in enumerate(words)
-    )
+    words = context.lows(0, len(context.tokens))
+    arrows = (k for k, word in enumerate(words) if word in {"arrow", "arrows"})
+    return any({"no", "without", "nor"} & set(words[max(0, k - 3) : k]) for k in arrows)
 
 
-def overtaking(clause: Clause, context: Context) -> bool:
+def _overtaking(clause: Clause, context: Context) -> bool:
     """Whether passing is overtaking: somebody is passed, or who passes was behind somebody."""
     if clause.event.name != "pass":
         return True
@@ -143,10 +135,8 @@ def overtaking(clause: Clause, context: Context) -> bool:
     over = any(p.kind == "centerline" for p in clause.places())
     if any(p.value == "behind" for p in clause.event.pps):
         return False  # "passes behind": across the road there
-    return over or any(
-        p.approaches == {Approach.BEHIND} and p.entity in clause.actors
-        for p in context.draft.placements
-    )
+    placed = (p for e in clause.actors for p in context.draft.placements_of(e))
+    return over or any(p.approaches == {Approach.BEHIND} for p in placed)
 
 
 def _encounter(drivers: list[Entity], targets: list[Entity], context: Context) -> bool:
@@ -158,59 +148,42 @@ def _encounter(drivers: list[Entity], targets: list[Entity], context: Context) -
     )
 
 
-def past_the_roadside(clause: Clause, context: Context) -> bool:
+def _past_the_roadside(clause: Clause, context: Context) -> bool:
     """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane."""
-    sides = {Approach.LEFT, Approach.RIGHT}
-    named = clause.event.name in {"bypass", "pass"} and bool(clause.targets)
-    around = {t.low for t in context.tokens[clause.event.i : clause.event.j]} & word_list("round")
-    return (
-        named
-        and not around
-        and all(
-            not e.is_vehicle
-            or (
-                e.parked
-                and any(p.entity is e and p.approaches <= sides for p in context.draft.placements)
-            )
-            for e in clause.targets
-        )
-    )
+    sides, event = {Approach.LEFT, Approach.RIGHT}, clause.event
+    if event.name not in {"bypass", "pass"} or not clause.targets:
+        return False
+    if not word_list("round").isdisjoint(context.lows(event.i, event.j)):
+        return False
+    beside = [p.entity for p in context.draft.placements if p.approaches <= sides]
+    return all(not e.is_vehicle or (e.parked and e in beside) for e in clause.targets)
 
 
-def across_the_road(event: Event, context: Context) -> bool:
-    """``turns across the ego's lane`` where no roads meet: over the road, not into another.
-
-    Args:
-        event: a turn.
-        context: the scenario in the making.
-    """
+def _across_the_road(clause: Clause, context: Context) -> bool:
+    """``turns across the ego's lane`` where no roads meet: over the road, not into another."""
+    event = clause.event
     if context.junction.crossing:
         return False
     for prep in event.pps:
         place, word = prep.target, context.tokens[prep.word.i].low
-        onto = word == "across" or (prep.value == "into" and place is not None)
-        if onto and isinstance(place, Place) and place.kind in _WAY:
-            return place.kind == "path" or word == "across"
+        across = word == "across"
+        if isinstance(place, Place) and place.kind in _WAY and (across or prep.value == "into"):
+            return place.kind == "path" or across
     return not any(d.value in DIRECTIONS for d in event.dirs)
 
 
-def onto_the_road(event: Event) -> bool:
+def _onto_the_road(clause: Clause, _: Context) -> bool:
     """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
-    places = [event.object, *(p.target for p in event.pps)]
-    kinds = {p.kind for p in places if isinstance(p, Place)}
+    places = clause.places()
+    kinds = {p.kind for p in places}
     return (
-        any(p.arm is not None for p in places if isinstance(p, Place))
+        any(p.arm is not None for p in places)
         or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
-        or (not kinds and event.object is None)
+        or (not kinds and clause.event.object is None)
     )
 
 
-def turns_across(clause: Clause, context: Context) -> bool:
-    """A turn across oncoming traffic."""
-    return Maneuver(context.across) in directions(clause.event, context.tokens)
-
-
-def set_across(clause: Clause, context: Context) -> bool:
+def _set_across(clause: Clause, context: Context) -> bool:
     """It is known from elsewhere that the turn leads across oncoming traffic."""
     known = {m for e in clause.drivers for m in e.maneuvers}
     return not clause.event.dirs and known & _SIDEWAYS == {Maneuver(context.across)}
@@ -223,25 +196,23 @@ def _a_little_aside(clause: Clause, context: Context) -> bool:
     sides = [(d, place.j) for place in places for d in place.dirs]
     sides += [(t.value, t.j) for t in event.dirs]
     named = {side for side, j in sides if tokens[j : j + 1] and tokens[j].low != "of"}
-    lengths = [
-        found.exact.high
-        for term in event.mods
-        if (term.cat, term.value) == ("quantity", "length")
-        and (found := quantity_at(tokens, term.i)) is not None
-    ]
+    measured = (m for m in event.mods if (m.cat, m.value) == ("quantity", "length"))
+    lengths = [q.exact.high for m in measured if (q := quantity_at(tokens, m.i)) is not None]
     return bool({"left", "right"} & named) and any(m < _WITHIN_LANE_M for m in lengths)
 
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "a_little_aside": _a_little_aside,
-    "overtaking": overtaking,
-    "across_the_road": lambda clause, c: across_the_road(clause.event, c),
-    "past_the_roadside": past_the_roadside,
-    "no_arrow": lambda _, c: without_arrow(c),
-    "turns_across": turns_across,
-    "set_across": set_across,
-    "onto_the_road": lambda clause, _: onto_the_road(clause.event),
-    "only_signalled": lambda clause, c: only_signalled(clause.event, c),
+    "overtaking": _overtaking,
+    "across_the_road": _across_the_road,
+    "past_the_roadside": _past_the_roadside,
+    "no_arrow": _without_arrow,
+    "turns_across": lambda clause, c: (
+        Maneuver(c.across) in directions(clause.event, c.tokens)  # across oncoming traffic
+    ),
+    "set_across": _set_across,
+    "onto_the_road": _onto_the_road,
+    "only_signalled": _only_signalled,
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),
     "leads_aside": lambda clause, c: bool(_SIDEWAYS & set(directions(clause.event, c.tokens))),
     "leads_through": lambda clause, c: through(clause.event, c) is not None,

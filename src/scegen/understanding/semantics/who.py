@@ -24,25 +24,6 @@ _PART = re.compile(r"[+-][\w.|]+")
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
-def _unplaced(e: Entity, context: Context) -> bool:
-    return not any(p.entity is e for p in context.draft.placements)
-
-
-def _unseen(e: Entity, context: Context) -> bool:
-    """Nothing is said of where the ego sees it."""
-    return not any(
-        p.entity is e and (p.reference is None or p.reference.ego) for p in context.draft.placements
-    )
-
-
-def _aloof(e: Entity, context: Context) -> bool:
-    return not any(e in {p.entity, p.reference} for p in context.draft.placements)
-
-
-def _slow(e: Entity, context: Context) -> bool:
-    return any(d.kind in _SLOWER and e in d.by for d in context.draft.dangers)
-
-
 def _leads(e: Entity, context: Context) -> bool:
     """Somebody is behind it."""
     return context.placed(e, Approach.AHEAD) or any(
@@ -73,7 +54,7 @@ ENTITY: dict[str, EntityTest] = {
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
-    "cyclist": lambda e, c: c.is_cyclist(e),
+    "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
     "free": lambda e, _: not e.maneuvers,
     "turns": lambda e, _: bool(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT}),
     "headed": lambda e, _: e.heading is not None,
@@ -87,17 +68,16 @@ ENTITY: dict[str, EntityTest] = {
     "across": lambda e, c: c.comes_across(e),
     "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
     "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},
-    "in_front": lambda e, c: any(
-        p.entity is e and p.reference is None and p.approaches == {Approach.AHEAD}
-        for p in c.draft.placements
+    "in_front": lambda e, c: c.draft.only(e, Approach.AHEAD),
+    "aloof": lambda e, c: not any(e in {p.entity, p.reference} for p in c.draft.placements),
+    "unplaced": lambda e, c: not c.draft.placements_of(e),
+    "unseen": lambda e, c: all(
+        p.reference and not p.reference.ego for p in c.draft.placements_of(e)
     ),
-    "aloof": _aloof,
-    "unplaced": _unplaced,
-    "unseen": _unseen,
-    "unfaced": lambda e, c: all(met.apart(e, ego, c) for ego in c.draft.entities if ego.ego),
-    "slower": lambda e, c: e.still or _slow(e, c),
+    "unfaced": lambda e, c: c.draft.ego is None or met.apart(e, c.draft.ego, c),
+    "slower": lambda e, c: e.still or e in c.draft.causing(*_SLOWER),
     "wrong_side": met.on_the_wrong_side,
-    "slow": _slow,
+    "slow": lambda e, c: e in c.draft.causing(*_SLOWER),
     "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
     "numbered": lambda e, _: e.lane is not None,
     "kept_by_sign": lambda e, _: bool(e.on_minor and e.on_minor[0]) and e.stands is None,
@@ -117,14 +97,11 @@ def entity(word: str) -> EntityTest:
     if name == "only":
         return lambda e, _: e.maneuvers == {Maneuver(detail)}
     if name in {"causes", "suffers"}:
-        kinds = frozenset(HazardKind(kind) for kind in detail.split("|"))
-        of = "by" if name == "causes" else "to"
-        return lambda e, c: any(d.kind in kinds and e in getattr(d, of) for d in c.draft.dangers)
+        kinds = [HazardKind(kind) for kind in detail.split("|")]
+        if name == "causes":
+            return lambda e, c: e in c.draft.causing(*kinds)
+        return lambda e, c: e in c.draft.suffering(*kinds)
     return ENTITY[name]
-
-
-def _owners(clause: Clause, context: Context) -> list[Entity]:
-    return lanes.owners(lanes.into_lane(clause.event), clause, context)
 
 
 def _owners_of(kind: str) -> Who:
@@ -146,25 +123,11 @@ def _in_phrases(pattern: str) -> Who:
     return lambda clause, context: people(find(clause, context))
 
 
-def _pullers(clause: Clause, _: Context) -> list[Entity]:
-    """Who may come out of a side road: who overtakes comes out of its lane."""
-    return [e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers]
-
-
 def _hiders(clause: Clause, context: Context) -> list[Entity]:
     behind = _BEHIND(clause, context)
     own = [] if clause.event.passive else clause.actors
     by = [e for e in own if e.is_vehicle and not e.ego]
     return by + [e for e in behind if e not in by]
-
-
-def _screens(clause: Clause, context: Context) -> list[Entity]:
-    """Whom somebody is behind."""
-    return [e for e in _IN_THE_WAY(clause, context) if e not in clause.actors]
-
-
-def _met_with(clause: Clause, context: Context) -> list[Entity]:
-    return [*clause.actors, *clause.targets, *_WITH(clause, context)]
 
 
 _WITH = _in_phrases("with|by")
@@ -178,16 +141,19 @@ NAMED: dict[str, Who] = {
     "everybody": lambda _, context: context.draft.entities,
     "others": lambda clause, c: [e for e in c.draft.entities if e not in clause.actors],
     "named": lambda clause, _: people([p for p in clause.event.pps if p.word.cat == "locus"]),
-    "owners": _owners,
+    "owners": lambda clause, c: lanes.owners(lanes.into_lane(clause.event), clause, c),
     "path_owners": _owners_of("path"),
     "lane_owners": _owners_of("lane"),
     "hit": _hit,
-    "pullers": _pullers,
+    # out of a side road: who overtakes comes out of its lane
+    "pullers": lambda clause, _: [
+        e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers
+    ],
     "hiders": _hiders,
-    "screens": _screens,
+    "screens": lambda clause, c: [e for e in _IN_THE_WAY(clause, c) if e not in clause.actors],
     "driven_up_to": met.driven_up_to,
     "involved": lambda clause, _: [*clause.actors, *clause.targets],
-    "met_with": _met_with,
+    "met_with": lambda clause, c: [*clause.actors, *clause.targets, *_WITH(clause, c)],
     "overlooked": owed.overlooked,
     "in_the_way": owed.in_the_way,
     "nobody": lambda _clause, _context: [],
