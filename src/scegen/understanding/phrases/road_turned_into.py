@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import load_ways, word_list
+from scegen.understanding.lexicon import word_list, word_lists
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, is_word
 from scegen.understanding.phrases.repeated import across_it
 from scegen.understanding.words.terms import Term
@@ -131,7 +131,7 @@ def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
     named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
     turned = any(map(_turns, before))
     that = bool(words & {*word_list("pointing")}) and turned and len(named) <= 1
-    return that or bool(words & {*load_ways()["reached"]})
+    return that or bool(words & {*word_lists("ways")["reached"]})
 
 
 def _cat(chunks: list[Chunk], m: int) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import load_ways
+from scegen.understanding.lexicon import word_lists
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -100,7 +100,7 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
     preposed = preposed and not (behind or isinstance(beyond, Mention | Place | Event))
     for said, end in ((f"{lemma} {stranded}", m + 1), (f"{lemma} {opener}".strip(), m)):
         for arm in CrossedArm:
-            if said in load_ways()[arm.value] and (preposed or end == m):
+            if said in word_lists("ways")[arm.value] and (preposed or end == m):
                 return end, arm
     return None
 
@@ -146,7 +146,7 @@ def _course(
     chunks: list[Chunk], k: int, tokens: list[Token], before: list[Chunk]
 ) -> tuple[int, Term] | None:
     """``against the direction from which the ego came``: its end, and a word of manner for it."""
-    ways = load_ways()
+    ways = word_lists("ways")
     verb = next((c for c in reversed(before) if isinstance(c, Event)), None)
     if verb is None or verb.name not in _WALKING:
         return None
@@ -187,7 +187,7 @@ def _heading(chunks: list[Chunk], m: int, tokens: list[Token]) -> int | None:
     elif isinstance(word, Word) and (word.cat in {"sub", "rel"}):
         m += 1
     clause = _does(chunks, m)
-    if clause is None or _lemma(clause[0], tokens) not in load_ways()["heads"]:
+    if clause is None or _lemma(clause[0], tokens) not in word_lists("ways")["heads"]:
         return None
     m = clause[1]
     after = chunk_at(chunks, m)
@@ -208,7 +208,7 @@ def _end_of_turn(chunks: list[Chunk], m: int) -> int:
 
 def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks without "as the ego sees it after the turn", and without "so" before a side."""
-    ways = load_ways()
+    ways = word_lists("ways")
     words = {"as", *ways["therefore"]}
     turns = any(isinstance(c, Word) and c.value == "before" for c in chunks)
     if not turns and words.isdisjoint([t.low for t in tokens]):
@@ -246,7 +246,7 @@ def _from_a_side(before: list[Chunk]) -> bool:
 
 def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:
     clause = _does(chunks, k + 1)
-    if clause is None or _lemma(clause[0], tokens) not in load_ways()["sees"]:
+    if clause is None or _lemma(clause[0], tokens) not in word_lists("ways")["sees"]:
         return None
     m = clause[1]
     m += 1 if isinstance(chunk_at(chunks, m), Mention) else 0
