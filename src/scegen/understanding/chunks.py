@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 from scegen.scenario.vocabulary import CrossedArm, ParticipantKind
 from scegen.understanding.words.terms import Term
@@ -11,7 +11,10 @@ from scegen.understanding.words.terms import Term
 
 @dataclass(slots=True, eq=False)
 class Word:
-    """A term that is no phrase of its own: preposition, conjunction, adverb, mark."""
+    """A term that is no phrase of its own: preposition, conjunction, adverb, mark.
+
+    Alone among the chunks it has a class and a value; those of all others are empty.
+    """
 
     term: Term
     cat: str = field(init=False)
@@ -28,6 +31,8 @@ class Word:
 class NounPhrase:
     """What all noun phrases share: a span, the words before the head, and who owns it."""
 
+    cat: ClassVar[str] = ""
+    value: ClassVar[str] = ""
     i: int
     j: int
     mods: list[Term]
@@ -40,11 +45,30 @@ class NounPhrase:
         """The first word before the head of one of these classes."""
         return next((m for m in self.mods if m.cat in cats), None)
 
+    def has(self, cat: str, *values: str) -> bool:
+        """Whether a word of a class, and of one of the values if any are given, is before it."""
+        return any(m.cat == cat and (not values or m.value in values) for m in self.mods)
+
+    @property
+    def noun(self) -> str:
+        """What the head says, if there is one."""
+        return self.head.value if self.head is not None else ""
+
+    @property
+    def plural(self) -> bool:
+        """Whether the head names several."""
+        return self.head is not None and self.head.form == "s"
+
+    @property
+    def ways(self) -> list[Term]:
+        """The words for directions before the head."""
+        return [m for m in self.mods if m.cat == "dir"]
+
     @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""
         own = [self.head.data["dir"]] if self.head is not None and "dir" in self.head.data else []
-        return [*(m.value for m in self.mods if m.cat == "dir"), *own]
+        return [*(m.value for m in self.ways), *own]
 
 
 @dataclass(slots=True, eq=False)
@@ -163,6 +187,8 @@ class Event:
         denied_ways: where it does not lead ("turns neither left nor right").
     """
 
+    cat: ClassVar[str] = ""
+    value: ClassVar[str] = ""
     name: str
     i: int
     j: int

@@ -12,7 +12,6 @@ from scegen.understanding.phrases.renamed import between_lanes, with_particles
 from scegen.understanding.words.adjectives import loose_modifier
 from scegen.understanding.words.nominal import (
     OPENERS,
-    ORDINALS,
     WAYS,
     compound_end,
     ego_owns,
@@ -21,6 +20,7 @@ from scegen.understanding.words.nominal import (
     is_nominal,
     one_side,
 )
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -166,7 +166,7 @@ class Chunker:
     def _side_before_number(self, mods: list[Term]) -> bool:
         """``from the left two cars come``: the number begins a noun phrase of its own."""
         previous = self._chunks[-1] if self._chunks else None
-        return getattr(previous, "cat", "") == "prep" and any(
+        return previous is not None and previous.cat == "prep" and any(
             b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
             for a, b in pairwise(mods)
         )
@@ -194,7 +194,7 @@ class Chunker:
             return self._one_after(self._stand_alone(mods[:1], first.value, k))
         second = mods[1] if len(mods) > 1 else None
         if first.cat == "det" and second is not None and second.cat == "label":
-            ordinal = second.value in ORDINALS
+            ordinal = second.value in POSITIONS
             last_in_run = len(mods) == 2 or mods[2].cat in {"num", "quantity", "punct"}
             if ordinal and last_in_run:
                 mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")

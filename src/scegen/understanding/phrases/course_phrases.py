@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends
+from scegen.understanding.words.nominal import WAYS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_WAYS = frozenset({"left", "right", "straight"})
 _HOLDING = frozenset({"match", "follow", "use", "move", "light", "unknown", "try"})
 _BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
 
@@ -25,7 +25,7 @@ def courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, NounPhrase) or isinstance(chunk, Mention):
             continue
-        if tokens[chunk.j - 1].forms[-1][0] not in word_list("courses"):
+        if tokens[chunk.j - 1].base not in word_list("courses"):
             continue
         way = _way(chunk, k, chunks)
         who = _whose(chunk, k, chunks, events, tokens) if way is not None else []
@@ -33,23 +33,24 @@ def courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
             continue
         for event in events:
             event.mods = [m for m in event.mods if m is not way]
-        last = max((e.sentence for e in events if e.i < chunk.i), default=0)
         going = Event("move", chunk.i, max(chunk.j, way.j), "ing", mods=[way], subject=who)
-        going.sentence = last
+        going.sentence = sentence_at(chunk.i, events)
         found.append(going)
     return found
 
 
+def sentence_at(i: int, events: list[Event]) -> int:
+    """The number of the sentence that holds a token, by the events before it."""
+    return max((e.sentence for e in events if e.i < i), default=0)
+
+
 def _way(noun: NounPhrase, k: int, chunks: list[Chunk]) -> Term | None:
-    named = next((m for m in noun.mods if m.cat == "dir" and m.value in _WAYS), None)
-    if named is not None:
-        return named
     m = k + 1
-    while m < len(chunks) and getattr(chunks[m], "cat", "") in _BETWEEN:
+    while cat_at(chunks, m) in _BETWEEN:
         m += 1
-    word = chunks[m] if m < len(chunks) else None
-    named_way = isinstance(word, Word) and word.cat == "dir" and word.value in _WAYS
-    return word.term if named_way and isinstance(word, Word) else None
+    word = chunk_at(chunks, m)
+    after = [word.term] if isinstance(word, Word) and word.cat == "dir" else []
+    return next((w for w in [*noun.ways, *after] if w.value in WAYS), None)
 
 
 def _whose(
@@ -60,14 +61,13 @@ def _whose(
         return [noun.owner]  # "blocks the ego's way straight on"
     if verb is not None:
         return verb.subject if verb.name in _HOLDING and not verb.passive else []
-    prep = chunks[k - 1] if k else None
-    prep = chunks[k - 2] if isinstance(prep, Mention) and k > 1 else prep
+    prep = chunk_at(chunks, k - 1)
+    prep = chunk_at(chunks, k - 2) if isinstance(prep, Mention) else prep
     if not isinstance(prep, Word) or tokens[prep.i].low not in word_list("along"):
         return []
     for chunk in reversed(chunks[:k]):
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if ends(chunk):
             break
         if isinstance(chunk, Mention) and (chunk.heads or chunk.pronoun) and not chunk.possessor:
             return [chunk]
-    after = (c for c in chunks[k + 1 :] if isinstance(c, Mention))
-    return [m for m in [next(after, None)] if m is not None]
+    return [c for c in chunks[k + 1 :] if isinstance(c, Mention)][:1]

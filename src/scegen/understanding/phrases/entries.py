@@ -3,7 +3,13 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, governs, is_word
+from scegen.understanding.phrases.lookahead import (
+    BOUNDARIES,
+    cat_at,
+    chunk_at,
+    free_mentions,
+    value_at,
+)
 
 _SMALL = frozenset({"manner", "prep"})
 _NOBODY = "nobody"
@@ -19,12 +25,12 @@ def read_entries(chunks: list[Chunk]) -> list[Chunk]:
     begin, k = 0, 0
     while k < len(chunks):
         chunk = chunks[k]
-        after = _entry(found[begin:], chunks, k) if is_word(chunk, ":") else None
+        after = _entry(found[begin:], chunks, k) if chunk.value == ":" else None
         if after is not None:
             k = after
             continue
         found.append(chunk)
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if chunk.value in BOUNDARIES:
             begin = len(found)
         k += 1
     return found
@@ -32,17 +38,15 @@ def read_entries(chunks: list[Chunk]) -> list[Chunk]:
 
 def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int | None:
     """Where the text goes on behind what an entry says of who opens it."""
-    pairs = zip([None, *title], title, strict=False)
-    named = [c for before, c in pairs if isinstance(c, Mention) and not governs(before)]
-    who = [m for m in named if m.heads and not m.possessor]
+    who = [m for m in free_mentions(title) if m.heads and not m.possessor]
     if not who or any(isinstance(c, Event) and not c.nominal for c in title):
         return None
     m = k + 1
-    while getattr(chunk_at(chunks, m), "cat", "") in _SMALL:
+    while cat_at(chunks, m) in _SMALL:
         m += 1
-    value, after = chunk_at(chunks, m), chunk_at(chunks, m + 1)
-    ends = after is None or any(is_word(after, mark) for mark in ".;,")
-    if isinstance(value, Mention) and value.pronoun == _NOBODY and ends:
+    value = chunk_at(chunks, m)
+    last = m + 1 == len(chunks) or value_at(chunks, m + 1) in {".", ";", ","}
+    if isinstance(value, Mention) and value.pronoun == _NOBODY and last:
         who[0].negated = True
         return m + 1
     if isinstance(value, Word) and (value.cat, value.value) == ("quantity", "speed"):

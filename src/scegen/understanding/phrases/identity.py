@@ -18,7 +18,7 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
         who, opening, first, _, second, closing = (*chunks[k - 3 : k + 3], *[None] * _WHOLE)[
             :_WHOLE
         ]
-        marks = [c.value if isinstance(c, Word) else "" for c in (opening, chunk, closing)]
+        marks = [c.value if c is not None else "" for c in (opening, chunk, closing)]
         named = k > 2 and marks == ["(", ",", ")"] and isinstance(who, Mention)
         if named and _says_who(first) and _says_who(second):
             found += [Word(Term("punct", mark, chunk.i, chunk.i)) for mark in ")("]
@@ -37,7 +37,7 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     if first is None or first.head is None or first.is_ego:
         return chunks
     after = chunks[chunks.index(first) + 1 :]
-    verb = next((c for c in after if not (isinstance(c, Word) and c.cat in _HELPS)), None)
+    verb = next((c for c in after if c.cat not in _HELPS), None)
     mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
     if mere and isinstance(verb, Event):  # "the vehicle ahead" is another one
         noun = tokens[first.head.i].low

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Place, Word
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -18,30 +19,29 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     found: list[Chunk] = []
     skipped: set[int] = set()
     for k, chunk in enumerate(chunks):
-        if id(chunk) in skipped:
+        if k in skipped:
             continue
-        before = found[-1] if found else None
-        after = chunks[k + 1] if k + 1 < len(chunks) else None
-        if not (isinstance(chunk, Place) and _counted(chunk) and _aside(after, chunks, k, tokens)):
+        before, after = chunk_at(found, len(found) - 1), chunk_at(chunks, k + 1)
+        over = isinstance(after, Word) and tokens[after.i].low in word_list("lanes_away_over")
+        side = _side_after(chunks, k)
+        if not (isinstance(chunk, Place) and _counted(chunk)) or not (
+            over or (side is not None and chunk.has("num"))
+        ):
             found.append(chunk)
             continue
         if isinstance(before, Event) and before.name in _MOVING and not before.nominal:
             before.name = "lane_change"  # "moves two lanes over"
             found.append(chunk)
             continue
-        skipped |= (
-            {id(after)}
-            if tokens[getattr(after, "i", 0)].low in word_list("lanes_away_over")
-            else set()
-        )
+        if over:
+            skipped.add(k + 1)
         changed = isinstance(before, Event) and before.name == "lane_change"
-        if changed or (isinstance(before, Word) and before.cat == "prep"):
+        if changed or (before is not None and before.cat == "prep"):
             found.append(chunk)
             continue
-        side = _side_after(chunks, k)
         if side is not None:
-            chunk.mods, chunk.j = [*chunk.mods, *_ways(side)], side.j
-            skipped |= {id(c) for c in chunks[k + 1 : k + 3]}
+            chunk.mods, chunk.j = [*chunk.mods, *side.ways], side.j
+            skipped |= {k + 1, k + 2}
         chunk.mods = [*chunk.mods, Term("dir", "adjacent", chunk.i, chunk.j)]
         found += [Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
     return found
@@ -51,24 +51,9 @@ def _counted(place: Place) -> bool:
     return place.kind == "lane" and bool(place.mods) and place.mods[0].cat in {"num", "det"}
 
 
-def _aside(after: Chunk | None, chunks: list[Chunk], k: int, tokens: list[Token]) -> bool:
-    """``two lanes over``, ``one lane to the left``."""
-    if not isinstance(after, Word):
-        return False
-    single = chunks[k].i + 1 < len(tokens) and isinstance(chunks[k], Place)
-    if tokens[after.i].low in word_list("lanes_away_over"):
-        return single
-    numbered = any(m.cat == "num" for m in getattr(chunks[k], "mods", []))
-    return numbered and _side_after(chunks, k) is not None
-
-
 def _side_after(chunks: list[Chunk], k: int) -> Place | None:
     """``two lanes to the left``, ``the one on the right``."""
-    word, side = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    leads = isinstance(word, Word) and word.cat == "prep" and word.value in {"to", "in"}
-    sided = isinstance(side, Place) and side.kind == "side" and bool(set(side.dirs) & _SIDES)
-    return side if leads and sided and isinstance(side, Place) else None
-
-
-def _ways(side: Place) -> list[Term]:
-    return [m for m in side.mods if m.cat == "dir"]
+    side = chunk_at(chunks, k + 2)
+    if value_at(chunks, k + 1) not in {"to", "in"} or not isinstance(side, Place):
+        return None
+    return side if side.kind == "side" and _SIDES & set(side.dirs) else None

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.course_phrases import courses_said
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.course_phrases import courses_said, sentence_at
+from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.titles import entitle
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.nominal import WAYS
 from scegen.understanding.words.tokens import Token
 
-_WAYS = frozenset({"left", "right", "straight"})
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
 _ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or"})
 _AT = frozenset({"in", "from", "into"})
@@ -34,62 +33,47 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
         elif isinstance(chunk, Word) and _predicative(chunks, k) and not _has_verb(chunk, found):
             subject = _whose(chunks, k, found)
             if subject:
-                found.append(_going(chunk.term, subject, found))
+                going = Event("move", chunk.i, chunk.j, "s", finite=True, mods=[chunk.term])
+                going.subject, going.sentence = subject, sentence_at(chunk.i, found)
+                found.append(going)
     return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
 
 
 def _predicative(chunks: list[Chunk], k: int) -> bool:
     """A bare direction at the end of its clause, or right before a phrase of place."""
-    word, after = chunks[k], chunks[k + 1] if k + 1 < len(chunks) else None
-    if not isinstance(word, Word) or word.cat != "dir" or word.value not in _WAYS:
+    if chunks[k].cat != "dir" or chunks[k].value not in WAYS:
         return False
-    if after is None:
-        return True
-    return isinstance(after, Word) and (
-        after.value in _ENDS | BOUNDARIES or (after.cat == "prep" and after.value in _AT)
-    )
+    return k + 1 == len(chunks) or value_at(chunks, k + 1) in _ENDS | BOUNDARIES | _AT
 
 
 def _has_verb(word: Word, events: list[Event]) -> bool:
     """Whether the direction already says which way some verb leads."""
-    return any(word.term in e.mods and e.name in _ITS_OWN for e in events) or any(
-        (e.i, e.j) == (word.i, word.j) for e in events
-    )
+    return any(word.term in e.mods and e.name in _ITS_OWN for e in events)
 
 
 def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
     """Who does it: the noun right before, or after a comma the one that the clause is about."""
     m = k - 1
-    while m >= 0 and isinstance(chunks[m], Word) and getattr(chunks[m], "cat", "") == "manner":
+    while cat_at(chunks, m) == "manner":
         m -= 1
-    before = chunks[m] if m >= 0 else None
+    before = chunk_at(chunks, m)
     acting = {id(who) for e in events for who in e.subject if e.i < chunks[k].i}
     if isinstance(before, Mention):
         free = id(before) not in acting and _opens(chunks, m) and before.prep is None
         return [before] if free and not before.negated else []
-    if not isinstance(before, Word) or before.value != ",":
+    if value_at(chunks, m) != ",":
         return []
     for n in range(m - 1, -1, -1):
         chunk = chunks[n]
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if ends(chunk):
             break
         if isinstance(chunk, Event) and chunk.subject and not chunk.nominal:
             return chunk.subject
-        first = isinstance(chunk, Mention) and chunk.prep is None and _opens(chunks, n)
-        if first and isinstance(chunk, Mention) and id(chunk) not in acting:
+        if isinstance(chunk, Mention) and chunk.prep is None and _opens(chunks, n):
             return [] if chunk.negated else [chunk]
     return []
 
 
 def _opens(chunks: list[Chunk], m: int) -> bool:
     """Whether a noun begins its clause."""
-    before = chunks[m - 1] if m else None
-    return before is None or (isinstance(before, Word) and before.value in _OPENERS | BOUNDARIES)
-
-
-def _going(term: Term, subject: list[Mention], events: list[Event]) -> Event:
-    """A verb of motion made of a direction, which no longer belongs to other words."""
-    sentence = max((e.sentence for e in events if e.i < term.i), default=0)
-    event = Event("move", term.i, term.j, "s", finite=True, mods=[term], subject=subject)
-    event.sentence = sentence
-    return event
+    return m == 0 or chunks[m - 1].value in _OPENERS | BOUNDARIES

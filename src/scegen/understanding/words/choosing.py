@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.ahead import noun_follows
 from scegen.understanding.words.lookalikes import left_or_gone, names_a_measure
-from scegen.understanding.words.nominal import ORDINALS
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Match, Term, longest_match
 from scegen.understanding.words.tokens import Token
@@ -134,7 +134,7 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     if previous.cat in {"dir", "compass"} and headed:
         return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
-    one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
+    one = one or (previous.cat == "label" and previous.value in POSITIONS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"}
     sided = sided and match.has("inert", "thing")  # "from the left barrels through"
     bare = match.has("thing") and previous.cat not in {"det", "possessive", "num", "quant"}

@@ -51,7 +51,7 @@ def _gathered(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     """Where the words end that only gather; None if the term does nothing of the kind."""
     term = terms[k]
     of = terms[k + 1] if k + 1 < len(terms) else None
-    noun = tokens[term.j - 1].forms[-1][0] in word_list("gathering") and term.j - term.i == 1
+    noun = tokens[term.j - 1].base in word_list("gathering") and term.j - term.i == 1
     counted = k + 2 < len(terms) and terms[k + 2].cat == "num"
     jam = bool(term.data.get("stands")) or (counted and "mass" in term.data)
     if not (noun or jam) or term.cat in {"verb", "quant"} or of is None or of.value != "of":

@@ -92,7 +92,7 @@ def _is(atom: str, term: Term | None, tokens: list[Token]) -> bool:
     if atom[0] == "=":
         return atom[1:] in {tokens[term.i].low, tokens[term.j - 1].low}
     if atom[0] == "+":
-        return tokens[term.i].forms[-1][0] == atom[1:]
+        return tokens[term.i].base == atom[1:]
     if atom[0] == "#":
         return (term.cat, term.value) == ("quantity", atom[1:])
     named, _, form = atom.partition(".")
@@ -106,7 +106,7 @@ def _begins(atom: str, tokens: list[Token], j: int, match: Match | None) -> bool
     if atom[0] == "=":
         return tokens[j].low == atom[1:]
     if atom[0] == "+":
-        return tokens[j].forms[-1][0] == atom[1:]
+        return tokens[j].base == atom[1:]
     if atom[0] == ":":
         return tokens[j].kind == atom[1:]
     if atom[0] == "#":
@@ -158,7 +158,7 @@ def in_context(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         tokens: the tokens of the text.
     """
     first = tokens[term.i]
-    lemma = first.forms[-1][0]
+    lemma = first.base
     for row in _candidates(first.low, lemma, term.cat, term.value, term.form):
         if not row.fits(term, terms, tokens):
             continue

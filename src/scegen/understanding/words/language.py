@@ -31,7 +31,8 @@ def require_english(tokens: list[Token], text: str) -> None:
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
     counts = {
-        name: sum(map(common.__contains__, words)) for name, common in word_lists("languages").items()
+        name: sum(map(common.__contains__, words))
+        for name, common in word_lists("languages").items()
     }
     english = counts.pop(_ENGLISH)
     likeliest = max(counts, key=lambda name: counts[name])

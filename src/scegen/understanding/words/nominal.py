@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -13,8 +14,6 @@ _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merg
 """Actions that a side tells apart: "the left turn"."""
 _OWNED = frozenset({"lane", "path", "side"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
-ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
-                      "former", "latter", "last"})  # fmt: skip
 
 
 def is_nominal(
@@ -64,7 +63,7 @@ def is_nominal(
     if tokens[mods[-1].i].low == "others":
         return False  # "two others turn"
     last = next((m for m in reversed(mods) if m.cat != "manner"), mods[-1])
-    pronominal = last.cat == "num" or last.value in {"another", "other", *ORDINALS}
+    pronominal = last.cat == "num" or last.value in {"another", "other", *POSITIONS}
     if pronominal and head.form != "base":
         return False
     return not (mods[0].cat == "manner" and head.form == "s")

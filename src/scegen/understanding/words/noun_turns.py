@@ -34,9 +34,7 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     if before.low in word_list("during"):
         own = (terms[k].cat == "possessive" and before.low != "to") or not definite
         return own if before.low in word_list("into") else before.low != "after" or own
-    return before.forms[-1][0] in word_list("beginning") and not (
-        definite and terms[k].cat == "det"
-    )
+    return before.base in word_list("beginning") and not (definite and terms[k].cat == "det")
 
 
 def _bare(tokens: list[Token], term: Term) -> bool:

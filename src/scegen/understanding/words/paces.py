@@ -156,4 +156,4 @@ def doing(tokens: list[Token], i: int) -> bool:
     k = i - 1
     while k >= 0 and tokens[k].low in word_list("vaguely"):
         k -= 1
-    return k >= 0 and tokens[k].forms[-1][0] in word_list("pacing")
+    return k >= 0 and tokens[k].base in word_list("pacing")

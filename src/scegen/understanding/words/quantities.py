@@ -59,14 +59,14 @@ def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
     """Dimension and name of the unit that begins at token ``i``, and its length in tokens."""
     lexicon = load()
     first = tokens[i] if i < len(tokens) else None
-    if first is None or not {first.low, first.forms[-1][0]} & lexicon.unit_words:
+    if first is None or not {first.low, first.base} & lexicon.unit_words:
         return None
     units = lexicon.units
     for length in range(min(_LONGEST_UNIT, len(tokens) - i), 0, -1):
         window = tokens[i : i + length]
         if window[-1].kind == "punct":
             continue
-        for spelling in product(*((t.low, t.forms[-1][0]) for t in window)):
+        for spelling in product(*((t.low, t.base) for t in window)):
             if spelling in units:
                 return *units[spelling], length
     return None

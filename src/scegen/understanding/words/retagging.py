@@ -33,7 +33,7 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
     """``doing about fifty``: driving."""
     k = next((k for k in range(len(terms) - 1, -1, -1) if terms[k].cat == "verb"), None)
-    if k is not None and tokens[terms[k].i].forms[-1][0] == "do":
+    if k is not None and tokens[terms[k].i].base == "do":
         terms[k] = replace(terms[k], value="move", data={"drives": True})
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -58,6 +59,17 @@ class Match:
             if cat in self.cats:
                 return next(entry for entry in self.entries if entry.cat == cat)
         return self.entries[0]
+
+
+def term_at(terms: Sequence[Term], k: int) -> Term | None:
+    """The term with an index, if there is one."""
+    return terms[k] if 0 <= k < len(terms) else None
+
+
+def begins(tokens: list[Token], i: int, *cats: str) -> bool:
+    """Whether the longest phrase at token ``i`` has a meaning of one of these classes."""
+    match = longest_match(tokens, i)
+    return match is not None and match.has(*cats)
 
 
 @lru_cache(maxsize=8192)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.words.nominal import ORDINALS
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -12,7 +12,7 @@ _VERBAL = frozenset({"s", "ed"})
 
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """``First car stops, second brakes``: the first car, the second."""
-    if not any(token.low in ORDINALS for token in tokens):
+    if not any(token.low in POSITIONS for token in tokens):
         return terms
     found: list[Term] = []
     named = {k for k in range(len(terms)) if _names(terms, k, tokens)}
@@ -28,7 +28,7 @@ def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
 def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     """Whether an ordinal that opens a clause stands for a participant."""
     term = terms[k]
-    if tokens[term.i].low not in ORDINALS or term.j - term.i != 1:
+    if tokens[term.i].low not in POSITIONS or term.j - term.i != 1:
         return False
     before, after = terms[k - 1] if k else None, terms[k + 1] if k + 1 < len(terms) else None
     if term.cat not in {"manner", "label"} or after is None:
