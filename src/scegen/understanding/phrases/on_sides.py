@@ -71,21 +71,25 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
 def sides_of(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
     """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
     found: dict[int, int] = {}
-    placed = [(event.subject, event.pps) for event in events]
-    placed += [([chunk], chunk.pps) for chunk in chunks if isinstance(chunk, Mention)]
-    for who, pps in placed:
-        count = _sides(pps)
-        if count is not None:
-            found |= {id(m): count for m in who}
+    for event in events:
+        compass = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
+        count = _sides(event.pps)
+        if count is None and len(compass) > _A_PAIR:
+            count = len(compass)
+        found |= {} if count is None else {id(m): count for m in event.subject}
+    for chunk in chunks:
+        count = _sides(chunk.pps) if isinstance(chunk, Mention) else None
+        found |= {} if count is None else {id(chunk): count}
     return found
 
 
 def _sides(pps: list[Prep]) -> int | None:
-    """How many sides phrases of place tell of, 0 for all; None if they tell of no such sides."""
+    """How many sides phrases of place tell of, 0 for all; None if they tell of none."""
     if any(each_side(p) for p in pps):
         return _A_PAIR
-    if any(from_everywhere(p) for p in pps):
-        return 0
-    places = [p.target for p in pps if p.value == "from" and isinstance(p.target, Place)]
-    sides = {m.value for place in places for m in place.mods if m.cat == "compass"}
-    return len(sides) if len(sides) > _A_PAIR else None
+    return 0 if any(from_everywhere(p) for p in pps) else None
+
+
+def _compass(prep: Prep) -> list[Term]:
+    target = prep.target
+    return [m for m in target.mods if m.cat == "compass"] if isinstance(target, Place) else []

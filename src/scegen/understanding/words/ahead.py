@@ -15,16 +15,14 @@ def noun_follows(tokens: list[Token], j: int) -> bool:
         j: index of a token.
     """
     for step in range(3):
-        if j >= len(tokens):
-            return False
         following = longest_match(tokens, j)
-        if following is None and step == 0 and tokens[j].kind == "word":
+        if following is None and step == 0 and j < len(tokens) and tokens[j].kind == "word":
             j += 1  # "a slow milk truck"
             continue
         if following is None:
             return False
         if following.has("actor", "thing"):
-            return not _needs_no_article(following, tokens, j)
+            return not _needs_no_article(following, tokens)
         if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
             return following.has("view")
         if following.has("verb") and following.form not in {"ing", "ed"}:
@@ -33,9 +31,9 @@ def noun_follows(tokens: list[Token], j: int) -> bool:
     return False
 
 
-def _needs_no_article(noun: Match, tokens: list[Token], j: int) -> bool:
+def _needs_no_article(noun: Match, tokens: list[Token]) -> bool:
     """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
-    if tokens[j].kind == "label" or any("me" in e.data or "speaks" in e.data for e in noun.entries):
+    if any("me" in e.data or "speaks" in e.data for e in noun.entries):
         return True
     after = tokens[noun.j] if noun.j < len(tokens) else None
     numbered = after is not None and after.kind == "number" and quantity_at(tokens, noun.j) is None

@@ -9,7 +9,7 @@ from typing import Any
 from scegen.understanding.lexicon import load_contexts
 from scegen.understanding.words.paces import doing
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Match, Term, longest_match
+from scegen.understanding.words.terms import Match, Term, longest_match, term_at
 from scegen.understanding.words.tokens import Token
 
 _SOON = 6
@@ -65,7 +65,7 @@ class _Row:
         if self.ends and tokens[term.j - 1].low not in self.ends:
             return False
         for back, item in enumerate(self.before, 1):
-            if not item.fits_term(terms[-back] if back <= len(terms) else None, tokens):
+            if not item.fits_term(term_at(terms, len(terms) - back), tokens):
                 return False
         if not all(item.fits_at(tokens, term.j + k) for k, item in enumerate(self.after)):
             return False

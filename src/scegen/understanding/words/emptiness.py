@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.quantities import ends_a_quantity
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.quantities import after_a_measure
+from scegen.understanding.words.tokens import Token, low_at
 
 
 def without_emptiness(tokens: list[Token]) -> list[Token]:
@@ -13,18 +13,17 @@ def without_emptiness(tokens: list[Token]) -> list[Token]:
     Args:
         tokens: of the text.
     """
-    opening = (k for k, token in enumerate(tokens) if token.low == "of")
-    left_out = {m for k in opening for m in range(k, k + _room(tokens, k))}
+    left_out = {m for k in range(len(tokens)) for m in range(k, k + _room(tokens, k))}
     return [token for k, token in enumerate(tokens) if k not in left_out]
 
 
 def _room(tokens: list[Token], k: int) -> int:
     """How many words ``of free road`` has before a word that says between whom."""
-    end = k + 1
-    while end < len(tokens) and tokens[end].low in word_list("free"):
-        end += 1
-    if end + 1 >= len(tokens) or tokens[end].low not in word_list("emptiness"):
+    if tokens[k].low != "of":
         return 0
-    quantity = ends_a_quantity(tokens, k)
-    told = quantity is not None and quantity.dimension == "length"
-    return end + 1 - k if told and tokens[end + 1].low in word_list("apart") else 0
+    end = k + 1
+    while low_at(tokens, end) in word_list("free"):
+        end += 1
+    between = low_at(tokens, end + 1) in word_list("apart")
+    empty = between and tokens[end].low in word_list("emptiness") and after_a_measure(tokens, k)
+    return end + 1 - k if empty else 0

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from scegen.scenario.roadway import AUXILIARY_LENGTHS_M, LANE_WIDTHS_M
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 
 def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
@@ -19,8 +19,9 @@ def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | 
         tokens: its tokens.
     """
     length = _length_m(terms[k], LANE_WIDTHS_M)
-    near = length is not None
-    near = near and (_before_lanes(terms, k, tokens) or _after_lanes(terms, k, tokens))
+    if length is None:
+        return None
+    near = _before_lanes(terms, k, tokens) or _after_lanes(terms, k, tokens)
     return length if near else None
 
 
@@ -35,7 +36,7 @@ def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> fl
     term, length = terms[k], _length_m(terms[k], AUXILIARY_LENGTHS_M)
     if length is None:
         return None
-    long = term.j < len(tokens) and tokens[term.j].low in word_list("long")
+    long = low_at(tokens, term.j) in word_list("long")
     if any("auxiliary" in t.data and t.i == term.j + long for t in terms[k + 1 : k + 3]):
         return length  # "a 180 m acceleration lane"
     lane = next((t for t in reversed(terms[:k]) if t.cat in {"place", "actor"}), None)
@@ -58,7 +59,7 @@ def _length_m(term: Term, limits: tuple[float, float]) -> float | None:
 def _before_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> bool:
     """``3.25 m lanes``, ``3 m wide lanes``."""
     j = terms[k].j
-    wide = j < len(tokens) and tokens[j].low in word_list("wide")
+    wide = low_at(tokens, j) in word_list("wide")
     return any(_is_lane(t) and t.i == j + wide for t in terms[k + 1 : k + 3])
 
 

@@ -22,21 +22,18 @@ def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """
     if not any(_LETTER.match(token.text) for token in tokens):
         return terms
-    used = {
-        tokens[t.i].text
+    letters = {
+        k: tokens[t.i].text
         for k, t in enumerate(terms)
         if _is_letter(t, tokens) and (t.value != "indef" or _stands_alone(terms, k))
     }
-    named = {c for c in used if {chr(ord(c) - 1), chr(ord(c) + 1)} & used}
-    found: list[Term] = []
-    for k, term in enumerate(terms):
-        letter = tokens[term.i].text
-        alone = letter in named and _is_letter(term, tokens) and not _belongs(terms, k, tokens)
-        if alone and (term.value != "indef" or _stands_alone(terms, k)):
+    used = set(letters.values())
+    found = list(terms)
+    for k, letter in letters.items():
+        named = {chr(ord(letter) - 1), chr(ord(letter) + 1)} & used
+        if named and not _belongs(terms, k, tokens):
             data = {"label": f"#{letter.lower()}"}
-            found.append(replace(term, cat="actor", value="car", form="base", data=data))
-        else:
-            found.append(term)
+            found[k] = replace(terms[k], cat="actor", value="car", form="base", data=data)
     return found
 
 
@@ -47,12 +44,10 @@ def _is_letter(term: Term, tokens: list[Token]) -> bool:
 
 def _stands_alone(terms: list[Term], k: int) -> bool:
     """Whether "A" is no article: a verb or the end of the phrase comes after it."""
-    after = terms[k + 1] if k + 1 < len(terms) else None
-    if after is None or after.cat in _PHRASE_ENDS:
+    rest = [t for t in terms[k + 1 : k + 3] if t.cat != "manner"]
+    if not rest or rest[0].cat in _PHRASE_ENDS:
         return True
-    acts = after.cat == "verb" and after.form == "s" and not after.premod
-    adverb = after.cat == "manner" and k + 2 < len(terms) and terms[k + 2].cat == "verb"
-    return acts or (adverb and terms[k + 2].form == "s")
+    return rest[0].cat == "verb" and rest[0].form == "s" and not rest[0].premod
 
 
 def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:
@@ -60,4 +55,4 @@ def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     m = k - 1
     while m > 0 and terms[m].value in _JOINTS and _is_letter(terms[m - 1], tokens):
         m -= 2
-    return m >= 0 and terms[m].cat in _NAMED and terms[m].j == terms[m + 1].i
+    return m >= 0 and terms[m].cat in _NAMED

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry, word_list
-from scegen.understanding.words.terms import Match, Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.terms import Match, Term, begins
+from scegen.understanding.words.tokens import Token, low_at
 
 
 def left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
@@ -19,9 +19,8 @@ def left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> tu
         The meaning, and that it is no participle before a noun.
     """
     subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
-    following = longest_match(tokens, match.j)
-    left = following is not None and following.has("det", "possessive", "place", "manner")
-    left = left or (match.j < len(tokens) and tokens[match.j].low in word_list("leaving"))
+    left = begins(tokens, match.j, "det", "possessive", "place", "manner")
+    left = left or low_at(tokens, match.j) in word_list("leaving")
     return (match.get("verb") if subject and left else match.get("dir")), False
 
 
@@ -38,11 +37,7 @@ def names_a_measure(match: Match, tokens: list[Token], previous: Term | None) ->
         return False
     if previous is None or previous.cat == "punct":
         return True  # "speed ego = 80 km/h"
-    if previous is not None and (previous.cat in {"aux", "pronoun"} or previous.value == "to"):
+    if previous.cat in {"aux", "pronoun"} or previous.value == "to":
         return False
-    following = tokens[match.j] if match.j < len(tokens) else None
-    return (
-        following is None
-        or following.kind in {"number", "punct"}
-        or following.low in word_list("measures")
-    )
+    following = tokens[match.j : match.j + 1]
+    return all(t.kind in {"number", "punct"} or t.low in word_list("measures") for t in following)

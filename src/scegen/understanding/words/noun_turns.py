@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.terms import Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.terms import Term, begins
+from scegen.understanding.words.tokens import Token, low_at
 
 _NOUNS = ("verb", "place", "actor", "dir", "locus", "noted", "thing", "leg", "view")
 _ARTICLES = frozenset({"det", "possessive"})
@@ -20,8 +20,9 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     """
     if term.cat != "dir" or term.value not in {"left", "right"} or not terms:
         return False
-    if not _bare(tokens, term):
-        return False
+    of = low_at(tokens, term.j) in {"of", "side", "hand"}
+    if of or begins(tokens, term.j, *_NOUNS):
+        return False  # the side of something
     k = len(terms) - 1
     if terms[k].value == "unprotected" or tokens[terms[k].i].low in {"protected", "permitted"}:
         return True
@@ -30,16 +31,8 @@ def names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     if terms[k].cat not in _ARTICLES or k == 0:
         return False
     before = tokens[terms[k - 1].j - 1]
-    definite = tokens[terms[k].i].low not in {"a", "an", "another"}
+    own = terms[k].cat == "possessive" and before.low != "to"
+    own = own or tokens[terms[k].i].low in {"a", "an", "another"}
     if before.low in word_list("during"):
-        own = (terms[k].cat == "possessive" and before.low != "to") or not definite
-        return own if before.low in word_list("into") else before.low != "after" or own
-    return before.base in word_list("beginning") and not (definite and terms[k].cat == "det")
-
-
-def _bare(tokens: list[Token], term: Term) -> bool:
-    """No noun follows that the side would belong to."""
-    following = longest_match(tokens, term.j)
-    if following is not None and tokens[term.j].low in {"of", "side", "hand"}:
-        return False
-    return following is None or not following.has(*_NOUNS)
+        return own or not (before.low == "after" or before.low in word_list("into"))
+    return own and before.base in word_list("beginning")

@@ -92,7 +92,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
     Returns:
         The phrase, or None where none begins, as behind the last token.
     """
-    last = len(tokens) if end is None else end
+    last = len(tokens) if end is None else min(end, len(tokens))
     if i >= last or _begins_nothing(tokens[i].low):
         return None
     best: list[tuple[Node, str]] = []

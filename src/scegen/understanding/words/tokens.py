@@ -91,7 +91,7 @@ def tokenize(text: str) -> list[Token]:
     found: list[Token] = []
     points = set[int]()
     if _WITHIN.search(text):
-        points = {m.start(m.lastgroup or 0) for m in _POINT.finditer(text)}
+        points = {m.start(m.lastindex or 0) for m in _POINT.finditer(text)}
     known = load().words
     layout = laid_out(text) if _LAYOUT.search(text) else {}
     for match in _TOKEN.finditer(text):
@@ -152,8 +152,4 @@ def _plain(low: str) -> str:
 
 def _unit(written: str) -> str:
     """``m/s^2``, ``m / s²``, ``ft/sec2``: one unit, however it is written."""
-    return (
-        written
-        if written == "%"
-        else f"{written.split('/', maxsplit=1)[0].split('per', maxsplit=1)[0].strip()}/s2"
-    )
+    return written if written == "%" else f"{re.split('/|per', written)[0].strip()}/s2"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.words.ordinals import POSITIONS
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token
 
 _OPENERS = frozenset({"punct", "conj", "sub"})
@@ -30,10 +30,8 @@ def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     term = terms[k]
     if tokens[term.i].low not in POSITIONS or term.j - term.i != 1:
         return False
-    before, after = terms[k - 1] if k else None, terms[k + 1] if k + 1 < len(terms) else None
-    if term.cat not in {"manner", "label"} or after is None:
-        return False
-    if before is not None and before.cat not in _OPENERS:
+    before, after = term_at(terms, k - 1), term_at(terms, k + 1)
+    if after is None or (before is not None and before.cat not in _OPENERS):
         return False
     acts = (after.cat == "verb" and after.form in _VERBAL) or after.cat in {"aux", "copy"}
     return acts or after.cat == "actor" or after.value in {"(", ","}
