@@ -14,8 +14,6 @@ _SIDES = frozenset({"left", "right", "adjacent", "opposite"})
 
 def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks with such lanes as places."""
-    if not any(isinstance(c, Place) and c.kind == "lane" for c in chunks):
-        return chunks
     found: list[Chunk] = []
     skipped: set[int] = set()
     for k, chunk in enumerate(chunks):

@@ -23,8 +23,6 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: the chunks of the text.
         tokens: its tokens.
     """
-    if not any(isinstance(c, Place) and c.kind in _LANES for c in chunks):
-        return chunks
     found: list[Chunk] = []
     named: Place | None = None
     chunks = _within_a_lane(chunks, tokens)

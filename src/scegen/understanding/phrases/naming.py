@@ -8,7 +8,6 @@ from scegen.understanding.chunks import Chunk, Mention, Word
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_MOST_NAMES = 12
 _WIDEST_GAP = 2
 """Room for a space and a "#"."""
 
@@ -54,19 +53,18 @@ class Namer:
             The further chunks and the index of the term after them.
         """
         found: list[Chunk] = []
-        plural = bool(first.heads) and first.heads[-1].form == "s"
-        while first.label is not None and plural and len(found) < 2 * _MOST_NAMES:
-            name = self._name(m + 1) if self._joint(m) else None
-            if name is None:
-                break
+        while first.label is not None and first.plural and self._listed(m):
+            name = self._name(m + 1)
             term = self.terms[m + 1]
             mention = Mention(term.i, term.j, list(first.mods), first.head, heads=first.heads)
             mention.label, mention.label_at = name, term.i
             found += [Word(self.terms[m]), mention]
             m += 2
-        for one in (first, *(c for c in found if isinstance(c, Mention))):
-            counts = bool(found)  # "two cars A and B": the names say who the two are
-            one.mods = [t for t in one.mods if not (counts and t.cat in {"num", "quant"})]
+        for one in (
+            (first, *found) if found else ()
+        ):  # "two cars A and B": the names say who they are
+            if isinstance(one, Mention):
+                one.mods = [t for t in one.mods if t.cat not in {"num", "quant"}]
         return found, m
 
     def numbered(self, head: Term, m: int) -> bool:
@@ -76,19 +74,19 @@ class Namer:
             head: the noun for the place.
             m: index of the term after it.
         """
-        term = self.terms[m] if m < len(self.terms) else None
-        follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
-        number = term is not None and term.cat == "num"
-        bare = self.terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
-        written = term is not None and self.tokens[term.i].kind == "number"
-        digits = number and (bare or written)
-        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
+        if self._cat(m) != "num" or head.value not in {"lane", "road"}:
+            return False
+        bare = self._cat(m - 2) not in {"det", "dir"}
+        written = self.tokens[self.terms[m].i].kind == "number"
+        return (bare or written) and self._cat(m + 1) not in {"actor", "place"}
 
-    def _joint(self, m: int) -> bool:
-        return m < len(self.terms) and self.terms[m].value in {"and", "or", ","}
+    def _cat(self, m: int) -> str:
+        return self.terms[m].cat if 0 <= m < len(self.terms) else ""
 
     def _listed(self, m: int) -> bool:
-        return self._joint(m) and self._name(m + 1) is not None
+        """Whether a further name comes after a joint."""
+        joint = m < len(self.terms) and self.terms[m].value in {"and", "or", ","}
+        return joint and self._name(m + 1) is not None
 
     def _model(self, i: int) -> bool:
         """``F-150``: a letter joined to a number is a model, not a name."""
@@ -103,13 +101,11 @@ class Namer:
             return None
         term = self.terms[m]
         token = self.tokens[term.i]
-        if term.i and token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
+        if token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
             return None  # "ego + 2 others"
-        follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
-        spoken = (
-            bare or token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
-        )
-        if term.cat == "num" and spoken and term.j - term.i == 1 and follows != "actor":
+        follows = self._cat(m + 1)
+        told = bare or token.kind == "number" or follows not in {"place", "verb", "manner"}
+        if term.cat == "num" and told and follows != "actor":
             return f"#{term.data['number']:g}"
         letter = len(token.text) == 1 and token.text.isupper() and token.text != "I"
         letter = letter and not self._model(term.i)

@@ -116,10 +116,8 @@ def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
 
 
 def _entered(chunks: list[Chunk], start: int) -> int:
-    """Where ``(the road) being entered by the ego``, ``(the road) it has entered`` ends."""
-    m = start + (cat_at(chunks, start) == "rel")
-    m = m + 1 if isinstance(chunk_at(chunks, m), Mention) else start
-    m += cat_at(chunks, m) == "aux"
+    """Where ``(the road) being entered by the ego`` ends."""
+    m = start + (cat_at(chunks, start) == "aux")
     verb = chunk_at(chunks, m)
     if not isinstance(verb, Event) or (verb.name, verb.form) != ("enter", "ed"):
         return start

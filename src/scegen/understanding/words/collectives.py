@@ -16,8 +16,6 @@ _OPENERS = frozenset({"det", "possessive"})
 
 def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """The terms with such a noun and its "of" made part of the words before the noun after it."""
-    if not any(t.value == "of" for t in terms):
-        return terms
     found: list[Term] = []
     k = 0
     while k < len(terms):

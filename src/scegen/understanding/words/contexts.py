@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -43,18 +43,27 @@ class _Item:
 class _Row:
     """A row of the file, its items read."""
 
-    at: _Item | None
-    ends: frozenset[str]
-    single: bool
-    before: tuple[_Item, ...]
-    after: tuple[_Item, ...]
-    soon: _Item | None
-    ago: _Item | None
-    doing: bool
-    length: int | None
-    takes: int
-    becomes: dict[str, Any]
-    previous: dict[str, Any]
+    at: _Item | None = None
+    ends: frozenset[str] = frozenset()
+    single: bool = False
+    before: tuple[_Item, ...] = ()
+    after: tuple[_Item, ...] = ()
+    soon: _Item | None = None
+    ago: _Item | None = None
+    doing: bool = False
+    length: int | None = None
+    takes: int = 0
+    becomes: dict[str, Any] = field(default_factory=dict)
+    previous: dict[str, Any] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, record: dict[str, Any]) -> _Row:
+        told = {key: v for key, v in record.items() if key not in {"of", "word", "lemma", "is"}}
+        for key in told.keys() & {"at", "soon", "ago"}:
+            told[key] = _Item.of(told[key])
+        for key in told.keys() & {"before", "after"}:
+            told[key] = tuple(map(_Item.of, told[key]))
+        return cls(**told | {"ends": frozenset(told.get("ends", ())), "becomes": record.get("is", {})})
 
     def fits(self, term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         """Whether the words around a term are those of the row."""
@@ -121,20 +130,7 @@ def _rows() -> dict[str, tuple[tuple[int, _Row], ...]]:
     """First word, or what the term is -> the rows that may fit, by their place in the file."""
     found: dict[str, list[tuple[int, _Row]]] = {}
     for number, record in enumerate(load_contexts()):
-        row = _Row(
-            at=_Item.of(record["at"]) if "at" in record else None,
-            ends=frozenset(record.get("ends", ())),
-            single=record.get("single", False),
-            before=tuple(_Item.of(item) for item in record.get("before", ())),
-            after=tuple(_Item.of(item) for item in record.get("after", ())),
-            soon=_Item.of(record["soon"]) if "soon" in record else None,
-            ago=_Item.of(record["ago"]) if "ago" in record else None,
-            doing=record.get("doing", False),
-            length=record.get("length"),
-            takes=record.get("takes", 0),
-            becomes=record.get("is", {}),
-            previous=record.get("previous", {}),
-        )
+        row = _Row.of(record)
         words = [f"={w}" for w in record.get("word", ())]
         for key in words or [f"+{w}" for w in record.get("lemma", ())] or [record["at"]]:
             found.setdefault(key, []).append((number, row))

@@ -20,8 +20,6 @@ def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
     A letter counts where its neighbour in the alphabet stands for somebody, too.
     """
-    if not any(_LETTER.match(token.text) for token in tokens):
-        return terms
     letters = {
         k: tokens[t.i].text
         for k, t in enumerate(terms)

@@ -12,8 +12,6 @@ _VERBAL = frozenset({"s", "ed"})
 
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """``First car stops, second brakes``: the first car, the second."""
-    if not any(token.low in POSITIONS for token in tokens):
-        return terms
     found: list[Term] = []
     named = {k for k in range(len(terms)) if _names(terms, k, tokens)}
     for k, term in enumerate(terms):
