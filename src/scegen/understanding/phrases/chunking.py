@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
-from scegen.understanding.phrases.lanes_away import count_lanes
+from scegen.understanding.phrases.lanes_meant import count_lanes
 from scegen.understanding.phrases.naming import Namer
 from scegen.understanding.phrases.renamed import between_lanes, with_particles
 from scegen.understanding.words.adjectives import loose_modifier

@@ -1,20 +1,23 @@
-"""Directions and nouns that stand for a verb: "Ego straight, adversary left turn."."""
+"""Directions and nouns that stand for a verb: "Ego straight", "on its way straight ahead"."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.course_phrases import courses_said, sentence_at
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.titles import entitle
 from scegen.understanding.words.nominal import WAYS
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
-_ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or"})
-_AT = frozenset({"in", "from", "into"})
+_ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or",
+                   "in", "from", "into"})  # fmt: skip
 _ITS_OWN = frozenset({"move", "turn", "u_turn", "sharp_turn", "light", "cross", "leave", "use",
                       "lane_change", "merge", "swerve", "try", "pull_out"})  # fmt: skip
 """Verbs that a direction after a comma belongs to."""
+_HOLDING = frozenset({"match", "follow", "use", "move", "light", "unknown", "try"})
+_BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
 
 
 def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
@@ -26,7 +29,7 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
         tokens: the tokens of the text.
     """
     entitle(chunks, events, tokens)
-    found = [*events, *courses_said(chunks, events, tokens)]
+    found = [*events, *_courses_said(chunks, events, tokens)]
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
@@ -34,7 +37,7 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
             subject = _whose(chunks, k, found)
             if subject:
                 going = Event("move", chunk.i, chunk.j, "s", finite=True, mods=[chunk.term])
-                going.subject, going.sentence = subject, sentence_at(chunk.i, found)
+                going.subject, going.sentence = subject, _sentence_at(chunk.i, found)
                 found.append(going)
     return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
 
@@ -43,7 +46,7 @@ def _predicative(chunks: list[Chunk], k: int) -> bool:
     """A bare direction at the end of its clause, or right before a phrase of place."""
     if chunks[k].cat != "dir" or chunks[k].value not in WAYS:
         return False
-    return k + 1 == len(chunks) or value_at(chunks, k + 1) in _ENDS | BOUNDARIES | _AT
+    return k + 1 == len(chunks) or value_at(chunks, k + 1) in _ENDS | BOUNDARIES
 
 
 def _has_verb(word: Word, events: list[Event]) -> bool:
@@ -77,3 +80,57 @@ def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
 def _opens(chunks: list[Chunk], m: int) -> bool:
     """Whether a noun begins its clause."""
     return m == 0 or chunks[m - 1].value in _OPENERS | BOUNDARIES
+
+
+def _courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
+    """A verb of motion for each noun that says which way somebody goes."""
+    found = []
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, NounPhrase) or isinstance(chunk, Mention):
+            continue
+        if tokens[chunk.j - 1].base not in word_list("courses"):
+            continue
+        way = _way(chunk, k, chunks)
+        who = _on_whose_way(chunk, k, chunks, events, tokens) if way is not None else []
+        if way is None or not who:
+            continue
+        for event in events:
+            event.mods = [m for m in event.mods if m is not way]
+        going = Event("move", chunk.i, max(chunk.j, way.j), "ing", mods=[way], subject=who)
+        going.sentence = _sentence_at(chunk.i, events)
+        found.append(going)
+    return found
+
+
+def _sentence_at(i: int, events: list[Event]) -> int:
+    """The number of the sentence that holds a token, by the events before it."""
+    return max((e.sentence for e in events if e.i < i), default=0)
+
+
+def _way(noun: NounPhrase, k: int, chunks: list[Chunk]) -> Term | None:
+    m = k + 1
+    while cat_at(chunks, m) in _BETWEEN:
+        m += 1
+    word = chunk_at(chunks, m)
+    after = [word.term] if isinstance(word, Word) and word.cat == "dir" else []
+    return next((w for w in [*noun.ways, *after] if w.value in WAYS), None)
+
+
+def _on_whose_way(
+    noun: NounPhrase, k: int, chunks: list[Chunk], events: list[Event], tokens: list[Token]
+) -> list[Mention]:
+    verb = next((e for e in events if e.object is noun), None)
+    if verb is not None and noun.owner is not None and verb.name not in _HOLDING:
+        return [noun.owner]  # "blocks the ego's way straight on"
+    if verb is not None:
+        return verb.subject if verb.name in _HOLDING and not verb.passive else []
+    prep = chunk_at(chunks, k - 1)
+    prep = chunk_at(chunks, k - 2) if isinstance(prep, Mention) else prep
+    if not isinstance(prep, Word) or tokens[prep.i].low not in word_list("along"):
+        return []
+    for chunk in reversed(chunks[:k]):
+        if ends(chunk):
+            break
+        if isinstance(chunk, Mention) and (chunk.heads or chunk.pronoun) and not chunk.possessor:
+            return [chunk]
+    return [c for c in chunks[k + 1 :] if isinstance(c, Mention)][:1]

@@ -25,12 +25,10 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
-    chunks = _in_lanes(chunks)
-    if any(chunk.value == ":" for chunk in chunks):
-        chunks = _after_headings(_from_titles(chunks))
+    chunks = _after_headings(_from_titles(_in_lanes(chunks)))
     chunks = _told_by_nobody(spell_out_doings(chunks))
     for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Event) and not chunk.nominal and _named_doing(chunks, k):
+        if isinstance(chunk, Event) and _named_doing(chunk, chunks, k):
             chunk.nominal = True
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
@@ -154,10 +152,9 @@ def _describe(term: Term, chunks: list[Chunk], k: int) -> None:
             chunk.mods = [*chunk.mods, term]
 
 
-def _named_doing(chunks: list[Chunk], k: int) -> bool:
+def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
     """``Cut-in from the left``, ``Cut-in, ego 100 km/h``: a doing, not yet with who does it."""
-    event = chunks[k]
-    bare = isinstance(event, Event) and event.form == "base" and event.name in _NAMED
+    bare = event.form == "base" and event.name in _NAMED
     placed = cat_at(chunks, k + 1) in {"prep", "locus", "manner"}
     listed = value_at(chunks, k + 1) in {",", ":"}  # "Cut-in, ego 100 km/h, target …"
     return bare and (placed or listed) and ends(chunk_at(chunks, k - 1))

@@ -25,20 +25,15 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         The chunks without these clauses; the place tells which arm it is, a word of manner which
         course. A clause that tells more (who turns, and which way) is a sentence of its own.
     """
-    kinds = {c.kind for c in chunks if isinstance(c, Place)}
-    if kinds.isdisjoint(_ROADS | _COURSES):
-        return _without_asides(chunks, tokens)
     found: list[Chunk] = []
     begin, k = 0, 0
     while k < len(chunks):
         chunk = chunks[k]
-        clause = _arm_clause(chunks, k, tokens) if isinstance(chunk, Place) else None
-        named = clause is None and not kinds.isdisjoint(_COURSES)
-        course = _course(chunks, k, tokens, found) if named else None
+        clause = _arm_clause(chunks, k, tokens)
+        course = _course(chunks, k, tokens, found) if clause is None else None
         if clause is not None and isinstance(chunk, Place):
             end, chunk.arm = clause
-            told = _told_anew(chunks, k, end)
-            found[begin:begin] = told
+            found[begin:begin] = _told_anew(chunks, k, end)
             chunk.user = next(c for c in chunks[k + 1 : end] if isinstance(c, Mention))
             _hand_on(found, chunk)
             found.append(chunk)
@@ -189,18 +184,14 @@ def _end_of_turn(chunks: list[Chunk], m: int) -> int:
 
 def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks without "as the ego sees it after the turn", and without "so" before a side."""
-    ways = word_lists("ways")
-    words = {"as", *ways["therefore"]}
-    turns = any(c.value == "before" for c in chunks)
-    if not turns and words.isdisjoint([t.low for t in tokens]):
-        return chunks
+    therefore = word_lists("ways")["therefore"]
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
         chunk = chunks[k]
         text = _text(chunk, tokens)
         from_there = value_at(chunks, k + 1) == "from"
-        if text in ways["therefore"] and from_there and not isinstance(chunk, Mention):
+        if text in therefore and from_there and not isinstance(chunk, Mention):
             k += 1
             continue
         end = _seen(chunks, k, tokens) if text == "as" else None

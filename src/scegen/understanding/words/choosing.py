@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry, word_list
-from scegen.understanding.words.ahead import noun_follows
-from scegen.understanding.words.lookalikes import left_or_gone, names_a_measure
+from scegen.understanding.words.adjectives import noun_follows
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
@@ -103,7 +102,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         place = "place" if before in {"shape", "control", "det"} else "verb"
         return match.get("dir" if attributive else place), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return left_or_gone(match, tokens, previous)
+        return _left_or_gone(match, tokens, previous), False
     if match.form == "base" and previous is not None and (before, previous.value) == ("aux", "be"):
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
@@ -112,7 +111,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
         return verb, False
-    if names_a_measure(match, tokens, previous):
+    if _names_a_measure(match, tokens, previous):
         return match.get("inert", "limit"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         part = match.has("dir") and match.get("dir").value == "rear"
@@ -265,3 +264,24 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     if match.has("manner") and match.has("label") and before == "det":
         return match.get("label"), False
     return match.get(*_PRIORITY), False
+
+
+def _left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
+    """``left`` is nearly always the side; "V1 left the road" has a subject and an object."""
+    subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
+    left = begins(tokens, match.j, "det", "possessive", "place", "manner")
+    left = left or low_at(tokens, match.j) in word_list("leaving")
+    return match.get("verb" if subject and left else "dir")
+
+
+def _names_a_measure(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``speed 50 km/h``, ``speed difference``, ``limit 60 km/h``: what is measured, not a verb."""
+    speed = match.has("inert") and match.get("verb").value == "speed"
+    if match.form != "base" or not (speed or match.has("limit")):
+        return False
+    if previous is None or previous.cat == "punct":
+        return True  # "speed ego = 80 km/h"
+    if previous.cat in {"aux", "pronoun"} or previous.value == "to":
+        return False
+    following = tokens[match.j : match.j + 1]
+    return all(t.kind in {"number", "punct"} or t.low in word_list("measures") for t in following)

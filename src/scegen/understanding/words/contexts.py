@@ -63,7 +63,9 @@ class _Row:
             told[key] = _Item.of(told[key])
         for key in told.keys() & {"before", "after"}:
             told[key] = tuple(map(_Item.of, told[key]))
-        return cls(**told | {"ends": frozenset(told.get("ends", ())), "becomes": record.get("is", {})})
+        return cls(
+            **told | {"ends": frozenset(told.get("ends", ())), "becomes": record.get("is", {})}
+        )
 
     def fits(self, term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         """Whether the words around a term are those of the row."""

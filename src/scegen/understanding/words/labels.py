@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.ahead import noun_follows
+from scegen.understanding.words.adjectives import noun_follows
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token, low_at
