@@ -190,7 +190,8 @@ class Chunker:
         if first.cat == "det" and first.value in {"another", "other"}:
             return self._one_after(self._stand_alone(mods[:1], first.value, k))
         second = mods[1] if len(mods) > 1 else None
-        if first.cat == "det" and second is not None and second.value in POSITIONS:
+        last_in_run = len(mods) < 3 or mods[2].cat in {"num", "quantity"}  # "takes the second left"
+        if first.cat == "det" and second and second.value in POSITIONS and last_in_run:
             mention = Mention(first.i, second.j, mods, None, pronoun="ordinal", label=second.value)
             return self._one_after(self._add(mention, k + 2))
         one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)

@@ -1,13 +1,21 @@
-"""Headings: "Car-to-car rear braking: the test vehicle follows …" names nobody new."""
+"""Headings and entries: "Car-to-car rear braking: …" names nobody new, "Ego: 50 km/h" tells."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.lookahead import chunk_at, free_mentions, sentences
+from scegen.understanding.phrases.lookahead import (
+    cat_at,
+    chunk_at,
+    free_mentions,
+    sentences,
+    value_at,
+)
 from scegen.understanding.words.terms import Term
 
+_SMALL = frozenset({"manner", "prep"})
+_NOBODY = "nobody"
 _GENERIC = frozenset({"car", "driver", "adversary"})
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
@@ -179,3 +187,38 @@ def _done_to(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> bool:
 
 def _introduced(mention: Mention) -> bool:
     return any(m.cat in _FIRST_WORDS for m in mention.mods) or bool(mention.label)
+
+
+def read_entries(chunks: list[Chunk]) -> list[Chunk]:
+    """``Lead car, same lane: 30 km/h``, ``Other road users: none``: entries of a protocol.
+
+    A speed behind a colon is that of who opens the entry, "none" denies who does.
+
+    Args:
+        chunks: of the text.
+    """
+    left_out: set[int] = set()
+    for begin, k in sentences(chunks):
+        if chunks[k].value == ":":
+            left_out |= {*range(k, _entry(chunks[begin:k], chunks, k))}
+    return [c for k, c in enumerate(chunks) if k not in left_out]
+
+
+def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int:
+    """Where the text goes on behind what an entry says of who opens it."""
+    who = [m for m in free_mentions(title) if m.heads and not m.possessor]
+    if not who or any(isinstance(c, Event) and not c.nominal for c in title):
+        return k
+    m = k + 1
+    while cat_at(chunks, m) in _SMALL:
+        m += 1
+    value = chunk_at(chunks, m)
+    last = m + 1 == len(chunks) or value_at(chunks, m + 1) in {".", ";", ","}
+    if isinstance(value, Mention) and value.pronoun == _NOBODY and last:
+        who[0].negated = True
+        return m + 1
+    if isinstance(value, Word) and (value.cat, value.value) == ("quantity", "speed"):
+        for each in who:
+            each.mods = [*each.mods, value.term]
+        return m + 1
+    return k

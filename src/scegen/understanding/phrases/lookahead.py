@@ -163,10 +163,8 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
     for m, chunk in enumerate(chunks[k + 2 :], start=k + 3):
         if isinstance(chunk, Event) or chunk.cat in {"aux", "copy"}:
             return False
-        if ends(chunk) or chunk.value == ",":
-            return not isinstance(
-                chunk_at(chunks, m), Event
-            )  # "before the ego, turning left, has cleared it"
+        if ends(chunk) or chunk.value == ",":  # "before the ego, turning left, has cleared it"
+            return not isinstance(chunk_at(chunks, m), Event)
     return True
 
 

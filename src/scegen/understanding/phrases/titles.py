@@ -71,7 +71,7 @@ def _who(doing: Event, told: list[Event]) -> list[Mention]:
     told = [e for e in told if e.premod_of is None]
     others = [e for e in told if not any(m.is_ego for m in e.subject)]
     if doing.name == "lose_control":
-        return next((e.subject for e in told if e.finite), [])
+        return next((e.subject for e in sorted(told, key=lambda e: not e.finite)), [])
     goal = next((e for e in told if e.name in _SIDEWAYS and _leads_into(e)), None)
     if goal is not None:
         return goal.subject
@@ -108,8 +108,8 @@ def _other(
     doing: Event, told: list[Event], chunks: list[Chunk], tokens: list[Token]
 ) -> list[Mention]:
     """``Cut-in from the left, the ego at 80 km/h, a van …``: done by who is not the ego."""
-    others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > doing.i]
-    others = [c for c in others if not c.is_ego]
+    named = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > doing.i]
+    others = [c for c in named if not c.is_ego]
     led = [c for c in others if "ahead" in c.dirs]
     if led and "out" in {t.low for t in tokens[doing.i : doing.j]}:
         acts = any(not e.nominal for e in told)

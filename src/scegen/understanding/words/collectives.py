@@ -25,7 +25,7 @@ def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
             k += 1
             continue
         described: list[Term] = []
-        while found and found[-1].cat in _DESCRIBING and _opened(found):
+        while found and _adjective(found[-1]) and _opened(found):
             described.insert(0, found.pop())
         opener = found.pop() if found and found[-1].cat in _OPENERS else None
         start = opener.i if opener is not None else terms[k].i
@@ -64,6 +64,11 @@ def _stands(after: list[Term]) -> bool:
     """Whether the next verb lets a jam stand: "a jam of six cars crawls" does not."""
     verb = next((t for t in after if t.cat in {"verb", "punct"}), None)
     return verb is None or verb.value not in {"crawl", "move", "slow"}
+
+
+def _adjective(term: Term) -> bool:
+    """A participle may be one, no verb of a clause."""
+    return term.cat in _DESCRIBING and (term.cat != "verb" or term.premod or term.form == "ing")
 
 
 def _opened(found: list[Term]) -> bool:

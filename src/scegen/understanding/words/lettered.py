@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token
 
 _LETTER = re.compile(r"^[A-HJ-SU-XZ]$")
@@ -42,10 +42,11 @@ def _is_letter(term: Term, tokens: list[Token]) -> bool:
 
 def _stands_alone(terms: list[Term], k: int) -> bool:
     """Whether "A" is no article: a verb or the end of the phrase comes after it."""
-    rest = [t for t in terms[k + 1 : k + 3] if t.cat != "manner"]
-    if not rest or rest[0].cat in _PHRASE_ENDS:
+    after = term_at(terms, k + 1)
+    if after is None or after.cat in _PHRASE_ENDS:
         return True
-    return rest[0].cat == "verb" and rest[0].form == "s" and not rest[0].premod
+    verb = term_at(terms, k + 2) if after.cat == "manner" else after
+    return verb is not None and (verb.cat, verb.form, verb.premod) == ("verb", "s", False)
 
 
 def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:

@@ -83,10 +83,10 @@ def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Ter
         following: the term after it.
         chunks: the chunks read so far.
     """
-    doing = following is not None and (following.cat, following.form) == ("verb", "base")
-    if following is not None and doing and head.value == "noun" and governed(chunks):
-        return head if head.form == "s" else following  # no singular noun has such a verb
-    return head
+    if following is None or (following.cat, following.form) != ("verb", "base"):
+        return head
+    singular = head.value == "noun" and head.form != "s"  # no singular noun has such a verb
+    return following if singular and governed(chunks) else head
 
 
 def ego_owns(heads: list[Term], following: Term | None) -> bool:

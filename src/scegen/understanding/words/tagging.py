@@ -128,8 +128,10 @@ def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
 def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     """``a van turning left and a pedestrian crossing``: not the place of that name."""
+    if term.j - term.i != 2 or not tokens[term.j - 1].low.endswith("ing"):
+        return False
     walker = longest_match(tokens, term.i, term.i + 1)
-    if term.j - term.i != 2 or walker is None or not walker.has("actor"):
+    if walker is None or not walker.has("actor"):
         return False  # "the zebra crossing that …"
     if _crossed(tokens, term.j):
         return True
@@ -166,6 +168,11 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
     return terms[-1] if terms else None
 
 
+def _turning(previous: Term | None) -> bool:
+    """``turns right when …``."""
+    return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
+
+
 def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
     """``continues to the third exit``: "to" leads to a place, not to another verb."""
     leads = tokens[match.j - 1].low == "to" and match.j < len(tokens)
@@ -178,7 +185,7 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
     match = longest_match(tokens, i)
     if match and (
         (token.low in _STEERED and tokens[match.j - 1].low == "by")  # "driven by a student"
-        or (token.low == "right" and match.only("sub") and previous)  # "turns right when …"
+        or (token.low == "right" and match.only("sub") and _turning(previous))
         or _is_clause(match, tokens, i, previous)
     ):
         match = longest_match(tokens, i, i + 1)
@@ -243,7 +250,7 @@ def _by_lexicon(tokens: list[Token], i: int, previous: Term | None) -> Term:
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, tokens, i)
         predicate = token.low == "about" or "predicate" in entry.data
-        if predicate and entry.cat == "verb" and previous and previous.cat != "aux":
+        if predicate and entry.cat == "verb" and (not previous or previous.cat != "aux"):
             form = "ing"  # "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
