@@ -46,8 +46,8 @@ from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.angles import read_angles, set_apart
-from scegen.understanding.words.emptiness import without_emptiness
 from scegen.understanding.words.language import require_english
+from scegen.understanding.words.quantities import without_emptiness
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
 from scegen.understanding.words.tokens import tokenize

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.understanding.chunks import Chunk, Mention, Word
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import Term, cat_at
 from scegen.understanding.words.tokens import Token
 
 _WIDEST_GAP = 2
@@ -74,14 +74,11 @@ class Namer:
             head: the noun for the place.
             m: index of the term after it.
         """
-        if self._cat(m) != "num" or head.value not in {"lane", "road"}:
+        if cat_at(self.terms, m) != "num" or head.value not in {"lane", "road"}:
             return False
-        bare = self._cat(m - 2) not in {"det", "dir"}
+        bare = cat_at(self.terms, m - 2) not in {"det", "dir"}
         written = self.tokens[self.terms[m].i].kind == "number"
-        return (bare or written) and self._cat(m + 1) not in {"actor", "place"}
-
-    def _cat(self, m: int) -> str:
-        return self.terms[m].cat if 0 <= m < len(self.terms) else ""
+        return (bare or written) and cat_at(self.terms, m + 1) not in {"actor", "place"}
 
     def _listed(self, m: int) -> bool:
         """Whether a further name comes after a joint."""
@@ -103,7 +100,7 @@ class Namer:
         token = self.tokens[term.i]
         if token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
             return None  # "ego + 2 others"
-        follows = self._cat(m + 1)
+        follows = cat_at(self.terms, m + 1)
         told = bare or token.kind == "number" or follows not in {"place", "verb", "manner"}
         if term.cat == "num" and told and follows != "actor":
             return f"#{term.data['number']:g}"

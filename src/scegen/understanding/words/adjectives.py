@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Match, Term, longest_match, term_at
+from scegen.understanding.words.terms import Match, Term, cat_at, longest_match
 from scegen.understanding.words.tokens import Token
 
 _ROADS = frozenset({"highway", "road", "ramp"})
@@ -20,14 +20,13 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     term = terms[m]
     if term.cat == "verb" and term.premod:
         return True
-    following = term_at(terms, m + 1)
-    follows = following.cat if following is not None else ""
+    follows = cat_at(terms, m + 1)
     nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
     if term.cat == "inert":
         return opened and term.value == "adjective" and nounlike
     if term.cat == "place" and term.value in _ROADS:
-        mass = following is not None and "mass" in following.data  # "slow highway traffic"
-        return mass and follows == "actor" and not (m and terms[m - 1].value == "def")
+        mass = follows == "actor" and "mass" in terms[m + 1].data  # "slow highway traffic"
+        return mass and not (m and terms[m - 1].value == "def")
     if term.cat == "env":
         return follows in {"place", "actor"}
     return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}

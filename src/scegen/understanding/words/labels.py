@@ -32,10 +32,9 @@ def _labelled(token: Token, i: int) -> Term | None:
     if token.kind != "label":
         return None
     digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
-    if _LABELLED.match(token.low):
-        return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
-    if _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
+    for names, kind, label in ((_LABELLED, "car", "#"), (_WALKER, "pedestrian", "#p")):
+        if names.match(token.low):
+            return Term("actor", kind, i, i + 1, data={"label": f"{label}{digits}"})
     return None
 
 

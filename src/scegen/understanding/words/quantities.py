@@ -249,3 +249,25 @@ def after_a_measure(tokens: list[Token], i: int) -> bool:
     """
     found = ends_a_quantity(tokens, i)
     return found is not None and found.dimension in {"length", "percentage"}
+
+
+def without_emptiness(tokens: list[Token]) -> list[Token]:
+    """The tokens without what a length is said to be of, if that is nothing but room.
+
+    Args:
+        tokens: of the text.
+    """
+    left_out = {m for k in range(len(tokens)) for m in range(k, k + _room(tokens, k))}
+    return [token for k, token in enumerate(tokens) if k not in left_out]
+
+
+def _room(tokens: list[Token], k: int) -> int:
+    """How many words ``of free road`` has before a word that says between whom."""
+    if tokens[k].low != "of":
+        return 0
+    end = k + 1
+    while low_at(tokens, end) in word_list("free"):
+        end += 1
+    between = low_at(tokens, end + 1) in word_list("apart")
+    empty = between and tokens[end].low in word_list("emptiness") and after_a_measure(tokens, k)
+    return end + 1 - k if empty else 0

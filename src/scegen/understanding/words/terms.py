@@ -66,6 +66,11 @@ def term_at(terms: Sequence[Term], k: int) -> Term | None:
     return terms[k] if 0 <= k < len(terms) else None
 
 
+def cat_at(terms: Sequence[Term], k: int) -> str:
+    """The class of the term with an index, empty where there is none."""
+    return terms[k].cat if 0 <= k < len(terms) else ""
+
+
 def begins(tokens: list[Token], i: int, *cats: str) -> bool:
     """Whether the longest phrase at token ``i`` has a meaning of one of these classes."""
     match = longest_match(tokens, i)

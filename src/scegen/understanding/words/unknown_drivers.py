@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.terms import Term, term_at
+from scegen.understanding.words.terms import Term, cat_at, term_at
 from scegen.understanding.words.tokens import Token
 
 _OPENERS = frozenset({"det", "num"})
@@ -24,27 +24,23 @@ def who_drive(terms: list[Term], tokens: list[Token]) -> list[Term]:
     found = list(terms)
     for k, t in enumerate(terms):
         number = "s" if tokens[t.i].low.endswith("s") else "base"
-        opened = t.cat == "unknown" and _cat(terms, _opener(terms, k)) in _OPENERS
+        opened = t.cat == "unknown" and cat_at(terms, _opener(terms, k)) in _OPENERS
         if opened and (_acts(terms, k, number) or _suffers(terms, k)):
             found[k] = Term("actor", "car", t.i, t.j, number, {"instead": _INSTEAD})
     return found
 
 
-def _cat(terms: list[Term], k: int) -> str:
-    return terms[k].cat if 0 <= k < len(terms) else ""
-
-
 def _opener(terms: list[Term], k: int) -> int:
     """Where the words before a noun end that are said of it."""
     k -= 1
-    while _cat(terms, k) in _BETWEEN:
+    while cat_at(terms, k) in _BETWEEN:
         k -= 1
     return k
 
 
 def _acts(terms: list[Term], k: int, number: str) -> bool:
     verb = term_at(terms, k + 1)
-    governed = _cat(terms, _opener(terms, k) - 1) in _GOVERNING  # "a kid on a BMX shoots out"
+    governed = cat_at(terms, _opener(terms, k) - 1) in _GOVERNING  # "a kid on a BMX shoots out"
     if verb is None or verb.cat != "verb" or governed:
         return False
     forms = {"base", "ed"} if number == "s" else {"s", "ed"}
@@ -54,7 +50,7 @@ def _acts(terms: list[Term], k: int, number: str) -> bool:
 def _suffers(terms: list[Term], k: int) -> bool:
     """``overtakes a Transit``, unless a compound goes on."""
     opener = _opener(terms, k)
-    verb, after = term_at(terms, opener - 1), _cat(terms, k + 1)
+    verb, after = term_at(terms, opener - 1), cat_at(terms, k + 1)
     ends = after in {"", "punct", "conj", "prep", "locus", "sub", "verb", "rel"}
     met = verb is not None and verb.cat == "verb" and verb.value in word_list("met_driving")
     return ends and met and terms[opener].value == "indef"

@@ -1,10 +1,11 @@
-"""Letters that stand for participants by themselves: "A brakes, B swerves"."""
+"""Letters and ordinals that name somebody without a noun: "A brakes", "second brakes"."""
 
 from __future__ import annotations
 
 import re
 from dataclasses import replace
 
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token
 
@@ -13,6 +14,8 @@ _LETTER = re.compile(r"^[A-HJ-SU-XZ]$")
 _NAMED = frozenset({"actor", "place", "thing", "inert", "shape", "leg", "limit"})
 _JOINTS = frozenset({"and", "or", ","})
 _PHRASE_ENDS = frozenset({"aux", "copy", "neg", "prep", "conj", "punct", "locus", "rel"})
+_OPENERS = frozenset({"punct", "conj", "sub"})
+_VERBAL = frozenset({"s", "ed"})
 
 
 def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -55,3 +58,28 @@ def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     while m > 0 and terms[m].value in _JOINTS and _is_letter(terms[m - 1], tokens):
         m -= 2
     return m >= 0 and terms[m].cat in _NAMED
+
+
+def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """``First car stops, second brakes``: the first car, the second."""
+    found: list[Term] = []
+    named = {k for k in range(len(terms)) if _names(terms, k, tokens)}
+    for k, term in enumerate(terms):
+        word = tokens[term.i].low
+        if k in named and (len(named) > 1 or word != "first"):
+            found += [Term("det", "def", term.i, term.i), Term("label", word, term.i, term.j)]
+        else:
+            found.append(term)
+    return found
+
+
+def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """Whether an ordinal that opens a clause stands for a participant."""
+    term = terms[k]
+    if tokens[term.i].low not in POSITIONS or term.j - term.i != 1:
+        return False
+    before, after = term_at(terms, k - 1), term_at(terms, k + 1)
+    if after is None or (before is not None and before.cat not in _OPENERS):
+        return False
+    acts = (after.cat == "verb" and after.form in _VERBAL) or after.cat in {"aux", "copy"}
+    return acts or after.cat == "actor" or after.value in {"(", ","}
