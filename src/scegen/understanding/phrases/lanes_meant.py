@@ -107,7 +107,7 @@ def _whole(k: int, chunks: list[Chunk]) -> Place | None:
 
 
 def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks with such lanes as places."""
+    """The chunks with lanes that are counted off ("two lanes over") as places."""
     found: list[Chunk] = []
     skipped: set[int] = set()
     for k, chunk in enumerate(chunks):
@@ -116,9 +116,8 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         before, after = chunk_at(found, len(found) - 1), chunk_at(chunks, k + 1)
         over = isinstance(after, Word) and tokens[after.i].low in word_list("lanes_away_over")
         side = _side_after(chunks, k)
-        if not (isinstance(chunk, Place) and _counted(chunk)) or not (
-            over or (side is not None and chunk.has("num"))
-        ):
+        away = over or side is not None
+        if not away or not isinstance(chunk, Place) or not _counted(chunk, to_a_side=not over):
             found.append(chunk)
             continue
         if isinstance(before, Event) and before.name in _MOVING and not before.nominal:
@@ -139,8 +138,10 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     return found
 
 
-def _counted(place: Place) -> bool:
-    return place.kind == "lane" and bool(place.mods) and place.mods[0].cat in {"num", "det"}
+def _counted(place: Place, *, to_a_side: bool) -> bool:
+    """``two lanes over``, ``a lane over``, ``one lane to the left``."""
+    opened = bool(place.mods) and place.mods[0].cat in {"num", "det"}
+    return place.kind == "lane" and opened and (place.has("num") or not to_a_side)
 
 
 def _side_after(chunks: list[Chunk], k: int) -> Place | None:

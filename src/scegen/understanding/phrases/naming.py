@@ -53,18 +53,17 @@ class Namer:
             The further chunks and the index of the term after them.
         """
         found: list[Chunk] = []
+        named = [first]
         while first.label is not None and first.plural and self._listed(m):
             name = self._name(m + 1)
             term = self.terms[m + 1]
             mention = Mention(term.i, term.j, list(first.mods), first.head, heads=first.heads)
             mention.label, mention.label_at = name, term.i
             found += [Word(self.terms[m]), mention]
+            named.append(mention)
             m += 2
-        for one in (
-            (first, *found) if found else ()
-        ):  # "two cars A and B": the names say who they are
-            if isinstance(one, Mention):
-                one.mods = [t for t in one.mods if t.cat not in {"num", "quant"}]
+        for one in named if found else []:  # "two cars A and B": the names say who the two are
+            one.mods = [t for t in one.mods if t.cat not in {"num", "quant"}]
         return found, m
 
     def numbered(self, head: Term, m: int) -> bool:

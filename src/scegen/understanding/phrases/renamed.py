@@ -22,13 +22,12 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if not isinstance(chunk, Event) or tokens[chunk.i].base not in word_list("changing"):
             continue
         for before, place in pairwise(chunks[k : k + 1 + _CHANGE_REACH]):
-            if before is not chunk and (
-                isinstance(before, Mention | Event) or before.cat == "punct"
-            ):
+            direct = before is chunk  # "has to change two lanes to the right"
+            if not direct and (isinstance(before, Mention | Event) or before.cat == "punct"):
                 break
-            goal = before is chunk or before.value in {"to", "into"}
+            goal = direct or before.value in {"to", "into"}
             if goal and isinstance(place, Place) and place.kind == "lane":
-                chunk.name = "lane_change"  # also "has to change two lanes to the right"
+                chunk.name = "lane_change"
     return chunks
 
 

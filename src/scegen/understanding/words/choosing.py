@@ -106,7 +106,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if match.form == "base" and previous is not None and (before, previous.value) == ("aux", "be"):
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
-        return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
+        return match.get(*_ADJECTIVE_CATS, "verb"), True
     if match.has("dir", "state", "manner") and attributive:
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
@@ -116,7 +116,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
         part = match.has("dir") and match.get("dir").value == "rear"
         return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
-    if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
+    if match.has("dir") and match.form == "base" and not _verb_due(match, tokens, previous):
         across = match.get("dir").value == "lateral" and not noun_follows(tokens, match.j)
         return (verb if across else match.get("dir")), False  # "they … cross in front of it"
     return verb, False
@@ -155,20 +155,16 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
 
 
-def _verb_slot(previous: Term | None) -> bool:
-    """Whether a verb is due: after its subject, an auxiliary, "to", or a verb that takes one."""
+def _verb_due(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a verb is due: after its subject, "to" or a verb of its own ("get off and cross")."""
     if previous is None:
         return False
-    controls = previous.cat == "verb" and "control" in previous.data
-    controls = controls and previous.value != "unknown"
-    return controls or previous.cat in _VERBAL_BEFORE or previous.value == "to"
-
-
-def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """Whether a verb is due, also as the second of two ("get off and cross")."""
-    joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
-    joined = joined and match.get("dir").value == "lateral"
-    return _verb_slot(previous) or (joined and not noun_follows(tokens, match.j))
+    controls = previous.cat == "verb" and "control" in previous.data and previous.value != "unknown"
+    if controls or previous.cat in _VERBAL_BEFORE or previous.value == "to":
+        return True
+    joined = previous.cat == "conj" or previous.value == ","
+    lateral = match.get("dir").value == "lateral"
+    return joined and lateral and not noun_follows(tokens, match.j)
 
 
 def _not_inflected(match: Match) -> Match:

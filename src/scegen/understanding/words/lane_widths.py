@@ -66,7 +66,7 @@ def _told_of(lanes: list[Term], length: Term, tokens: list[Token], how: str) -> 
 def _names_it(term: Term, tokens: list[Token]) -> bool:
     """``lane width``."""
     words = [t.low for t in tokens[term.i : term.j]]
-    return words[0] == "lane" and words[-1] in word_list("wide")
+    return words[:1] == ["lane"] and words[-1] in word_list("wide")
 
 
 def _is_lane(term: Term) -> bool:
