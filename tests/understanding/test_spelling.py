@@ -2,7 +2,7 @@ import pytest
 
 from scegen.scenario.vocabulary import EvidenceSource
 from scegen.understanding import read
-from scegen.understanding.lexicon import load, load_spelling
+from scegen.understanding.lexicon import load, word_lists
 from scegen.understanding.words.spelling import meant, one_slip
 
 
@@ -59,6 +59,6 @@ def test_the_evidence_says_what_was_mended():
 
 
 def test_key_words_are_known_and_real_words_are_none_of_them():
-    spelling = load_spelling()
-    assert not set(spelling.keys) & spelling.real_words
-    assert not {w for w in spelling.real_words if w in load().words}
+    spelling = word_lists("spelling")
+    assert not spelling["keys"] & spelling["real_words"]
+    assert not {w for w in spelling["real_words"] if w in load().words}

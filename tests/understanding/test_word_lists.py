@@ -9,7 +9,7 @@ import yaml
 
 import scegen.understanding
 from scegen.scenario import vocabulary
-from scegen.understanding.lexicon.loader import _lists
+from scegen.understanding.lexicon.loader import word_lists
 
 PACKAGE = Path(scegen.understanding.__file__).parent
 FEWEST = 3
@@ -77,17 +77,17 @@ def test_a_list_of_words_is_found():
 def test_every_list_is_asked_for():
     python = "".join(p.read_text(encoding="utf-8") for p in PACKAGE.rglob("*.py"))
     rows = "".join(p.read_text(encoding="utf-8") for p in (PACKAGE / "frames").glob("*.yaml"))
-    unused = [n for n in _lists() if f'"{n}"' not in python and f"@{n}" not in rows]
+    unused = [n for n in word_lists("lists") if f'"{n}"' not in python and f"@{n}" not in rows]
     assert not unused
 
 
 def test_words_that_yaml_takes_for_truth_values_are_words():
-    assert all(isinstance(word, str) for words in _lists().values() for word in words)
+    assert all(isinstance(word, str) for words in word_lists("lists").values() for word in words)
 
 
 @pytest.mark.parametrize("name", ["gently", "standing"])
 def test_lists_have_words(name):
-    assert len(_lists()[name]) >= FEWEST
+    assert len(word_lists("lists")[name]) >= FEWEST
 
 
 def test_nothing_stands_twice_in_one_class():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 from scegen.scenario.vocabulary import CrossedArm, ParticipantKind
 from scegen.understanding.words.terms import Term
@@ -15,7 +15,10 @@ _DEEPEST = 4
 
 @dataclass(slots=True, eq=False)
 class Word:
-    """A term that is no phrase of its own: preposition, conjunction, adverb, mark."""
+    """A term that is no phrase of its own: preposition, conjunction, adverb, mark.
+
+    Alone among the chunks it has a class and a value; those of all others are empty.
+    """
 
     term: Term
     cat: str = field(init=False)
@@ -32,6 +35,8 @@ class Word:
 class NounPhrase:
     """What all noun phrases share: a span, the words before the head, and who owns it."""
 
+    cat: ClassVar[str] = ""
+    value: ClassVar[str] = ""
     i: int
     j: int
     mods: list[Term]
@@ -43,6 +48,25 @@ class NounPhrase:
     def mod(self, *cats: str) -> Term | None:
         """The first word before the head of one of these classes."""
         return next((m for m in self.mods if m.cat in cats), None)
+
+    def has(self, cat: str, *values: str) -> bool:
+        """Whether a word of a class, and of one of the values if any are given, is before it."""
+        return any(m.cat == cat and (not values or m.value in values) for m in self.mods)
+
+    @property
+    def noun(self) -> str:
+        """What the head says, if there is one."""
+        return self.head.value if self.head is not None else ""
+
+    @property
+    def plural(self) -> bool:
+        """Whether the head names several."""
+        return self.head is not None and self.head.form == "s"
+
+    @property
+    def ways(self) -> list[Term]:
+        """The words for directions before the head."""
+        return [m for m in self.mods if m.cat == "dir"]
 
     @property
     def opening(self) -> str:
@@ -58,7 +82,7 @@ class NounPhrase:
     def dirs(self) -> list[str]:
         """Directions named before the head."""
         own = [self.head.data["dir"]] if self.head is not None and "dir" in self.head.data else []
-        return [*(m.value for m in self.mods if m.cat == "dir"), *own]
+        return [*(m.value for m in self.ways), *own]
 
 
 @dataclass(slots=True, eq=False)
@@ -177,6 +201,8 @@ class Event:
         denied_ways: where it does not lead ("turns neither left nor right").
     """
 
+    cat: ClassVar[str] = ""
+    value: ClassVar[str] = ""
     name: str
     i: int
     j: int

@@ -24,8 +24,7 @@ from scegen.understanding.meaning.manner import Manners
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.phrases.chunking import Chunker
-from scegen.understanding.phrases.entries import read_entries
-from scegen.understanding.phrases.headings import announce, silence
+from scegen.understanding.phrases.headings import announce, read_entries, silence
 from scegen.understanding.phrases.identity import in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.listed import list_them

@@ -3,23 +3,10 @@
 from scegen.understanding.lexicon.loader import (
     Entry,
     Lexicon,
-    Spelling,
     load,
     load_contexts,
-    load_languages,
-    load_spelling,
-    load_ways,
     word_list,
+    word_lists,
 )
 
-__all__ = [
-    "Entry",
-    "Lexicon",
-    "Spelling",
-    "load",
-    "load_contexts",
-    "load_languages",
-    "load_spelling",
-    "load_ways",
-    "word_list",
-]
+__all__ = ["Entry", "Lexicon", "load", "load_contexts", "word_list", "word_lists"]

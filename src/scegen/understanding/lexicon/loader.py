@@ -103,35 +103,26 @@ def load() -> Lexicon:
 
 
 @lru_cache(maxsize=1)
-def load_languages() -> dict[str, frozenset[str]]:
-    """Language -> words that stand in nearly every sentence of it."""
-    return {name: frozenset(words) for name, words in _read("languages").items()}
-
-
-@lru_cache(maxsize=1)
-def load_ways() -> dict[str, frozenset[str]]:
-    """Named lists of words that tell a road, or a way over it, by how somebody drives."""
-    return {name: frozenset(words) for name, words in _read("ways").items()}
-
-
-@lru_cache(maxsize=1)
 def load_contexts() -> list[dict[str, Any]]:
     """The rows that tell what a term is by the words around it."""
     rows: list[dict[str, Any]] = _read("contexts")
     return rows
 
 
-@lru_cache(maxsize=1)
-def _lists() -> dict[str, frozenset[str]]:
-    """Words of one kind, by the name of the list.
+@cache
+def word_lists(file: str) -> dict[str, frozenset[str]]:
+    """The lists of words that a file of the lexicon holds, by their names.
+
+    Args:
+        file: ``lists``, or ``languages``, ``spelling`` or ``ways`` for those of one purpose.
 
     Raises:
         TypeError: names a word that YAML takes for a truth value or a number.
     """
-    lists: dict[str, list[str]] = _read("lists") | _read("around_numbers")
+    lists = _read(file)
     for name, words in lists.items():
         if not all(isinstance(word, str) for word in words):
-            msg = f"lists of words: what stands in {name!r} must be quoted"
+            msg = f"{file}.yaml: what stands in {name!r} must be quoted"
             raise TypeError(msg)
     return {name: frozenset(words) for name, words in lists.items()}
 
@@ -139,19 +130,4 @@ def _lists() -> dict[str, frozenset[str]]:
 @cache
 def word_list(name: str) -> frozenset[str]:
     """The words of a list."""
-    return _lists()[name]
-
-
-@dataclass(frozen=True, slots=True)
-class Spelling:
-    """Words in which slips are mended, and words that only look like slips of them."""
-
-    keys: tuple[str, ...]
-    real_words: frozenset[str]
-
-
-@lru_cache(maxsize=1)
-def load_spelling() -> Spelling:
-    """The spelling file of the package, read once."""
-    record = _read("spelling")
-    return Spelling(tuple(record["keys"]), frozenset(record["real_words"]))
+    return (word_lists("lists") | word_lists("around_numbers"))[name]

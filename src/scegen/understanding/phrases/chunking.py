@@ -6,13 +6,12 @@ from dataclasses import replace
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
-from scegen.understanding.phrases.lanes_away import count_lanes
+from scegen.understanding.phrases.lanes_meant import count_lanes
 from scegen.understanding.phrases.naming import Namer
 from scegen.understanding.phrases.renamed import between_lanes, with_particles
 from scegen.understanding.words.adjectives import loose_modifier
 from scegen.understanding.words.nominal import (
     OPENERS,
-    ORDINALS,
     WAYS,
     compound_end,
     ego_owns,
@@ -21,7 +20,8 @@ from scegen.understanding.words.nominal import (
     is_nominal,
     one_side,
 )
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token
 
 _MODIFIERS = frozenset(
@@ -55,61 +55,57 @@ class Chunker:
         chunks = between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
         return count_lanes(chunks, self._tokens)
 
+    def _add(self, chunk: Chunk, k: int) -> int:
+        """Takes a chunk that ends before term ``k``."""
+        self._chunks.append(chunk)
+        return k
+
+    @property
+    def _last(self) -> Chunk | None:
+        return self._chunks[-1] if self._chunks else None
+
     def _chunk_at(self, k: int) -> int:
         term = self._terms[k]
         if term.cat == "verb" and term.data.get("noun"):
-            self._chunks.append(self._breach(term))
-            return k + 1
+            return self._add(self._breach(term), k + 1)
         if term.cat == "verb" and not term.premod:
-            self._chunks.append(event_of(term, []))
-            return k + 1
+            return self._add(event_of(term, []), k + 1)
         if term.cat == "pronoun":
-            self._chunks.append(Mention(term.i, term.j, [], term, pronoun=term.value))
-            return k + 1
-        if term.cat == "possessive" and term.value == "genitive":
-            if not self._owns(k):
-                self._chunks.append(Word(term))
-                return k + 1
-            if isinstance(owner := self._chunks[-1], Mention):
-                owner.possessor = True
-        if self._mine(k):
-            return k + 1
+            return self._add(Mention(term.i, term.j, [], term, pronoun=term.value), k + 1)
+        if (term.cat, term.value) == ("possessive", "mine"):
+            return self._add(self._mine(term), k + 1)
+        if (term.cat, term.value) == ("possessive", "genitive"):
+            owner = self._last
+            if not isinstance(owner, Mention) or not self._owns(k):
+                return self._add(Word(term), k + 1)
+            owner.possessor = True
         reached = self._noun_phrase(k)
-        if reached is None:
-            self._chunks.append(Word(term))
-            return k + 1
-        return reached
+        return self._add(Word(term), k + 1) if reached is None else reached
 
     def _breach(self, term: Term) -> Event:
         """``red light violation``: a noun of a doing with what it is done to before it."""
         event = event_of(term, [], nominal=True)
-        before = self._chunks[-1] if self._chunks else None
+        before = self._last
         event.object = before if isinstance(before, Place) and before.j == term.i else None
         return event
 
-    def _mine(self, k: int) -> bool:
+    def _mine(self, term: Term) -> Mention | Place:
         """``his car hits mine``: the teller's vehicle, or a place of the kind named last."""
-        term = self._terms[k]
-        if (term.cat, term.value) != ("possessive", "mine"):
-            return False
         last = next((c for c in reversed(self._chunks) if _owned(c)), None)
         if isinstance(last, Mention):
             data = {"ego": True, "me": True}
             head = Term("actor", "ego", term.i, term.j, data=data)
-            self._chunks.append(Mention(term.i, term.j, [], head, heads=[head]))
-            return True
+            return Mention(term.i, term.j, [], head, heads=[head])
         kind = last.kind if isinstance(last, Place) else "lane"
         mine = [replace(term, value="first_person")]
-        self._chunks.append(Place(term.i, term.j, mine, None, None, kind=kind))
-        return True
+        return Place(term.i, term.j, mine, None, None, kind=kind)
 
     def _owns(self, k: int) -> bool:
         """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
-        if k + 1 >= len(self._terms) or not self._chunks:
+        follows = self._term(k + 1)
+        if follows is None or follows.cat in {"aux", "neg", "prep", "punct", "det", "pronoun"}:
             return False
-        follows = self._terms[k + 1]
-        plain = follows.cat not in {"aux", "neg", "prep", "punct", "det", "pronoun"}
-        return isinstance(self._chunks[-1], Mention) and plain and not self._is_adverb(follows)
+        return not self._is_adverb(follows)
 
     def _is_adverb(self, term: Term) -> bool:
         last = self._tokens[term.j - 1].low
@@ -141,7 +137,7 @@ class Chunker:
     def _noun_phrase(self, k: int) -> int | None:
         mods, m = self._scan(k)
         head = self._term(m)
-        owner = self._owner(mods)
+        owner = self._owner()
         if head is not None and head.cat == "actor":
             if any(m.cat == "manner" for m in mods) and "speaks" in head.data:
                 return self._bare(mods, k)  # "so close I can't see it"
@@ -154,28 +150,29 @@ class Chunker:
         if (
             not rest
             and head is not None
-            and is_nominal(mods, head, self._term(m + 1), self._chunks, self._tokens)
+            and is_nominal(mods, head, self._term(m + 1), self._chunks)
         ):
             coming = head.form == "ing" and mods[-1].value in _COMING_FROM
             if any(mod.cat == "num" for mod in mods) and (coming or not has_dir(mods)):
                 return self._bare(mods, k)
-            self._chunks.append(event_of(head, mods, nominal=True))
-            return m + 1
+            return self._add(event_of(head, mods, nominal=True), m + 1)
         return self._bare(mods, k)
 
     def _side_before_number(self, mods: list[Term]) -> bool:
         """``from the left two cars come``: the number begins a noun phrase of its own."""
         previous = self._chunks[-1] if self._chunks else None
-        return getattr(previous, "cat", "") == "prep" and any(
-            b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
-            for a, b in pairwise(mods)
+        return (
+            previous is not None
+            and previous.cat == "prep"
+            and any(
+                b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
+                for a, b in pairwise(mods)
+            )
         )
 
-    def _owner(self, mods: list[Term]) -> Mention | None:
-        previous = self._chunks[-1] if self._chunks else None
-        genitive = bool(mods) and mods[0].cat == "possessive" and mods[0].value == "genitive"
-        genitive = genitive or (isinstance(previous, Mention) and previous.possessor)
-        return previous if genitive and isinstance(previous, Mention) else None
+    def _owner(self) -> Mention | None:
+        previous = self._last
+        return previous if isinstance(previous, Mention) and previous.possessor else None
 
     def _bare(self, mods: list[Term], k: int) -> int | None:
         """Modifiers without a head: "one", "another", "both", "from the right"."""
@@ -193,19 +190,15 @@ class Chunker:
         if first.cat == "det" and first.value in {"another", "other"}:
             return self._one_after(self._stand_alone(mods[:1], first.value, k))
         second = mods[1] if len(mods) > 1 else None
-        if first.cat == "det" and second is not None and second.cat == "label":
-            ordinal = second.value in ORDINALS
-            last_in_run = len(mods) == 2 or mods[2].cat in {"num", "quantity", "punct"}
-            if ordinal and last_in_run:
-                mention = Mention(first.i, second.j, mods, None, pronoun="ordinal")
-                mention.label = second.value
-                self._chunks.append(mention)
-                return self._one_after(k + 2)
+        last_in_run = len(mods) < 3 or mods[2].cat in {"num", "quantity"}  # "takes the second left"
+        if first.cat == "det" and second and second.value in POSITIONS and last_in_run:
+            mention = Mention(first.i, second.j, mods, None, pronoun="ordinal", label=second.value)
+            return self._one_after(self._add(mention, k + 2))
         one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
         side_first = one == _SIDE_WORDS and governed(self._chunks) and self._acts(k + one + 1)
-        if one > 0 and first.value == "def" and mods[one].cat == "num" and not side_first:
-            self._chunks.append(Mention(first.i, mods[one].j, mods[:one], None, pronoun="one"))
-            return k + one + 1  # "the one", "the red one"
+        if one > 0 and first.value == "def" and not side_first:  # "the one", "the red one"
+            mention = Mention(first.i, mods[one].j, mods[:one], None, pronoun="one")
+            return self._add(mention, k + one + 1)
         return self._everybody(mods, k) or self._side(mods, k)
 
     def _everybody(self, mods: list[Term], k: int) -> int | None:
@@ -216,8 +209,7 @@ class Chunker:
         whole = first.cat == "quant" and first.value in {"both", "all"}
         if not whole or len(mods) != 1 + len(counted):
             return None
-        self._chunks.append(Mention(first.i, mods[-1].j, mods, None, pronoun=first.value))
-        return k + len(mods)
+        return self._stand_alone(mods, first.value, k)
 
     def _acts(self, k: int) -> bool:
         """``on the left one pulls out``: whether a verb of its own comes here."""
@@ -225,7 +217,7 @@ class Chunker:
         return term is not None and term.cat == "verb" and term.form == "s"
 
     def _term(self, k: int) -> Term | None:
-        return self._terms[k] if k < len(self._terms) else None
+        return term_at(self._terms, k)
 
     def _low(self, k: int) -> str:
         """The first word of a term, if there is one."""
@@ -237,8 +229,7 @@ class Chunker:
         return k + 1 if term is not None and term.cat == "num" and term.value == "one" else k
 
     def _stand_alone(self, mods: list[Term], pronoun: str, k: int) -> int:
-        self._chunks.append(Mention(mods[0].i, mods[-1].j, mods, None, pronoun=pronoun))
-        return k + len(mods)
+        return self._add(Mention(mods[0].i, mods[-1].j, mods, None, pronoun=pronoun), k + len(mods))
 
     def _side(self, mods: list[Term], k: int) -> int | None:
         """``the right``, ``right front``, ``the north``: a side named without a noun."""
@@ -255,10 +246,8 @@ class Chunker:
         placed = governed(self._chunks) or mods[0].cat in {"det", "possessive"}
         if not seen or not placed:
             return None
-        used = mods[:length]
-        owner = self._owner(used)
-        self._chunks.append(Place(used[0].i, used[-1].j, used, None, owner, kind="side"))
-        return k + length
+        used, owner = mods[:length], self._owner()
+        return self._add(Place(used[0].i, used[-1].j, used, None, owner, kind="side"), k + length)
 
     def _mention(self, mods: list[Term], m: int, owner: Mention | None) -> int:
         heads = [self._terms[m]]
@@ -271,14 +260,13 @@ class Chunker:
         start = mods[0].i if mods else heads[0].i
         mention = Mention(start, heads[-1].j, mods, heads[-1], owner, heads=heads)
         mention.label = heads[-1].data.get("label") if len(heads) == 1 else None
-        mention.negated = any(mod.cat == "det" and mod.value == "negative" for mod in mods)
+        mention.negated = mention.has("det", "negative")
         named = Namer(self._terms, self._tokens)
         m = named.single(mention, m)
         mention.possessor = ego_owns(heads, self._term(m))
         m = self._at_rest(mention, m)
-        self._chunks.append(mention)
         further, m = named.further(mention, m)
-        self._chunks += further
+        self._chunks += [mention, *further]
         return m
 
     def _at_rest(self, mention: Mention, m: int) -> int:
@@ -293,16 +281,13 @@ class Chunker:
     def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
         start = mods[0].i if mods else head.i
         if head.cat in {"place", "leg"}:
-            place = Place(start, head.j, mods, head, owner, kind=head.value)
-            self._chunks.append(place)
-            if not Namer(self._terms, self._tokens).numbered(head, m + 1):
-                return m + 1
-            place.j = self._terms[m + 1].j
-            return m + 2
+            last = m + Namer(self._terms, self._tokens).numbered(head, m + 1)
+            place = Place(start, self._terms[last].j, mods, head, owner, kind=head.value)
+            return self._add(place, last + 1)
         kind = head.cat if head.cat == "view" else head.value
         end = compound_end(head, self._term(m + 1), self._chunks)
-        self._chunks.append(Thing(start, end.j, mods, head, owner, kind=kind))
-        return m + 1 + (end is not head)
+        thing = Thing(start, end.j, mods, head, owner, kind=kind)
+        return self._add(thing, m + 1 + (end is not head))
 
 
 def _owned(chunk: Chunk) -> bool:

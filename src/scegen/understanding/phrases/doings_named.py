@@ -10,16 +10,18 @@ from dataclasses import replace
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
+    cat_at,
     chunk_at,
     finite_follows,
-    is_word,
     sentence_end,
+    value_at,
 )
 
 _DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
 _MADE = frozenset({"turn", "u_turn", "reverse"})
 """Doings that a title names before who does them."""
+_DOERS = frozenset({"of", "by"})
 _JOINTS = frozenset({",", "and", "then"})
 
 
@@ -44,7 +46,7 @@ def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
 
 
 def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] | None:
-    before = getattr(chunks[k - 1], "value", "") if k else "."
+    before = value_at(chunks, k - 1) if k else "."
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
     if not opens or event.form not in {"base", "ing"}:
         return None
@@ -53,7 +55,7 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     where = chunks[k + 1 : k + 3] if isinstance(chunk_at(chunks, k + 2), Place) else []
     m = k + 1 + len(where)
     who_else = chunk_at(chunks, m + 1)
-    if event.name in _MADE and is_word(chunk_at(chunks, m), ",") and isinstance(who_else, Mention):
+    if event.name in _MADE and value_at(chunks, m) == "," and isinstance(who_else, Mention):
         rest = chunks[m + 2 : sentence_end(chunks, m + 2)]
         done = any(isinstance(c, Event) for c in rest)
         # "Left turn, ego at 12 km/h", "Left turn at a junction, ego 12 km/h"
@@ -63,7 +65,7 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     while (group := _group(m, chunks)) and group[0] not in named:
         named[group[0]] = group[1]
         m = group[2]
-    is_heading = is_word(chunk_at(chunks, sentence_end(chunks, m)), ":")
+    is_heading = value_at(chunks, sentence_end(chunks, m)) == ":"
     if not named or finite_follows(chunks, m - 1) or is_heading:
         return None
     of, by = named.get("of", []), named.get("by", [])
@@ -74,22 +76,18 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
 
 def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     """``of a car ahead of the ego``: the word, the noun with its place, where it ends."""
-    word, noun = chunk_at(chunks, m), chunk_at(chunks, m + 1)
-    if not _doer(word) or not isinstance(word, Word) or not isinstance(noun, Mention | Place):
+    word, noun = value_at(chunks, m), chunk_at(chunks, m + 1)
+    if word not in _DOERS or not isinstance(noun, Mention | Place):
         return None
     end = m + 2
-    place, of = chunk_at(chunks, end), chunk_at(chunks, end + 1)
-    if isinstance(place, Word) and place.cat == "locus" and isinstance(of, Mention | Place):
+    of = chunk_at(chunks, end + 1)
+    if cat_at(chunks, end) == "locus" and isinstance(of, Mention | Place):
         end += 2
-    if is_word(place, "(") and isinstance(of, Mention):
+    if value_at(chunks, end) == "(" and isinstance(of, Mention):
         end += 3  # "of a GVT (a van)"
-    at, speed = chunk_at(chunks, end), chunk_at(chunks, end + 1)
-    told = isinstance(at, Word) and isinstance(noun, Mention) and _doer(chunk_at(chunks, end + 2))
+    speed = chunk_at(chunks, end + 1)
+    told = isinstance(noun, Mention) and value_at(chunks, end + 2) in _DOERS
     if told and isinstance(speed, Word) and speed.cat == "quantity":
         noun.mods = [*noun.mods, speed.term]  # "of a cyclist at 15 km/h by …"
-        return word.value, chunks[m + 1 : end], end + 2
-    return word.value, chunks[m + 1 : end], end
-
-
-def _doer(word: Chunk | None) -> bool:
-    return isinstance(word, Word) and word.value in {"of", "by"}
+        return word, chunks[m + 1 : end], end + 2
+    return word, chunks[m + 1 : end], end

@@ -1,14 +1,25 @@
-"""Headings: "Car-to-car rear braking: the test vehicle follows …" names nobody new."""
+"""Headings and entries: "Car-to-car rear braking: …" names nobody new, "Ego: 50 km/h" tells."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES, governs
+from scegen.understanding.phrases.lookahead import (
+    cat_at,
+    chunk_at,
+    free_mentions,
+    sentences,
+    value_at,
+)
 from scegen.understanding.words.terms import Term
 
+_SMALL = frozenset({"manner", "prep"})
+_NOBODY = "nobody"
 _GENERIC = frozenset({"car", "driver", "adversary"})
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
+_AUXILIARIES = frozenset({"aux", "copy"})
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
@@ -17,22 +28,17 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
 
     Whoever a heading names without a number are those told after its colon, and nobody besides.
     """
-    begin = 0
-    for k, mark in enumerate(chunks):
-        if not isinstance(mark, Word) or mark.value not in BOUNDARIES:
+    for begin, k in sentences(chunks):
+        who = next(iter(_others(chunks[begin:k])), None)
+        if chunks[k].value != ":" or who is None or who.head is None or who.has("num"):
             continue
-        named = [c for c in chunks[begin:k] if isinstance(c, Mention) and c.heads and not c.is_ego]
-        begin, who = k + 1, named[0] if named else None
-        if mark.value != ":" or who is None or who.head is None or who.mod("num") is not None:
-            continue
-        again = chunks[k + 1] if k + 1 < len(chunks) else None
-        number = again.mod("num") if isinstance(again, Mention) else None
-        mass = "mass" in who.head.data
+        again = chunk_at(chunks, k + 1)
+        number = again.mod("num") if isinstance(again, Mention) and again.head else None
         told = _listed(chunks, k + 1)
-        if mass and number is not None and isinstance(again, Mention) and again.head is not None:
+        if "mass" in who.head.data and number is not None and isinstance(again, Mention):
             who.mods.append(number)
             who.heads, who.head, again.same_as = again.heads, again.head, who
-        elif who.head.form == "s" and who.head.value in _GENERIC and len(told) > 1:
+        elif who.plural and who.noun in _GENERIC and len(told) > 1:
             count = Term("num", "count", who.i, who.i, data={"number": float(len(told))})
             who.mods = [count, *(m for m in who.mods if m.cat != "quant")]
     return chunks
@@ -40,17 +46,13 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
 
 def _listed(chunks: list[Chunk], k: int) -> list[Mention]:
     """Who is told one after the other up to the end of a sentence, the ego left out."""
-    end = next((m for m, c in enumerate(chunks[k:], k) if _ends(c)), len(chunks))
-    return [
-        c
-        for before, c in zip(chunks[k - 1 : end - 1], chunks[k:end], strict=True)
-        if isinstance(c, Mention) and c.heads and not c.is_ego
-        if not governs(before)
-    ]
+    end = next((m for m in range(k, len(chunks)) if chunks[m].value in {".", ";"}), len(chunks))
+    return _others(free_mentions(chunks[k:end]))
 
 
-def _ends(chunk: Chunk) -> bool:
-    return isinstance(chunk, Word) and chunk.value in {".", ";"}
+def _others(chunks: Sequence[Chunk]) -> list[Mention]:
+    """Whom nouns name, the ego left out."""
+    return [c for c in chunks if isinstance(c, Mention) and c.heads and not c.is_ego]
 
 
 def silence(chunks: list[Chunk]) -> list[Chunk]:
@@ -64,18 +66,14 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
     Returns:
         The chunks without the colons after which it is said what the one before them does.
     """
-    begin = 0
     joints: set[int] = set()
-    for k, chunk in enumerate(chunks):
-        if not isinstance(chunk, Word) or chunk.value not in BOUNDARIES:
-            continue
-        title, rest = chunks[begin:k], chunks[k + 1 :]
-        if chunk.value == ":" and _of_one(title, rest):
-            joints.add(id(chunk))
-        elif (chunk.value == ":" or not begin) and _is_heading(title, rest, chunk.value):
+    for begin, k in sentences(chunks):
+        title, rest, mark = chunks[begin:k], chunks[k + 1 :], chunks[k].value
+        if mark == ":" and _of_one(title, rest):
+            joints.add(k)
+        elif (mark == ":" or not begin) and _is_heading(title, rest, mark):
             _silence(title, rest)
-        begin = k + 1
-    return [c for c in chunks if id(c) not in joints]
+    return [c for k, c in enumerate(chunks) if k not in joints]
 
 
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
@@ -84,7 +82,7 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     named = isinstance(who, Mention) and any("mass" not in h.data for h in who.heads)
     told = rest[0] if rest else None
     if isinstance(told, Event) and told.form == "ing":  # "Runner: coming from the left, a boy …"
-        comma = next((k for k, c in enumerate(rest) if getattr(c, "value", "") == ","), len(rest))
+        comma = next((k for k, c in enumerate(rest) if c.value == ","), len(rest))
         told = rest[comma + 1] if comma + 1 < len(rest) else told
     return named and told is not None and not isinstance(told, Mention)
 
@@ -92,16 +90,14 @@ def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
 def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
     """Those of whom a heading says more are the same as those of their kind after it."""
     mentions = [c for c in title if isinstance(c, Mention)]
-    others = [c for c in rest if isinstance(c, Mention) and c.heads and not _names_ego([c])]
-    if not others:  # "Stationary traffic ahead: the ego brakes": nobody else can be meant
+    if not _others(rest):  # "Stationary traffic ahead: the ego brakes": nobody else can be meant
         mentions = [m for m in mentions if _names_ego([m])]
     for mention in mentions:
-        kind = mention.head.value if mention.head is not None else ""
-        alone = sum(m.head is not None and m.head.value == kind for m in mentions) == 1
-        told = title[title.index(mention) + 1 :][:1]
-        described = (bool(told) and isinstance(told[0], Event)) or bool(mention.dirs)
+        kind = mention.noun
+        alone = [m.noun for m in mentions].count(kind) == 1
+        told = isinstance(chunk_at(title, title.index(mention) + 1), Event)
         same = next((c for c in rest if isinstance(c, Mention) and _of_kind(c, kind)), None)
-        if alone and described and same is not None and kind in _SPECIFIC:
+        if alone and (told or mention.dirs) and same is not None and kind in _SPECIFIC:
             same.same_as = mention
         else:
             mention.negated = True
@@ -117,14 +113,12 @@ def _pass_on(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> None:
     """``Slow vehicle: a tractor …``: what the heading says holds for the first one named."""
     words = [*mention.mods, *(c.term for c in title if isinstance(c, Word))]
     told = [m for m in words if (m.cat, m.value) in _QUALITIES or m.cat == "state"]
-    others = [c for c in rest if isinstance(c, Mention) and c.pronoun is None and c.heads]
-    others = [c for c in others if not c.is_ego]
-    for other in others[:1] if told else []:
+    for other in _others(rest)[:1]:
         other.mods = [*other.mods, *told]
 
 
 def _of_kind(mention: Mention, kind: str) -> bool:
-    return mention.head is not None and mention.head.value == kind and not mention.label
+    return mention.noun == kind and not mention.label
 
 
 def _comes_again(mention: Mention, rest: list[Chunk], *, old: bool) -> bool:
@@ -132,7 +126,7 @@ def _comes_again(mention: Mention, rest: list[Chunk], *, old: bool) -> bool:
 
     In "Car-to-cyclist. The cyclist …" those of the title may be old.
     """
-    kind = mention.head.value if mention.head is not None and mention.head.form != "s" else ""
+    kind = "" if mention.plural else mention.noun
     named = [c for c in rest if isinstance(c, Mention) and c.head is not None]
     fresh = [c for c in named if old or any(m.value == "indef" for m in c.mods[:1])]
     generic = kind == "car" and any(c.is_ego or _of_kind(c, kind) for c in named)
@@ -141,21 +135,18 @@ def _comes_again(mention: Mention, rest: list[Chunk], *, old: bool) -> bool:
 
 def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:
     """``Cut-out before a stopped car: … a car that has broken down``."""
-    kind = mention.head.value if mention.head is not None else ""
-    named = [c for c in rest if isinstance(c, Mention) and not c.is_ego and _of_kind(c, kind)]
-    single = mention.head is not None and mention.head.form != "s" and not mention.label
+    named = [c for c in _others(rest) if _of_kind(c, mention.noun)]
+    single = not mention.plural and not mention.label
     return single and any(m.value == "indef" for c in named for m in c.mods[:1])
 
 
 def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     """Whether words up to a colon, or the first sentence, only name what is told after them."""
-    spoken = any(_finite(c) for c in title) or any(
-        isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title
-    )
+    spoken = any(_finite(c) or c.cat in _AUXILIARIES for c in title)
     titled = [c for c in title if isinstance(c, Mention)]
     if mark != ":":
-        pair = len(titled) > 1 and any(isinstance(c, Word) and c.value == "to" for c in title)
-        sided = any(isinstance(c, Word) and c.value in {"left", "right"} for c in title)
+        pair = len(titled) > 1 and any(c.value == "to" for c in title)
+        sided = any(c.value in {"left", "right"} for c in title)
         again = all(_comes_again(c, rest, old=pair) for c in titled) and not _names_ego(title)
         if mark != "." or not titled or sided or not again:
             return False
@@ -170,7 +161,7 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
         for c in titled
     )
     named = any(isinstance(c, Mention) and c.pronoun is None for c in rest)
-    stated = any(isinstance(c, Word) and c.cat in {"aux", "copy"} for c in rest)
+    stated = any(c.cat in _AUXILIARIES for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
     return not spoken and bare and named and told_of
 
@@ -182,18 +173,52 @@ def _finite(chunk: Chunk) -> bool:
 def _role(mention: Mention, title: list[Chunk]) -> bool:
     """``Deceleration of the preceding vehicle: …``: whoever is told of after it plays it."""
     opened = [(m.cat, m.value) for m in mention.mods if m.cat in _FIRST_WORDS] == [("det", "def")]
-    generic = mention.head is not None and mention.head.value == "car" and not mention.label
+    generic = _of_kind(mention, "car")
     doing = isinstance(title[0], Event) and not isinstance(title[-1], Event)
     return opened and generic and bool(mention.dirs) and doing and not mention.is_ego
 
 
 def _done_to(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Overtaking a bicyclist: EBT 22 km/h, …``: one of its kind is told of after it."""
-    kind = mention.head.value if mention.head is not None else ""
     alone = isinstance(title[0], Event) and title[0].form == "ing" and title[-1] is mention
-    again = (c for c in rest if isinstance(c, Mention) and c.head is not None and not c.is_ego)
-    return alone and kind in _SPECIFIC and any(c.head and c.head.value == kind for c in again)
+    again = any(c.noun == mention.noun for c in _others(rest))
+    return alone and mention.noun in _SPECIFIC and again
 
 
 def _introduced(mention: Mention) -> bool:
     return any(m.cat in _FIRST_WORDS for m in mention.mods) or bool(mention.label)
+
+
+def read_entries(chunks: list[Chunk]) -> list[Chunk]:
+    """``Lead car, same lane: 30 km/h``, ``Other road users: none``: entries of a protocol.
+
+    A speed behind a colon is that of who opens the entry, "none" denies who does.
+
+    Args:
+        chunks: of the text.
+    """
+    left_out: set[int] = set()
+    for begin, k in sentences(chunks):
+        if chunks[k].value == ":":
+            left_out |= {*range(k, _entry(chunks[begin:k], chunks, k))}
+    return [c for k, c in enumerate(chunks) if k not in left_out]
+
+
+def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int:
+    """Where the text goes on behind what an entry says of who opens it."""
+    who = [m for m in free_mentions(title) if m.heads and not m.possessor]
+    if not who or any(isinstance(c, Event) and not c.nominal for c in title):
+        return k
+    m = k + 1
+    while cat_at(chunks, m) in _SMALL:
+        m += 1
+    value = chunk_at(chunks, m)
+    last = m + 1 == len(chunks) or value_at(chunks, m + 1) in {".", ";", ","}
+    if isinstance(value, Mention) and value.pronoun == _NOBODY and last:
+        who[0].negated = True
+        return m + 1
+    if isinstance(value, Word) and (value.cat, value.value) == ("quantity", "speed"):
+        for each in who:
+            each.mods = [*each.mods, value.term]
+        return m + 1
+    return k

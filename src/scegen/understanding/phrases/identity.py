@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_WHOLE = 6
-"""Somebody, a bracket, two names with a comma between, a bracket."""
 _HELPS = frozenset({"aux", "manner"})
 
 
@@ -15,11 +14,9 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with each of two further names of somebody in brackets of its own."""
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
-        who, opening, first, _, second, closing = (*chunks[k - 3 : k + 3], *[None] * _WHOLE)[
-            :_WHOLE
-        ]
-        marks = [c.value if isinstance(c, Word) else "" for c in (opening, chunk, closing)]
-        named = k > 2 and marks == ["(", ",", ")"] and isinstance(who, Mention)
+        marks = [value_at(chunks, m) for m in (k - 2, k, k + 2)]
+        first, second = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
+        named = marks == ["(", ",", ")"] and isinstance(chunk_at(chunks, k - 3), Mention)
         if named and _says_who(first) and _says_who(second):
             found += [Word(Term("punct", mark, chunk.i, chunk.i)) for mark in ")("]
         else:
@@ -37,7 +34,7 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     if first is None or first.head is None or first.is_ego:
         return chunks
     after = chunks[chunks.index(first) + 1 :]
-    verb = next((c for c in after if not (isinstance(c, Word) and c.cat in _HELPS)), None)
+    verb = next((c for c in after if c.cat not in _HELPS), None)
     mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
     if mere and isinstance(verb, Event):  # "the vehicle ahead" is another one
         noun = tokens[first.head.i].low

@@ -1,9 +1,12 @@
-"""Words that stand for a lane: "the left one of two lanes", "the truck in it"."""
+"""Words that stand for a lane: "the left one of two lanes", "the truck in it", "two lanes over"."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -11,6 +14,8 @@ _LANES = frozenset({"lane", "ramp"})  # "the right lane ends"
 _SIDES = frozenset({"left", "right", "adjacent"})
 _OF_A_LANE = 3
 """Phrases: the side, "of", the lane."""
+_MOVING = frozenset({"move", "swerve", "try", "dash", "enter", "cross", "sharp_turn", "pull_out"})
+_BESIDE = _SIDES | {"opposite"}
 
 
 def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -20,17 +25,15 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: the chunks of the text.
         tokens: its tokens.
     """
-    if not any(isinstance(c, Place) and c.kind in _LANES for c in chunks):
-        return chunks
     found: list[Chunk] = []
     named: Place | None = None
     chunks = _within_a_lane(chunks, tokens)
     for k, chunk in enumerate(chunks):
         lane = _lane(chunk, k, chunks, named)
-        if lane is not None and found and found[-1].i == lane.i:
+        if lane is not None and found[-1:] and found[-1].i == lane.i:
             found.pop()  # "the left" of "the left one"
         found.append(lane or chunk)
-        part = len(found) > 2 and found[-3] is named and getattr(found[-2], "value", "") == "of"
+        part = found[-3:-2] == [named] and found[-2].value == "of"
         if isinstance(found[-1], Place) and found[-1].kind in _LANES and not part:
             named = found[-1]
     return found
@@ -44,9 +47,9 @@ def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         lane = _whole(k, chunks) if isinstance(chunk, Place) else None
         if isinstance(chunk, Place) and lane is not None and _is_within(chunk, lane, k, chunks):
             where = tokens[chunk.i - 1].low
-            if where in word_list("inside") or (where == "to" and _keeps(k, chunks) and _its(lane)):
-                sides = [m for m in chunk.mods if m.cat == "dir"]
-                found.append(Place(chunk.i, lane.j, sides, None, kind="within_lane"))
+            keeps = isinstance(chunk_at(chunks, k - 2), Event) and lane.has("possessive", "its")
+            if where in word_list("inside") or (where == "to" and keeps):  # not "1 m to the right"
+                found.append(Place(chunk.i, lane.j, chunk.ways, None, kind="within_lane"))
                 after = k + _OF_A_LANE
         if k >= after:
             found.append(chunk)
@@ -55,70 +58,95 @@ def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _is_within(side: Place, lane: Place, k: int, chunks: list[Chunk]) -> bool:
     """One side of one lane, of which no more is said."""
-    several = lane.mod("num") is not None or (lane.head is not None and lane.head.form == "s")
+    several = lane.has("num") or lane.plural
     sided = side.kind == "side" and bool({"left", "right"} & set(side.dirs))
-    further = chunks[k + _OF_A_LANE : k + _OF_A_LANE + 1]
-    more = bool(further) and isinstance(further[0], Place)
+    more = isinstance(chunk_at(chunks, k + _OF_A_LANE), Place)
     return sided and not several and not more and side.i > 0
-
-
-def _keeps(k: int, chunks: list[Chunk]) -> bool:
-    """``keeps to the right of its lane``, but ``half a metre to the right of …``."""
-    return k > 1 and isinstance(chunks[k - 2], Event)
-
-
-def _its(lane: Place) -> bool:
-    return any((m.cat, m.value) == ("possessive", "its") for m in lane.mods)
 
 
 def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Place | None:
     if not isinstance(chunk, Place | Mention):
         return None
-    before, whole = chunks[k - 1] if k else None, _whole(k, chunks)
+    before, word, whole = chunk_at(chunks, k - 1), value_at(chunks, k - 1), _whole(k, chunks)
     if isinstance(chunk, Place) and chunk.kind == "side":
-        named_side = chunk.mod("det") is not None and chunk.head is None and _sided(chunk)
-        after = before is not None and getattr(before, "value", "") in {"to", "on"}
-        if not named_side or after or (whole is None and not _to_another(k, chunks)):
-            return None
-        return _as_lane(chunk, chunk, chunk.mods)
+        named_side = chunk.has("det") and chunk.head is None and _sided(chunk)
+        part = whole is not None or _to_another(k, chunks)
+        return _as_lane(chunk, chunk) if named_side and part and word not in {"to", "on"} else None
     if not isinstance(chunk, Mention):
         return None
     if chunk.pronoun == "one":
         side = before if isinstance(before, Place) and before.kind == "side" else chunk
-        of = whole or named
-        if of is None or not _sided(side) or side.head not in (None, chunk.head):
-            return None
-        return _as_lane(side, chunk, side.mods)
-    within = isinstance(before, Word) and (before.cat, before.value) == ("prep", "in")
+        meant = (whole or named) is not None and _sided(side)
+        return _as_lane(side, chunk) if meant and side.head in (None, chunk.head) else None
     used = isinstance(before, Event) and before.name == "use"
-    if chunk.pronoun == "it" and named is not None and (used or within):
-        sides = [m for m in named.mods if m.cat == "dir"]
-        return _as_lane(chunk, chunk, sides)
+    if chunk.pronoun == "it" and named is not None and (used or word == "in"):
+        return replace(_as_lane(chunk, chunk), mods=named.ways)
     return None
 
 
 def _to_another(k: int, chunks: list[Chunk]) -> bool:
     """``from the left to the right lane``."""
-    before, after, lane = (
-        chunks[m] if 0 <= m < len(chunks) else None for m in (k - 1, k + 1, k + 2)
-    )
-    leads = isinstance(after, Word) and after.value in {"to", "into"}
-    named = isinstance(lane, Place) and lane.kind == "lane"
-    return isinstance(before, Word) and before.value == "from" and leads and named
+    lane = chunk_at(chunks, k + 2)
+    leads = value_at(chunks, k - 1) == "from" and value_at(chunks, k + 1) in {"to", "into"}
+    return leads and isinstance(lane, Place) and lane.kind == "lane"
 
 
-def _as_lane(first: NounPhrase, last: NounPhrase, mods: list[Term]) -> Place:
+def _as_lane(first: NounPhrase, last: NounPhrase) -> Place:
     head = Term("place", "lane", last.j - 1, last.j)
-    return Place(first.i, last.j, list(mods), head, kind="lane")
+    return Place(first.i, last.j, list(first.mods), head, kind="lane")
 
 
 def _sided(noun: NounPhrase) -> bool:
-    return any(m.cat == "dir" and m.value in _SIDES for m in noun.mods)
+    return noun.has("dir", *_SIDES)
 
 
 def _whole(k: int, chunks: list[Chunk]) -> Place | None:
     """``of two lanes``: the lanes of which it is one."""
-    after = chunks[k + 1 : k + 3]
-    of = len(after) > 1 and isinstance(after[0], Word) and after[0].value == "of"
-    lanes = after[1] if of else None
+    lanes = chunk_at(chunks, k + 2) if value_at(chunks, k + 1) == "of" else None
     return lanes if isinstance(lanes, Place) and lanes.kind == "lane" else None
+
+
+def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """The chunks with lanes that are counted off ("two lanes over") as places."""
+    found: list[Chunk] = []
+    skipped: set[int] = set()
+    for k, chunk in enumerate(chunks):
+        if k in skipped:
+            continue
+        before, after = chunk_at(found, len(found) - 1), chunk_at(chunks, k + 1)
+        over = isinstance(after, Word) and tokens[after.i].low in word_list("lanes_away_over")
+        side = _side_after(chunks, k)
+        away = over or side is not None
+        if not away or not isinstance(chunk, Place) or not _counted(chunk, to_a_side=not over):
+            found.append(chunk)
+            continue
+        if isinstance(before, Event) and before.name in _MOVING and not before.nominal:
+            before.name = "lane_change"  # "moves two lanes over"
+            found.append(chunk)
+            continue
+        if over:
+            skipped.add(k + 1)
+        changed = isinstance(before, Event) and before.name == "lane_change"
+        if changed or (before is not None and before.cat == "prep"):
+            found.append(chunk)
+            continue
+        if side is not None:
+            chunk.mods, chunk.j = [*chunk.mods, *side.ways], side.j
+            skipped |= {k + 1, k + 2}
+        chunk.mods = [*chunk.mods, Term("dir", "adjacent", chunk.i, chunk.j)]
+        found += [Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
+    return found
+
+
+def _counted(place: Place, *, to_a_side: bool) -> bool:
+    """``two lanes over``, ``a lane over``, ``one lane to the left``."""
+    opened = bool(place.mods) and place.mods[0].cat in {"num", "det"}
+    return place.kind == "lane" and opened and (place.has("num") or not to_a_side)
+
+
+def _side_after(chunks: list[Chunk], k: int) -> Place | None:
+    """``two lanes to the left``, ``the one on the right``."""
+    side = chunk_at(chunks, k + 2)
+    if value_at(chunks, k + 1) not in {"to", "in"} or not isinstance(side, Place):
+        return None
+    return side if side.kind == "side" and _BESIDE & set(side.dirs) else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention
 
 _ENDS = frozenset({".", ";", "!", "?"})
 _OPENS = frozenset({",", ":"})
@@ -17,8 +17,8 @@ def list_them(chunks: list[Chunk]) -> list[Chunk]:
         chunks: the chunks of the text.
     """
     begin = 0
-    for k, chunk in enumerate([*chunks, None]):
-        if chunk is None or (isinstance(chunk, Word) and chunk.value in _ENDS):
+    for k in range(len(chunks) + 1):
+        if k == len(chunks) or chunks[k].value in _ENDS:
             _in_sentence(chunks[begin:k])
             begin = k + 1
     return chunks
@@ -29,27 +29,24 @@ def _in_sentence(chunks: list[Chunk]) -> None:
         number = counted.mod("num") if isinstance(counted, Mention) else None
         if number is None or not isinstance(counted, Mention) or counted.is_ego:
             continue
-        count = int(min(number.data["number"], _MOST + 1))
-        opens = [m for m in range(k + 1, len(chunks)) if getattr(chunks[m], "value", "") in _OPENS]
+        count = int(number.data["number"])
+        opens = [m for m in range(k + 1, len(chunks)) if chunks[m].value in _OPENS]
         for m in opens if 1 < count <= _MOST else []:
             rest = chunks[m + 1 :]
-            told = [c for c in rest if isinstance(c, Mention) and c.heads and _single(c)]
-            free = [c for c in rest if isinstance(c, Mention) and c.prep is None]
+            told = [c for c in rest if isinstance(c, Mention)]
+            named = len(told) == count and all(t.heads and _single(t) for t in told)
             done = any(isinstance(c, Event) and c.form != "ing" and not c.nominal for c in rest)
-            if free == told and len(told) == count and rest[:1] == told[:1] and not done:
+            if named and rest[0] is told[0] and not done:
                 for one in told if all(_alike(t, counted) for t in told) else []:
                     one.listed = True
                 return
 
 
 def _single(mention: Mention) -> bool:
-    """``a woman``, free of any preposition."""
-    indefinite = any((m.cat, m.value) == ("det", "indef") for m in mention.mods)
-    return indefinite and mention.prep is None and not mention.is_ego
+    """``a woman``."""
+    return mention.has("det", "indef") and not mention.is_ego
 
 
 def _alike(one: Mention, counted: Mention) -> bool:
     """Whether somebody can be one of those who were counted."""
-    kind = counted.head.value if counted.head is not None else ""
-    own = one.head.value if one.head is not None else ""
-    return own == kind or (kind in _ANYBODY and own != "pedestrian")
+    return one.noun == counted.noun or (counted.noun in _ANYBODY and one.noun != "pedestrian")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
@@ -11,6 +12,7 @@ ADVERBS = frozenset(
     {"manner", "dir", "compass", "noted", "quantity", "locus", "neg", "aux", "control", "cue"}
 )
 GOVERNING = frozenset({"prep", "locus"})
+_LINKS = frozenset({"sub", "conj", "rel", "copy"})
 _VIEW_OF = 3
 _CLAUSE = 14
 
@@ -20,20 +22,43 @@ def chunk_at(chunks: list[Chunk], k: int) -> Chunk | None:
     return chunks[k] if 0 <= k < len(chunks) else None
 
 
-def is_word(chunk: Chunk | None, value: str) -> bool:
-    """Whether a chunk is a word, or a mark, of that value."""
-    return isinstance(chunk, Word) and chunk.value == value
+def cat_at(chunks: list[Chunk], k: int) -> str:
+    """The class of the word with an index, empty where no mere word stands."""
+    return chunks[k].cat if 0 <= k < len(chunks) else ""
 
 
-def governs(chunk: Chunk | None) -> bool:
-    """Whether a noun after it stands in a phrase of place."""
-    return isinstance(chunk, Word) and chunk.cat in GOVERNING
+def value_at(chunks: list[Chunk], k: int) -> str:
+    """The value of the word with an index, empty where no mere word stands."""
+    return chunks[k].value if 0 <= k < len(chunks) else ""
+
+
+def ends(chunk: Chunk | None) -> bool:
+    """Whether a sentence or a title ends here, as before and behind the text."""
+    return chunk is None or chunk.value in BOUNDARIES
+
+
+def sentences(chunks: list[Chunk]) -> Iterator[tuple[int, int]]:
+    """Where each sentence or title that a mark ends begins, and the index of the mark."""
+    begin = 0
+    for k, chunk in enumerate(chunks):
+        if chunk.value in BOUNDARIES:
+            yield begin, k
+            begin = k + 1
+
+
+def free_mentions(chunks: list[Chunk]) -> list[Mention]:
+    """Those named whom no word of place governs."""
+    pairs = zip([None, *chunks], chunks, strict=False)
+    return [
+        c
+        for before, c in pairs
+        if isinstance(c, Mention) and (before is None or before.cat not in GOVERNING)
+    ]
 
 
 def sentence_end(chunks: list[Chunk], k: int) -> int:
     """The index of the first mark from chunk ``k`` on that ends a sentence or a title."""
-    ends = (m for m in range(k, len(chunks)) if getattr(chunks[m], "value", "") in BOUNDARIES)
-    return next(ends, len(chunks))
+    return next((m for m in range(k, len(chunks)) if ends(chunks[m])), len(chunks))
 
 
 def event_follows(chunks: list[Chunk], k: int) -> bool:
@@ -46,7 +71,7 @@ def event_follows(chunks: list[Chunk], k: int) -> bool:
     for chunk in chunks[k + 1 : k + 6]:
         if isinstance(chunk, Event):
             return not chunk.nominal
-        if not isinstance(chunk, Word) or chunk.cat not in ADVERBS:
+        if chunk.cat not in ADVERBS:
             return False
     return False
 
@@ -63,16 +88,14 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
     while k < min(last, len(chunks) - 1):
         behind = _behind_insertion(chunks, k)
         last, k = last + behind - k, behind + 1
-        chunk = chunks[k] if k < len(chunks) else None
+        chunk = chunks[k]
         if isinstance(chunk, Event):
             return auxiliary or chunk.form != "ing"
         if isinstance(chunk, Word):
-            if chunk.cat in {"sub", "conj", "rel", "copy"} or chunk.value == ",":
+            if chunk.cat in _LINKS or chunk.value == "," or ends(chunk):
                 return False
-            if chunk.cat == "punct" and chunk.value in BOUNDARIES:
-                return False
-            if chunk.value == "to" and chunk.cat == "prep" and not _place_after(chunks, chunk):
-                return False
+            if chunk.value == "to" and not isinstance(chunk_at(chunks, k + 1), Place):
+                return False  # an infinitive, unlike "the view to the left"
             auxiliary = auxiliary or chunk.cat == "aux"
             preposed = chunk.cat in GOVERNING
         elif isinstance(chunk, Mention) and not chunk.possessor and not preposed:
@@ -82,27 +105,18 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
 
 def _behind_insertion(chunks: list[Chunk], k: int) -> int:
     """``the ego, driving at 45 km/h, brakes``: the second comma if the verb comes behind it."""
-    words = [c.value if isinstance(c, Word) else None for c in chunks[k + 1 : k + 10]]
+    words = [c.value for c in chunks[k + 1 : k + 10]]
     if words[:1] != [","] or "," not in words[1:]:
         return k
     end = k + 2 + words[1:].index(",")
     inside = chunks[k + 2 : end]
-    ends = any(isinstance(c, Word) and c.cat in {"conj", "sub"} for c in inside)
-    ends = ends or any(word in BOUNDARIES for word in words[: end - k])
-    opens = inside[:1] and (
-        (isinstance(inside[0], Word) and inside[0].cat in {"prep", "quantity", "rel"})
-        or (isinstance(inside[0], Event) and inside[0].form in {"ing", "ed"})
-    )
-    verb = chunks[end + 1] if end + 1 < len(chunks) else None
+    if not inside or any(c.cat in {"conj", "sub"} or ends(c) for c in inside):
+        return k
+    first, verb = inside[0], chunk_at(chunks, end + 1)
+    participle = isinstance(first, Event) and first.form in {"ing", "ed"}
     finite = isinstance(verb, Event) and verb.form in {"s", "ed"} and not verb.nominal
-    finite = finite or (isinstance(verb, Word) and verb.cat == "aux")
-    return end if opens and finite and not ends else k
-
-
-def _place_after(chunks: list[Chunk], word: Word) -> bool:
-    """``the view to the left``: no infinitive."""
-    k = next(k for k, chunk in enumerate(chunks) if chunk is word)
-    return k + 1 < len(chunks) and isinstance(chunks[k + 1], Place)
+    finite = finite or cat_at(chunks, end + 1) == "aux"
+    return end if finite and (participle or first.cat in {"prep", "quantity", "rel"}) else k
 
 
 def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
@@ -119,8 +133,7 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
         if isinstance(chunk, Event):
             return governed and not chunk.nominal and chunk.form in {"s", "ed"}
         if isinstance(chunk, Word):
-            ends = chunk.cat in {"sub", "conj", "rel", "copy"}
-            if ends or (chunk.cat == "punct" and chunk.value not in "()"):
+            if chunk.cat in _LINKS or (chunk.cat == "punct" and chunk.value not in "()"):
                 return False
             preposed = chunk.cat in GOVERNING
             governed = governed or preposed
@@ -142,18 +155,16 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
         k: its index.
         chunks: the chunks of the text.
     """
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
-    place = chunks[k - 1] if k else None
+    following, place = chunk_at(chunks, k + 1), chunk_at(chunks, k - 1)
     if word.value == "when" and isinstance(place, Place) and "same" in place.dirs:
         return isinstance(following, Mention)  # "in the same direction as the ego"
     if (word.cat, word.value) != ("sub", "before") or not isinstance(following, Mention):
         return False
     for m, chunk in enumerate(chunks[k + 2 :], start=k + 3):
-        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat in {"aux", "copy"}):
+        if isinstance(chunk, Event) or chunk.cat in {"aux", "copy"}:
             return False
-        if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.value == ","):
-            after = chunks[m] if m < len(chunks) else None
-            return not isinstance(after, Event)  # "before the ego, turning left, has cleared it"
+        if ends(chunk) or chunk.value == ",":  # "before the ego, turning left, has cleared it"
+            return not isinstance(chunk_at(chunks, m), Event)
     return True
 
 
@@ -167,7 +178,7 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
     for chunk in chunks[k + 1 : k + 7]:
         if isinstance(chunk, Mention | Event):
             return False
-        if isinstance(chunk, Word) and chunk.value == "by":
+        if chunk.value == "by":
             return True
         if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
@@ -180,10 +191,9 @@ def view_of(before: list[Chunk]) -> Thing | None:
     Args:
         before: the last chunks before a participle.
     """
-    last = before[-1] if before else None
+    last = chunk_at(before, len(before) - 1)
     if isinstance(last, Thing) and last.kind == "view":
         return last
-    if len(before) == _VIEW_OF and isinstance(before[1], Word) and before[1].value == "of":
-        first = before[0]
-        return first if isinstance(first, Thing) and first.kind == "view" else None
+    if len(before) == _VIEW_OF and before[1].value == "of":
+        return view_of(before[:1])
     return None

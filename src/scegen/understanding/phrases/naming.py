@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.understanding.chunks import Chunk, Mention, Word
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import Term, cat_at
 from scegen.understanding.words.tokens import Token
 
-_MOST_NAMES = 12
 _WIDEST_GAP = 2
 """Room for a space and a "#"."""
 
@@ -54,19 +53,17 @@ class Namer:
             The further chunks and the index of the term after them.
         """
         found: list[Chunk] = []
-        plural = bool(first.heads) and first.heads[-1].form == "s"
-        while first.label is not None and plural and len(found) < 2 * _MOST_NAMES:
-            name = self._name(m + 1) if self._joint(m) else None
-            if name is None:
-                break
+        named = [first]
+        while first.label is not None and first.plural and self._listed(m):
+            name = self._name(m + 1)
             term = self.terms[m + 1]
             mention = Mention(term.i, term.j, list(first.mods), first.head, heads=first.heads)
             mention.label, mention.label_at = name, term.i
             found += [Word(self.terms[m]), mention]
+            named.append(mention)
             m += 2
-        for one in (first, *(c for c in found if isinstance(c, Mention))):
-            counts = bool(found)  # "two cars A and B": the names say who the two are
-            one.mods = [t for t in one.mods if not (counts and t.cat in {"num", "quant"})]
+        for one in named if found else []:  # "two cars A and B": the names say who the two are
+            one.mods = [t for t in one.mods if t.cat not in {"num", "quant"}]
         return found, m
 
     def numbered(self, head: Term, m: int) -> bool:
@@ -76,19 +73,16 @@ class Namer:
             head: the noun for the place.
             m: index of the term after it.
         """
-        term = self.terms[m] if m < len(self.terms) else None
-        follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
-        number = term is not None and term.cat == "num"
-        bare = self.terms[m - 2].cat not in {"det", "dir"} if m > 1 else True
-        written = term is not None and self.tokens[term.i].kind == "number"
-        digits = number and (bare or written)
-        return digits and head.value in {"lane", "road"} and follows not in {"actor", "place"}
-
-    def _joint(self, m: int) -> bool:
-        return m < len(self.terms) and self.terms[m].value in {"and", "or", ","}
+        if cat_at(self.terms, m) != "num" or head.value not in {"lane", "road"}:
+            return False
+        bare = cat_at(self.terms, m - 2) not in {"det", "dir"}
+        written = self.tokens[self.terms[m].i].kind == "number"
+        return (bare or written) and cat_at(self.terms, m + 1) not in {"actor", "place"}
 
     def _listed(self, m: int) -> bool:
-        return self._joint(m) and self._name(m + 1) is not None
+        """Whether a further name comes after a joint."""
+        joint = m < len(self.terms) and self.terms[m].value in {"and", "or", ","}
+        return joint and self._name(m + 1) is not None
 
     def _model(self, i: int) -> bool:
         """``F-150``: a letter joined to a number is a model, not a name."""
@@ -103,14 +97,12 @@ class Namer:
             return None
         term = self.terms[m]
         token = self.tokens[term.i]
-        if term.i and token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
+        if token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
             return None  # "ego + 2 others"
         alone = term.j - term.i == 1  # no "T-bones"
-        follows = self.terms[m + 1].cat if m + 1 < len(self.terms) else ""
-        spoken = (
-            bare or token.kind == "number" or follows not in {"actor", "place", "verb", "manner"}
-        )
-        if term.cat == "num" and spoken and alone and follows != "actor":
+        follows = cat_at(self.terms, m + 1)
+        told = bare or token.kind == "number" or follows not in {"place", "verb", "manner"}
+        if term.cat == "num" and told and alone and follows != "actor":
             return f"#{term.data['number']:g}"
         letter = alone and len(token.text) == 1 and token.text.isupper() and token.text != "I"
         letter = letter and not self._model(term.i)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -24,21 +24,19 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: the chunks of the text.
         tokens: its tokens.
     """
-    if not any(isinstance(c, Event | Thing) and _door(c) for c in chunks):
-        return chunks
     found: list[Chunk] = []
     ended: list[Chunk] = []
     k = 0
     while k < len(chunks):
         chunk, owned = chunks[k], _owners_after(chunks, k)
-        if ended and isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if ends(chunk):
             found, ended = [*found, *ended], []
-        if owned and isinstance(chunk, Event) and chunk.name == "door" and _called(chunk, found):
+        if owned and isinstance(chunk, Event) and _door(chunk) and _called(chunk, found):
             found += owned
             ended = _opened_by(owned[0], chunk)
             k += 1 + 2 * len(owned[::2])
             continue
-        object_ = chunks[k + 1] if k + 1 < len(chunks) else None
+        object_ = chunk_at(chunks, k + 1)
         verbal = isinstance(chunk, Event) and tokens[chunk.i].low.startswith("open")
         if verbal and isinstance(object_, Thing) and _door(object_):  # "opens its left door"
             mods = list(object_.mods)
@@ -46,16 +44,16 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             k += 2
             continue
         verb = k + 1 + 2 * len(owned[::2])
-        while verb < len(chunks) and getattr(chunks[verb], "cat", "") in _HELPS:
+        while cat_at(chunks, verb) in _HELPS:
             verb += 1
-        door = isinstance(chunk, Thing) and chunk.kind == "door" and verb < len(chunks)
+        door = isinstance(chunk, Thing) and _door(chunk) and verb < len(chunks)
         end = _opens(chunks[verb].i, tokens) if door else None
         if end is None or not isinstance(chunk, Thing):
             found.append(chunk)
             k += 1
             continue
-        before = found[-1] if found else None
-        if isinstance(before, Mention) and any(m.value == "genitive" for m in chunk.mods):
+        before = chunk_at(found, len(found) - 1)
+        if isinstance(before, Mention) and chunk.has("possessive", "genitive"):
             before.possessor = False
         else:
             found += owned or [_who(chunk, found)]
@@ -65,15 +63,16 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     return found + ended
 
 
-def _door(chunk: Event | Thing) -> bool:
-    return (chunk.name if isinstance(chunk, Event) else chunk.kind) == "door"
+def _door(chunk: Chunk) -> bool:
+    named = chunk.name if isinstance(chunk, Event) else getattr(chunk, "kind", "")
+    return named == "door"
 
 
 def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
     """``the door of a parked van``, ``… of the second of five vans``: from the first mention on."""
     found: list[Chunk] = []
     for of, who in zip(chunks[k + 1 :: 2], chunks[k + 2 :: 2], strict=False):
-        if not (isinstance(of, Word) and of.value == "of" and isinstance(who, Mention)):
+        if of.value != "of" or not isinstance(who, Mention):
             break
         found += [of, who]
     return found[1:]
@@ -82,15 +81,19 @@ def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
 def _called(door: Event, before: list[Chunk]) -> bool:
     """``hits the open door``: a name of the door, nobody's doing."""
     article = any(m.cat in {"det", "possessive"} for m in door.mods)
-    return article or (bool(before) and getattr(before[-1], "cat", "") == "det")
+    return article or cat_at(before, len(before) - 1) == "det"
 
 
 def _opened_by(owner: Chunk, door: Event) -> list[Chunk]:
     """A clause that says that it opens."""
     if not isinstance(owner, Mention):
         return []
-    again = replace(owner, pps=[], prep=None, same_as=owner, joined=None)
+    again = _again(owner, owner.i, owner.j)
     return [Word(Term("punct", ",", door.i, door.i)), again, replace(door, mods=[], form="s")]
+
+
+def _again(known: Mention, i: int, j: int) -> Mention:
+    return replace(known, i=i, j=j, pps=[], same_as=known)
 
 
 def _opens(i: int, tokens: list[Token]) -> int | None:
@@ -109,21 +112,21 @@ def _stands(after: list[Chunk]) -> bool:
 
 def _standing(before: list[Chunk]) -> list[Mention]:
     """Who is parked, or stands, of those named; who is parked comes last."""
-    named = [
-        (c, any(mod.value == "parked" for mod in c.mods), before[k + 1 :])
-        for k, c in enumerate(before)
-        if isinstance(c, Mention) and c.head is not None and c.head.form != "s"
-    ]
-    named = [(c, parked, after) for c, parked, after in named if not c.is_ego]
-    standing = [c for c, parked, after in named if not parked and _stands(after)]
-    return standing + [c for c, parked, _ in named if parked]
+    standing, parked = list[Mention](), list[Mention]()
+    for k, c in enumerate(before):
+        if not isinstance(c, Mention) or c.head is None or c.plural or c.is_ego:
+            continue
+        if any(mod.value == "parked" for mod in c.mods):
+            parked.append(c)
+        elif _stands(before[k + 1 :]):
+            standing.append(c)
+    return standing + parked
 
 
-def _who(door: Thing | Event, before: list[Chunk]) -> Mention:
-    parked = _standing(before)
-    if parked:
-        known = parked[-1]
-        return replace(known, i=door.i, j=door.j, pps=[], prep=None, same_as=known, joined=None)
+def _who(door: Thing, before: list[Chunk]) -> Mention:
+    standing = _standing(before)
+    if standing:
+        return _again(standing[-1], door.i, door.j)
     head = Term("actor", "car", door.i, door.j)
     mods = [Term("det", "indef", door.i, door.i), Term("state", "parked", door.i, door.i)]
     return Mention(door.i, door.j, mods, head, heads=[head])

@@ -1,21 +1,23 @@
-"""Directions and nouns that stand for a verb: "Ego straight, adversary left turn."."""
+"""Directions and nouns that stand for a verb: "Ego straight", "on its way straight ahead"."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.course_phrases import courses_said
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Word
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.titles import entitle
+from scegen.understanding.words.nominal import WAYS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_WAYS = frozenset({"left", "right", "straight"})
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
-_ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or"})
-_AT = frozenset({"in", "from", "into"})
+_ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or",
+                   "in", "from", "into"})  # fmt: skip
 _ITS_OWN = frozenset({"move", "turn", "u_turn", "sharp_turn", "light", "cross", "leave", "use",
                       "lane_change", "merge", "swerve", "try", "pull_out"})  # fmt: skip
 """Verbs that a direction after a comma belongs to."""
+_HOLDING = frozenset({"match", "follow", "use", "move", "light", "unknown", "try"})
+_BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
 
 
 def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
@@ -27,69 +29,108 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
         tokens: the tokens of the text.
     """
     entitle(chunks, events, tokens)
-    found = [*events, *courses_said(chunks, events, tokens)]
+    found = [*events, *_courses_said(chunks, events, tokens)]
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
         elif isinstance(chunk, Word) and _predicative(chunks, k) and not _has_verb(chunk, found):
             subject = _whose(chunks, k, found)
             if subject:
-                found.append(_going(chunk.term, subject, found))
+                going = Event("move", chunk.i, chunk.j, "s", finite=True, mods=[chunk.term])
+                going.subject, going.sentence = subject, _sentence_at(chunk.i, found)
+                found.append(going)
     return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
 
 
 def _predicative(chunks: list[Chunk], k: int) -> bool:
     """A bare direction at the end of its clause, or right before a phrase of place."""
-    word, after = chunks[k], chunks[k + 1] if k + 1 < len(chunks) else None
-    if not isinstance(word, Word) or word.cat != "dir" or word.value not in _WAYS:
+    if chunks[k].cat != "dir" or chunks[k].value not in WAYS:
         return False
-    if after is None:
-        return True
-    return isinstance(after, Word) and (
-        after.value in _ENDS | BOUNDARIES or (after.cat == "prep" and after.value in _AT)
-    )
+    return k + 1 == len(chunks) or value_at(chunks, k + 1) in _ENDS | BOUNDARIES
 
 
 def _has_verb(word: Word, events: list[Event]) -> bool:
     """Whether the direction already says which way some verb leads."""
-    return any(word.term in e.mods and e.name in _ITS_OWN for e in events) or any(
-        (e.i, e.j) == (word.i, word.j) for e in events
-    )
+    return any(word.term in e.mods and e.name in _ITS_OWN for e in events)
 
 
 def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
     """Who does it: the noun right before, or after a comma the one that the clause is about."""
     m = k - 1
-    while m >= 0 and isinstance(chunks[m], Word) and getattr(chunks[m], "cat", "") == "manner":
+    while cat_at(chunks, m) == "manner":
         m -= 1
-    before = chunks[m] if m >= 0 else None
+    before = chunk_at(chunks, m)
     acting = {id(who) for e in events for who in e.subject if e.i < chunks[k].i}
     if isinstance(before, Mention):
         free = id(before) not in acting and _opens(chunks, m) and before.prep is None
         return [before] if free and not before.negated else []
-    if not isinstance(before, Word) or before.value != ",":
+    if value_at(chunks, m) != ",":
         return []
     for n in range(m - 1, -1, -1):
         chunk = chunks[n]
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if ends(chunk):
             break
         if isinstance(chunk, Event) and chunk.subject and not chunk.nominal:
             return chunk.subject
-        first = isinstance(chunk, Mention) and chunk.prep is None and _opens(chunks, n)
-        if first and isinstance(chunk, Mention) and id(chunk) not in acting:
+        if isinstance(chunk, Mention) and chunk.prep is None and _opens(chunks, n):
             return [] if chunk.negated else [chunk]
     return []
 
 
 def _opens(chunks: list[Chunk], m: int) -> bool:
     """Whether a noun begins its clause."""
-    before = chunks[m - 1] if m else None
-    return before is None or (isinstance(before, Word) and before.value in _OPENERS | BOUNDARIES)
+    return m == 0 or chunks[m - 1].value in _OPENERS | BOUNDARIES
 
 
-def _going(term: Term, subject: list[Mention], events: list[Event]) -> Event:
-    """A verb of motion made of a direction, which no longer belongs to other words."""
-    sentence = max((e.sentence for e in events if e.i < term.i), default=0)
-    event = Event("move", term.i, term.j, "s", finite=True, mods=[term], subject=subject)
-    event.sentence = sentence
-    return event
+def _courses_said(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
+    """A verb of motion for each noun that says which way somebody goes."""
+    found = []
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, NounPhrase) or isinstance(chunk, Mention):
+            continue
+        if tokens[chunk.j - 1].base not in word_list("courses"):
+            continue
+        way = _way(chunk, k, chunks)
+        who = _on_whose_way(chunk, k, chunks, events, tokens) if way is not None else []
+        if way is None or not who:
+            continue
+        for event in events:
+            event.mods = [m for m in event.mods if m is not way]
+        going = Event("move", chunk.i, max(chunk.j, way.j), "ing", mods=[way], subject=who)
+        going.sentence = _sentence_at(chunk.i, events)
+        found.append(going)
+    return found
+
+
+def _sentence_at(i: int, events: list[Event]) -> int:
+    """The number of the sentence that holds a token, by the events before it."""
+    return max((e.sentence for e in events if e.i < i), default=0)
+
+
+def _way(noun: NounPhrase, k: int, chunks: list[Chunk]) -> Term | None:
+    m = k + 1
+    while cat_at(chunks, m) in _BETWEEN:
+        m += 1
+    word = chunk_at(chunks, m)
+    after = [word.term] if isinstance(word, Word) and word.cat == "dir" else []
+    return next((w for w in [*noun.ways, *after] if w.value in WAYS), None)
+
+
+def _on_whose_way(
+    noun: NounPhrase, k: int, chunks: list[Chunk], events: list[Event], tokens: list[Token]
+) -> list[Mention]:
+    verb = next((e for e in events if e.object is noun), None)
+    if verb is not None and noun.owner is not None and verb.name not in _HOLDING:
+        return [noun.owner]  # "blocks the ego's way straight on"
+    if verb is not None:
+        return verb.subject if verb.name in _HOLDING and not verb.passive else []
+    prep = chunk_at(chunks, k - 1)
+    prep = chunk_at(chunks, k - 2) if isinstance(prep, Mention) else prep
+    if not isinstance(prep, Word) or tokens[prep.i].low not in word_list("along"):
+        return []
+    for chunk in reversed(chunks[:k]):
+        if ends(chunk):
+            break
+        if isinstance(chunk, Mention) and (chunk.heads or chunk.pronoun) and not chunk.possessor:
+            return [chunk]
+    return [c for c in chunks[k + 1 :] if isinstance(c, Mention)][:1]

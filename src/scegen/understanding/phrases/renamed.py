@@ -19,17 +19,13 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         tokens: its tokens.
     """
     for k, chunk in enumerate(chunks):
-        if not isinstance(chunk, Event) or tokens[chunk.i].forms[-1][0] not in word_list(
-            "changing"
-        ):
+        if not isinstance(chunk, Event) or tokens[chunk.i].base not in word_list("changing"):
             continue
-        direct = chunks[k + 1] if k + 1 < len(chunks) else None
-        if isinstance(direct, Place) and direct.kind == "lane":
-            chunk.name = "lane_change"  # "has to change two lanes to the right"
-        for before, place in pairwise(chunks[k + 1 : k + 1 + _CHANGE_REACH]):
-            if isinstance(before, Mention | Event) or getattr(before, "cat", "") == "punct":
+        for before, place in pairwise(chunks[k : k + 1 + _CHANGE_REACH]):
+            direct = before is chunk  # "has to change two lanes to the right"
+            if not direct and (isinstance(before, Mention | Event) or before.cat == "punct"):
                 break
-            goal = isinstance(before, Word) and before.value in {"to", "into"}
+            goal = direct or before.value in {"to", "into"}
             if goal and isinstance(place, Place) and place.kind == "lane":
                 chunk.name = "lane_change"
     return chunks
@@ -39,21 +35,21 @@ def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """``cuts the van off``, ``runs him over``: "cut off" and "run over" with the object inside."""
     dropped: set[int] = set()
     for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Event) and tokens[chunk.i].forms[-1][0] == "run":
+        if isinstance(chunk, Event) and tokens[chunk.i].base == "run":
             whom, over, after = (*chunks[k + 1 : k + 4], None, None, None)[:3]
-            ends = after is None or getattr(after, "cat", "") in {"punct", "conj"}
-            if isinstance(whom, Mention) and _is_over(over, tokens) and ends:
+            last = after is None or after.cat in {"punct", "conj"}
+            if isinstance(whom, Mention) and _is(over, "over", tokens) and last:
                 chunk.name = "collide"
                 dropped.add(id(over))
         if not (isinstance(chunk, Event) and chunk.name == "cut"):
             continue
         chunk.name = "cut_in"
         for following in chunks[k + 1 : k + 4]:
-            if isinstance(following, Word) and tokens[following.i].low == "off":
+            if _is(following, "off", tokens):
                 chunk.name = "cut_off"
                 dropped.add(id(following))
     return [c for c in chunks if id(c) not in dropped]
 
 
-def _is_over(chunk: Chunk | None, tokens: list[Token]) -> bool:
-    return isinstance(chunk, Word) and tokens[chunk.i].low == "over"
+def _is(chunk: Chunk | None, particle: str, tokens: list[Token]) -> bool:
+    return isinstance(chunk, Word) and tokens[chunk.i].low == particle

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -30,23 +31,23 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     last: dict[str, Place] = {}
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
-        lane = last.get("lane")
-        if isinstance(chunk, Word) and _there(chunk, found, tokens):
-            came = isinstance(found[-1], Word) and found[-1].value == "from"
-            place = last.get("anywhere") if came else lane
+        before = chunk_at(found, len(found) - 1)
+        if isinstance(chunk, Word) and _there(chunk, before, tokens):
+            came = value_at(found, len(found) - 1) == "from"
+            place = last.get("anywhere" if came else "lane")
             if place is not None:
                 found += [] if came else [Word(Term("prep", "in", chunk.i, chunk.j))]
-                found.append(replace(place, i=chunk.i, j=chunk.j, mods=list(place.mods), prep=None))
+                found.append(replace(place, i=chunk.i, j=chunk.j, mods=list(place.mods)))
                 continue
-        if isinstance(chunk, Mention) and "exit" in last and _taken(chunk, found):
+        if isinstance(chunk, Mention) and "exit" in last and _taken(chunk, before):
             label = [m for m in chunk.mods if m.cat == "label"]
             chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
-        if "crossed" in last and across_it(chunk, found[-1] if found else None):
-            chunk = replace(last["crossed"], i=chunk.i, j=chunk.j, prep=None)  # noqa: PLW2901
+        if "crossed" in last and across_it(chunk, before):
+            chunk = replace(last["crossed"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
         found.append(chunk)
         if isinstance(chunk, Place):
             _remember(chunk, last, tokens)
-            _remember_beside(chunk, chunks[k + 1 : k + 3], last)
+            _remember_beside(chunk, k, chunks, last)
             _remember_goal(chunk, found, last)
     return found
 
@@ -57,9 +58,8 @@ def _obstacles(chunks: list[Chunk]) -> list[Chunk]:
     stands: Mention | None = None
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Thing) and chunk.kind in _IN_THE_WAY:
-            definite = any((m.cat, m.value) == ("det", "def") for m in chunk.mods)
             thing = chunk.head.data.get("thing") if chunk.head is not None else None
-            if stands is None or not definite or thing != "obstacle":
+            if stands is None or not chunk.has("det", "def") or thing != "obstacle":
                 return chunks
             again = Mention(chunk.i, chunk.j, chunk.mods, stands.head, heads=stands.heads)
             again.same_as = stands
@@ -73,9 +73,9 @@ def _obstacles(chunks: list[Chunk]) -> list[Chunk]:
 
 def _stands(who: Mention, after: list[Chunk]) -> bool:
     """``a stationary car``, ``a car is at a standstill``, ``a car stands``."""
-    verb = next((c for c in after if not (isinstance(c, Word) and c.cat == "aux")), None)
+    verb = next((c for c in after if c.cat != "aux"), None)
     still = isinstance(verb, Event) and verb.name in {"stop", "park", "wait", "locate"}
-    still = still or (isinstance(verb, Word) and verb.cat == "state")
+    still = still or (verb is not None and verb.cat == "state")
     return still or any(m.cat in {"state", "verb"} and m.value in _STILL for m in who.mods)
 
 
@@ -91,7 +91,7 @@ def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None
     lane = last.get("lane")
     points = chunk.mods and tokens[chunk.mods[0].i].low in word_list("pointing")
     if kind == "lane" and points and lane is not None and not chunk.dirs:
-        chunk.mods = [*chunk.mods, *(m for m in lane.mods if m.cat == "dir")]
+        chunk.mods = [*chunk.mods, *lane.ways]
     elif kind == "side" and points and "side" in last and not chunk.dirs:
         chunk.mods = [*chunk.mods, *last["side"].mods]
     elif (kind == "lane" and chunk.dirs) or (kind == "side" and _SIDES & set(chunk.dirs)):
@@ -99,12 +99,11 @@ def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None
         last[kind] = replace(chunk, mods=kept)
 
 
-def _remember_beside(lane: Place, after: list[Chunk], last: dict[str, Place]) -> None:
+def _remember_beside(lane: Place, k: int, chunks: list[Chunk], last: dict[str, Place]) -> None:
     """``the lane on its left``: for "that lane", said later on."""
-    word, side = after if len(after) > 1 else (None, None)
-    placed = isinstance(word, Word) and word.cat == "prep" and isinstance(side, Place)
-    if placed and isinstance(side, Place) and lane.kind == "lane" and side.kind == "side":
-        sides = [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
+    side = chunk_at(chunks, k + 2) if cat_at(chunks, k + 1) == "prep" else None
+    if isinstance(side, Place) and lane.kind == "lane" and side.kind == "side":
+        sides = [m for m in side.ways if m.value in _SIDES]
         beside = Term("dir", "adjacent", lane.i, lane.i)
         last["lane"] = replace(lane, mods=[*lane.mods, beside, *sides]) if sides else lane
 
@@ -113,18 +112,17 @@ def _remember_goal(side: Place, before: list[Chunk], last: dict[str, Place]) -> 
     """``the ego changes lanes to the left``: for "that lane", said later on."""
     who, verb, word = before[-4:-1] if len(before) >= _SAID_OF_IT else (None, None, None)
     moves = isinstance(verb, Event) and verb.name == "lane_change"
-    own = isinstance(who, Mention) and who.is_ego and isinstance(word, Word) and word.value == "to"
-    sides = [m for m in side.mods if m.cat == "dir" and m.value in _SIDES]
+    own = isinstance(who, Mention) and who.is_ego and word is not None and word.value == "to"
+    sides = [m for m in side.ways if m.value in _SIDES]
     if own and moves and side.kind == "side" and sides:
         beside = Term("dir", "adjacent", side.i, side.i)
         last["lane"] = replace(side, kind="lane", mods=[beside, *sides])
 
 
-def _taken(mention: Mention, before: list[Chunk]) -> bool:
+def _taken(mention: Mention, before: Chunk | None) -> bool:
     """``takes the first exit, the bus takes the second``: an exit, too."""
-    word = before[-1] if before else None
-    goal = isinstance(word, Word) and word.cat == "prep"
-    taken = isinstance(word, Event) and word.name in {"leave", "use"}
+    goal = before is not None and before.cat == "prep"
+    taken = isinstance(before, Event) and before.name in {"leave", "use"}
     return mention.pronoun == "ordinal" and (goal or taken)
 
 
@@ -139,12 +137,8 @@ def across_it(chunk: Chunk, verb: Chunk | None) -> bool:
     return it and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
 
 
-def _there(word: Word, before: list[Chunk], tokens: list[Token]) -> bool:
+def _there(word: Word, before: Chunk | None, tokens: list[Token]) -> bool:
     """``the car travelling there``, ``but there a van brakes``: not "there" at the start."""
-    last = before[-1] if before else None
-    opens = isinstance(last, Word) and (last.cat == "conj" or last.value == "from")
-    return (
-        (opens or isinstance(last, Event | Mention))
-        and tokens[word.i].low == "there"
-        and word.j - word.i == 1
-    )
+    if tokens[word.i].low != "there" or word.j - word.i != 1 or before is None:
+        return False
+    return isinstance(before, Event | Mention) or before.cat == "conj" or before.value == "from"

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import load_ways, word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, is_word
+from scegen.understanding.lexicon import word_list, word_lists
+from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.repeated import across_it
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -44,7 +44,7 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             if onto and _turns(verb):
                 into = chunk
                 told, after = _walked(chunks, k)
-                again = replace(chunk, arm=CrossedArm.EXIT, user=who, prep=None)
+                again = replace(chunk, arm=CrossedArm.EXIT, user=who)
                 told = [again if c is chunk else c for c in told]
                 if told and _known(told[0]):
                     later = [Word(Term("punct", ".", chunk.j, chunk.j)), *told]
@@ -52,16 +52,17 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                     found[begin:begin] = told
             else:
                 end = _entered(chunks, after)
-                after = end or after
-                if end or _pointed_at(chunk, found, tokens):
-                    of = chunk_at(found, len(found) - 2) if is_word(before, "of") else None
-                    for place in (chunk, of):  # "the zebra crossing of the road entered"
+                if end != after or _pointed_at(chunk, found, tokens):
+                    of = before is not None and before.value == "of"
+                    whole = chunk_at(found, len(found) - 2) if of else None
+                    for place in (chunk, whole):  # "the zebra crossing of the road entered"
                         if isinstance(place, Place):
                             place.arm, place.user = CrossedArm.EXIT, who
+                after = end
         elif into is not None and across_it(chunk, before):
             chunk = replace(into, i=chunk.i, j=chunk.j, arm=CrossedArm.EXIT, user=who)
         found.append(chunk)
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if ends(chunk):
             found += later
             begin, later = len(found), []
         k = after
@@ -81,47 +82,46 @@ def _turning(chunks: list[Chunk], k: int) -> Mention | None:
 def _known(who: Chunk) -> bool:
     if not isinstance(who, Mention) or who.pronoun is not None:
         return True
-    return any((m.cat, m.value) == ("det", "def") for m in who.mods)
+    return who.has("det", "def")
 
 
 def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
     """Who crosses the road of a relative clause, as a sentence, and where the clause ends."""
     m = k + 1
-    m += is_word(chunk_at(chunks, m), ",")
-    over = chunks[m : m + 1] if _cat(chunks, m) == "prep" and _cat(chunks, m + 1) == "rel" else []
+    m += value_at(chunks, m) == ","
+    over = (
+        chunks[m : m + 1] if cat_at(chunks, m) == "prep" and cat_at(chunks, m + 1) == "rel" else []
+    )
     m += len(over)
-    if _cat(chunks, m) != "rel" and not is_word(chunk_at(chunks, m), "where"):
+    if cat_at(chunks, m) != "rel" and value_at(chunks, m) != "where":
         return [], k + 1
     m += 1
     who = chunk_at(chunks, m)
     m += isinstance(who, Mention)
-    while _cat(chunks, m) in {"aux", "manner"}:
+    while cat_at(chunks, m) in {"aux", "manner"}:
         m += 1
     verb = chunk_at(chunks, m)
     if not isinstance(verb, Event) or verb.name not in _ON_FOOT:
         return [], k + 1
-    by = chunk_at(chunks, m + 2) if is_word(chunk_at(chunks, m + 1), "by") else None
-    if not isinstance(who, Mention):
-        who, m = (by, m + 2) if verb.form == "ed" else (None, m)
+    if not isinstance(who, Mention) and verb.form == "ed" and value_at(chunks, m + 1) == "by":
+        m += 2
+        who = chunk_at(chunks, m)
     if not isinstance(who, Mention):
         return [], k + 1
     ends = Word(Term("punct", ".", who.i, who.i))
     m += 1
-    paced = _cat(chunks, m) == "prep" and _cat(chunks, m + 1) == "quantity"  # "at 5 km/h"
+    paced = cat_at(chunks, m) == "prep" and cat_at(chunks, m + 1) == "quantity"  # "at 5 km/h"
     pace = chunks[m : m + 2 * paced]
     return [who, replace(verb, form="s"), *over, chunks[k], *pace, ends], m + len(pace)
 
 
-def _entered(chunks: list[Chunk], m: int) -> int | None:
-    """Where ``(the road) being entered by the ego``, ``(the road) it has entered`` ends."""
-    told = m + (_cat(chunks, m) == "rel")
-    if isinstance(chunk_at(chunks, told), Mention):
-        m = told + 1
-    m += _cat(chunks, m) == "aux"
+def _entered(chunks: list[Chunk], start: int) -> int:
+    """Where ``(the road) being entered by the ego`` ends."""
+    m = start + (cat_at(chunks, start) == "aux")
     verb = chunk_at(chunks, m)
     if not isinstance(verb, Event) or (verb.name, verb.form) != ("enter", "ed"):
-        return None
-    by = is_word(chunk_at(chunks, m + 1), "by") and isinstance(chunk_at(chunks, m + 2), Mention)
+        return start
+    by = value_at(chunks, m + 1) == "by" and isinstance(chunk_at(chunks, m + 2), Mention)
     return m + 3 if by else m + 1
 
 
@@ -130,9 +130,5 @@ def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
     words = {t.low for t in tokens[road.i : road.j]}
     named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
     turned = any(map(_turns, before))
-    that = bool(words & {*word_list("pointing")}) and turned and len(named) <= 1
-    return that or bool(words & {*load_ways()["reached"]})
-
-
-def _cat(chunks: list[Chunk], m: int) -> str:
-    return str(getattr(chunk_at(chunks, m), "cat", ""))
+    that = not words.isdisjoint(word_list("pointing")) and turned and len(named) <= 1
+    return that or not words.isdisjoint(word_lists("ways")["reached"])

@@ -5,8 +5,9 @@ Whoever the text after the noun says does it, or can be the only one to, is its 
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES, sentence_end
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.phrases.lookahead import ends, sentence_end, value_at
+from scegen.understanding.words.nominal import WAYS
 from scegen.understanding.words.tokens import Token
 
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "lose_control", "obey", "breach"})
@@ -15,7 +16,6 @@ _UNSAFE = frozenset({"cut_in", "lane_change", "merge", "hard_brake", "swerve", "
 _SIDEWAYS = frozenset({"move", "enter", "swerve", "walk", "return", "dash", "merge", "cut_in",
                        "lane_change", "sharp_turn", "speed", "accelerate", "turn",
                        "leave"})  # fmt: skip
-_WAYS = frozenset({"left", "right", "straight"})
 _LONGEST = 10
 
 
@@ -31,7 +31,7 @@ def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
     title = chunks[:end]
     open_ones = [e for e in events if not e.subject or all(m.negated for m in e.subject)]
     for doing in [e for e in open_ones if e.parent is None or e.parent.name == "fail"]:
-        told = [e for e in events if e.i > doing.i and e is not doing and e.subject]
+        told = [e for e in events if e.i > doing.i and e.subject]
         again = [e for e in told if e.name == doing.name]
         alike = next((e for e in again if e.premod_of is not None), None)
         inside = any(doing is c for c in title)
@@ -40,28 +40,23 @@ def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
             events.remove(alike)  # "cut-in vehicle 85 km/h"
             who = alike.subject
         elif inside and _whole_title(doing, title, events):
-            after = [e for e in told if not e.nominal and end < len(chunks) and e.i > chunks[end].i]
+            after = [e for e in told if not e.nominal and e.i >= title[-1].j]
             who = [] if any(e in after for e in again) else _who(doing, after)
         who = who or (_told_next(doing, title, chunks, events) if inside else [])
-        unsafe = doing.nominal and doing.parent is None and doing.name in _UNSAFE
+        unsafe = doing.nominal and doing.name in _UNSAFE
         if not who and unsafe and _opens(doing, chunks):
             who = _other(doing, told, chunks, tokens)
         if who:
             doing.subject, doing.nominal = who, True
 
 
-def _ends(chunk: Chunk) -> bool:
-    return isinstance(chunk, Word) and chunk.value in BOUNDARIES
-
-
 def _opens(doing: Event, chunks: list[Chunk]) -> bool:
-    before = next((c for c in reversed(chunks) if c.j <= doing.i), None)
-    return before is None or _ends(before)
+    return ends(next((c for c in reversed(chunks) if c.j <= doing.i), None))
 
 
 def _whole_title(doing: Event, title: list[Chunk], events: list[Event]) -> bool:
     """``Loss of control``, ``Failure to stop at a stop sign``: all that a title says, of nobody."""
-    spoken = any(isinstance(c, Word) and c.cat in {"aux", "copy"} for c in title)
+    spoken = any(c.cat in {"aux", "copy"} for c in title)
     named = any(isinstance(c, Mention) and not c.negated for c in title)
     doings = [e for e in events if _is_doing(e) and any(e is c for c in title)]
     return doings == [doing] and len(title) <= _LONGEST and not (spoken or named)
@@ -76,7 +71,7 @@ def _who(doing: Event, told: list[Event]) -> list[Mention]:
     told = [e for e in told if e.premod_of is None]
     others = [e for e in told if not any(m.is_ego for m in e.subject)]
     if doing.name == "lose_control":
-        return ([e for e in told if e.finite] or told)[0].subject if told else []
+        return next((e.subject for e in sorted(told, key=lambda e: not e.finite)), [])
     goal = next((e for e in told if e.name in _SIDEWAYS and _leads_into(e)), None)
     if goal is not None:
         return goal.subject
@@ -101,10 +96,10 @@ def _told_next(
     who = next((c for c in chunks[len(title) :] if isinstance(c, Mention)), None)
     if doings != [doing] or not named or who is None or not who.is_ego:
         return []
-    turned = any(e.i > doing.i and (e.name == "turn" or _WAYS & {m.value for m in e.dirs})
+    turned = any(e.i > doing.i and (e.name == "turn" or WAYS & {m.value for m in e.dirs})
                  for e in events)  # fmt: skip
     across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
-    titled = len(title) < len(chunks) and getattr(chunks[len(title)], "value", "") in {":", "."}
+    titled = value_at(chunks, len(title)) in {":", "."}
     alone = not any(isinstance(c, Mention) for c in title)
     return [who] if titled and alone and not (turned or across) else []
 
@@ -113,8 +108,8 @@ def _other(
     doing: Event, told: list[Event], chunks: list[Chunk], tokens: list[Token]
 ) -> list[Mention]:
     """``Cut-in from the left, the ego at 80 km/h, a van …``: done by who is not the ego."""
-    others = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > doing.i]
-    others = [c for c in others if not c.is_ego]
+    named = [c for c in chunks if isinstance(c, Mention) and c.heads and c.i > doing.i]
+    others = [c for c in named if not c.is_ego]
     led = [c for c in others if "ahead" in c.dirs]
     if led and "out" in {t.low for t in tokens[doing.i : doing.j]}:
         acts = any(not e.nominal for e in told)

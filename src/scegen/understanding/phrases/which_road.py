@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import load_ways
-from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
+from scegen.understanding.lexicon import word_lists
+from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -25,20 +25,15 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         The chunks without these clauses; the place tells which arm it is, a word of manner which
         course. A clause that tells more (who turns, and which way) is a sentence of its own.
     """
-    kinds = {c.kind for c in chunks if isinstance(c, Place)}
-    if kinds.isdisjoint(_ROADS | _COURSES):
-        return _without_asides(chunks, tokens)
     found: list[Chunk] = []
     begin, k = 0, 0
     while k < len(chunks):
         chunk = chunks[k]
-        clause = _arm_clause(chunks, k, tokens) if isinstance(chunk, Place) else None
-        named = clause is None and not kinds.isdisjoint(_COURSES)
-        course = _course(chunks, k, tokens, found) if named else None
+        clause = _arm_clause(chunks, k, tokens)
+        course = _course(chunks, k, tokens, found) if clause is None else None
         if clause is not None and isinstance(chunk, Place):
             end, chunk.arm = clause
-            told = _told_anew(chunks, k, end)
-            found[begin:begin] = told
+            found[begin:begin] = _told_anew(chunks, k, end)
             chunk.user = next(c for c in chunks[k + 1 : end] if isinstance(c, Mention))
             _hand_on(found, chunk)
             found.append(chunk)
@@ -49,15 +44,15 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         else:
             found.append(chunk)
             k += 1
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if ends(chunk):
             begin = len(found)
     return _without_asides(found, tokens)
 
 
 def _hand_on(before: list[Chunk], road: Place) -> None:
     """``the crosswalk of the road that it turns into``: on that arm."""
-    place, word = chunk_at(before, len(before) - 2), chunk_at(before, len(before) - 1)
-    of = isinstance(word, Word) and word.cat == "prep" and word.value in {"of", "in"}
+    place = chunk_at(before, len(before) - 2)
+    of = value_at(before, len(before) - 1) in {"of", "in"}
     if of and isinstance(place, Place) and place.kind == "crosswalk":
         place.arm, place.user = road.arm, road.user
 
@@ -66,47 +61,41 @@ def _text(chunk: Chunk | None, tokens: list[Token]) -> str:
     return " ".join(t.low for t in tokens[chunk.i : chunk.j]) if chunk is not None else ""
 
 
-def _lemma(event: Event, tokens: list[Token]) -> str:
-    return tokens[event.i].forms[-1][0]
-
-
 def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, CrossedArm] | None:
     """``(the road) into which the ego turns``, ``it is turning into``: its end, and which arm."""
     place = chunks[k]
-    if not isinstance(place, Place) or place.kind not in _ROADS:
-        return None
-    if place.head is not None and place.head.form == "s":
+    if not isinstance(place, Place) or place.kind not in _ROADS or place.plural:
         return None  # "at a roundabout with four arms the ego enters": the sentence itself
     m, opener = k + 1, ""
     word = chunk_at(chunks, m)
-    if isinstance(word, Word) and word.cat == "prep" and _relative(chunk_at(chunks, m + 1), tokens):
+    if _preposed(chunks, m):
         opener, m = _text(word, tokens), m + 2
-    elif isinstance(word, Word) and (word.cat, word.value) == ("sub", "where"):
+    elif value_at(chunks, m) == "where":
         opener, m = _text(word, tokens).split()[0], m + 1
-    elif _relative(word, tokens):
-        m += 1
+    else:
+        m += cat_at(chunks, m) == "rel"
     clause = _does(chunks, m)
     if clause is None:
         return None
     event, m = clause
-    while isinstance(after := chunk_at(chunks, m), Word) and after.cat in {"dir", "manner"}:
+    while cat_at(chunks, m) in {"dir", "manner"}:
         m += 1
+    after = chunk_at(chunks, m)
     if not opener and isinstance(after, Place):
         return None  # "with 5 exits the ego takes the second exit": the verb has its own object
-    lemma, stranded = _lemma(event, tokens), _text(after, tokens)
-    preposed = isinstance(after, Word) and after.cat == "prep" and not opener
-    beyond = chunk_at(chunks, m + 1)
-    behind = isinstance(beyond, Word) and beyond.cat == "locus"  # "a car comes up from behind"
-    preposed = preposed and not (behind or isinstance(beyond, Mention | Place | Event))
+    lemma, stranded = tokens[event.i].base, _text(after, tokens)
+    preposed = cat_at(chunks, m) == "prep" and not opener and cat_at(chunks, m + 1) != "locus"
+    preposed = preposed and not isinstance(chunk_at(chunks, m + 1), Mention | Place | Event)
     for said, end in ((f"{lemma} {stranded}", m + 1), (f"{lemma} {opener}".strip(), m)):
         for arm in CrossedArm:
-            if said in load_ways()[arm.value] and (preposed or end == m):
+            if said in word_lists("ways")[arm.value] and (preposed or end == m):
                 return end, arm
     return None
 
 
-def _relative(chunk: Chunk | None, tokens: list[Token]) -> bool:
-    return isinstance(chunk, Word) and chunk.cat == "rel" and _text(chunk, tokens) != "who"
+def _preposed(chunks: list[Chunk], m: int) -> bool:
+    """``in which``, ``from which``."""
+    return cat_at(chunks, m) == "prep" and cat_at(chunks, m + 1) == "rel"
 
 
 def _does(chunks: list[Chunk], m: int) -> tuple[Event, int] | None:
@@ -114,30 +103,25 @@ def _does(chunks: list[Chunk], m: int) -> tuple[Event, int] | None:
     if not isinstance(chunk_at(chunks, m), Mention):
         return None
     m += 1
-    while isinstance(word := chunk_at(chunks, m), Word) and word.cat in _ON_THE_WAY:
+    while cat_at(chunks, m) in _ON_THE_WAY:
         m += 1
-    verb = chunk_at(chunks, m)
-    if (
-        isinstance(verb, Event)
-        and verb.name == "try"
-        and isinstance(chunk_at(chunks, m + 1), Event)
-    ):
-        m += 1  # "is about to enter"
-        verb = chunk_at(chunks, m)
+    verb, further = chunk_at(chunks, m), chunk_at(chunks, m + 1)
+    if isinstance(verb, Event) and verb.name == "try" and isinstance(further, Event):
+        verb, m = further, m + 1  # "is about to enter"
     return (verb, m + 1) if isinstance(verb, Event) and not verb.nominal else None
+
+
+def _turns(chunk: Chunk | None) -> bool:
+    return isinstance(chunk, Event) and chunk.name in _TURNING
 
 
 def _told_anew(chunks: list[Chunk], k: int, end: int) -> list[Chunk]:
     """The clause as a sentence, if nothing else in the text tells that somebody turns."""
-    clause = [c for c in chunks[k + 1 : end] if not (isinstance(c, Word) and c.cat == "rel")]
-    clause = [c for c in clause if not (isinstance(c, Word) and c.cat in {"prep", "sub"})]
+    clause = [c for c in chunks[k + 1 : end] if c.cat not in {"rel", "prep", "sub"}]
     who = next(c for c in clause if isinstance(c, Mention))
-    sided = any(isinstance(c, Word) and c.cat == "dir" for c in clause)
-    around = [*chunks[:k], *chunks[end:]]
-    turned = any(isinstance(c, Event) and c.name in _TURNING for c in around)
-    known = who.pronoun is not None or who.is_ego
-    turns = any(isinstance(c, Event) and c.name in _TURNING for c in clause)
-    if who.pronoun is not None or not (sided or not known or (turns and not turned)):
+    sided = any(c.cat == "dir" for c in clause)
+    anew = any(map(_turns, clause)) and not any(map(_turns, [*chunks[:k], *chunks[end:]]))
+    if who.pronoun is not None or not (sided or not who.is_ego or anew):
         return []
     return [*clause, Word(Term("punct", ".", who.i, who.i))]
 
@@ -146,7 +130,7 @@ def _course(
     chunks: list[Chunk], k: int, tokens: list[Token], before: list[Chunk]
 ) -> tuple[int, Term] | None:
     """``against the direction from which the ego came``: its end, and a word of manner for it."""
-    ways = load_ways()
+    ways = word_lists("ways")
     verb = next((c for c in reversed(before) if isinstance(c, Event)), None)
     if verb is None or verb.name not in _WALKING:
         return None
@@ -157,76 +141,63 @@ def _course(
         if not against and _text(word, tokens) not in ways["along"]:
             return None
         m += 1
-        m += 1 if isinstance(to := chunk_at(chunks, m), Word) and to.value == "to" else 0
-    owner = chunk_at(chunks, m)
-    m += 1 if isinstance(owner, Mention) and isinstance(chunk_at(chunks, m + 1), Place) else 0
+    m += isinstance(chunk_at(chunks, m), Mention)
     noun = chunk_at(chunks, m)
     if not isinstance(noun, Place) or noun.kind not in _COURSES:
         return None
     against = against or "opposite" in noun.dirs
-    words = {t.low for t in tokens[noun.i : noun.j]}
-    early = bool(words & {*ways["original"]})
+    early = any(t.low in ways["original"] for t in tokens[noun.i : noun.j])
     m += 1
-    opener = chunk_at(chunks, m)
-    if isinstance(opener, Word) and opener.value == "of":
+    if value_at(chunks, m) == "of":
         m += 2  # "of travel", "of the ego"
     told = _heading(chunks, m, tokens)
     if told is None and not early:
         return None
-    end = told if told is not None else m
-    end = _end_of_turn(chunks, end)
+    end = _end_of_turn(chunks, m if told is None else told)
     value = AGAINST if against else ALONG
     return end, Term("manner", value, word.i, chunks[end - 1].j)
 
 
 def _heading(chunks: list[Chunk], m: int, tokens: list[Token]) -> int | None:
     """``in which the ego was driving``, ``it came from``: where the clause ends."""
-    word = chunk_at(chunks, m)
-    if isinstance(word, Word) and word.cat == "prep" and _relative(chunk_at(chunks, m + 1), tokens):
+    if _preposed(chunks, m):
         m += 2
-    elif isinstance(word, Word) and (word.cat in {"sub", "rel"}):
-        m += 1
+    else:
+        m += cat_at(chunks, m) in {"sub", "rel"}
     clause = _does(chunks, m)
-    if clause is None or _lemma(clause[0], tokens) not in load_ways()["heads"]:
+    if clause is None or tokens[clause[0].i].base not in word_lists("ways")["heads"]:
         return None
     m = clause[1]
-    after = chunk_at(chunks, m)
-    stranded = isinstance(after, Word) and after.cat in {"prep", "manner"}
+    stranded = cat_at(chunks, m) in {"prep", "manner"}
     return m + 1 if stranded and not isinstance(chunk_at(chunks, m + 1), Mention | Place) else m
 
 
 def _end_of_turn(chunks: list[Chunk], m: int) -> int:
     """After ``before the turn``, ``before it turned``, if that follows."""
-    word, verb = chunk_at(chunks, m), chunk_at(chunks, m + 1)
-    if not isinstance(word, Word) or (word.cat, word.value) != ("sub", "before"):
+    if (cat_at(chunks, m), value_at(chunks, m)) != ("sub", "before"):
         return m
-    if isinstance(verb, Event) and verb.name in _TURNING:
+    if _turns(chunk_at(chunks, m + 1)):
         return m + 2
     clause = _does(chunks, m + 1)
-    return clause[1] if clause is not None and clause[0].name in _TURNING else m
+    return clause[1] if clause is not None and _turns(clause[0]) else m
 
 
 def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks without "as the ego sees it after the turn", and without "so" before a side."""
-    ways = load_ways()
-    words = {"as", *ways["therefore"]}
-    turns = any(isinstance(c, Word) and c.value == "before" for c in chunks)
-    if not turns and words.isdisjoint([t.low for t in tokens]):
-        return chunks
+    therefore = word_lists("ways")["therefore"]
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
         chunk = chunks[k]
-        text, after = _text(chunk, tokens), chunk_at(chunks, k + 1)
-        from_there = isinstance(after, Word) and (after.cat, after.value) == ("prep", "from")
-        if text in ways["therefore"] and from_there and not isinstance(chunk, Mention):
+        text = _text(chunk, tokens)
+        from_there = value_at(chunks, k + 1) == "from"
+        if text in therefore and from_there and not isinstance(chunk, Mention):
             k += 1
             continue
         end = _seen(chunks, k, tokens) if text == "as" else None
         if end is None and isinstance(chunk, Word) and _from_a_side(found):
             end = _end_of_turn(chunks, k)
-            tells = isinstance(more := chunk_at(chunks, end), Word) and more.cat in {"dir", "prep"}
-            end = k if tells else end
+            end = k if cat_at(chunks, end) in {"dir", "prep"} else end
         if end is not None and end > k:
             k = end
             continue
@@ -239,15 +210,12 @@ def _from_a_side(before: list[Chunk]) -> bool:
     """``from the left``, ``from its left``."""
     place = chunk_at(before, len(before) - 1)
     m = len(before) - (3 if isinstance(chunk_at(before, len(before) - 2), Mention) else 2)
-    word = chunk_at(before, m)
-    side = isinstance(place, Place) and place.kind == "side"
-    return side and isinstance(word, Word) and (word.cat, word.value) == ("prep", "from")
+    return isinstance(place, Place) and place.kind == "side" and value_at(before, m) == "from"
 
 
 def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:
     clause = _does(chunks, k + 1)
-    if clause is None or _lemma(clause[0], tokens) not in load_ways()["sees"]:
+    if clause is None or tokens[clause[0].i].base not in word_lists("ways")["sees"]:
         return None
     m = clause[1]
-    m += 1 if isinstance(chunk_at(chunks, m), Mention) else 0
-    return _end_of_turn(chunks, m)
+    return _end_of_turn(chunks, m + isinstance(chunk_at(chunks, m), Mention))

@@ -12,10 +12,9 @@ def held(terms: list[Term], k: int) -> bool:
         terms: the terms of the text.
         k: index of the one that names it.
     """
-    before = [t for t in terms[max(0, k - 3) : k] if t.cat != "det"]
-    carried = bool(before) and (before[-1].value == "with" or before[-1].form == "ing")
-    who = before[-2] if carried and len(before) > 1 else None
-    return who is not None and (who.cat, who.value) == ("actor", "pedestrian")
+    who, link = (None, None, *(t for t in terms[max(0, k - 3) : k] if t.cat != "det"))[-2:]
+    carried = link is not None and (link.value == "with" or link.form == "ing")
+    return carried and who is not None and (who.cat, who.value) == ("actor", "pedestrian")
 
 
 def away_from(terms: list[Term], k: int) -> bool:

@@ -1,8 +1,10 @@
-"""Words before a noun that are adjectives only there."""
+"""Words before a noun that are adjectives only there, and the noun that they describe."""
 
 from __future__ import annotations
 
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.quantities import quantity_at
+from scegen.understanding.words.terms import Match, Term, cat_at, longest_match
+from scegen.understanding.words.tokens import Token
 
 _ROADS = frozenset({"highway", "road", "ramp"})
 
@@ -18,7 +20,7 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     term = terms[m]
     if term.cat == "verb" and term.premod:
         return True
-    follows = terms[m + 1].cat if m + 1 < len(terms) else ""
+    follows = cat_at(terms, m + 1)
     nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
     if term.cat == "inert":
         return opened and term.value == "adjective" and nounlike
@@ -28,3 +30,36 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     if term.cat == "env":
         return follows in {"place", "actor"}
     return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}
+
+
+def noun_follows(tokens: list[Token], j: int) -> bool:
+    """Whether a participant or thing is named at token ``j``, adjectives skipped.
+
+    Args:
+        tokens: the tokens of the text.
+        j: index of a token.
+    """
+    for step in range(3):
+        following = longest_match(tokens, j)
+        if following is None and step == 0 and j < len(tokens) and tokens[j].kind == "word":
+            j += 1  # "a slow milk truck"
+            continue
+        if following is None:
+            return False
+        if following.has("actor", "thing"):
+            return not _needs_no_article(following, tokens)
+        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
+            return following.has("view")
+        if following.has("verb") and following.form not in {"ing", "ed"}:
+            return False
+        j = following.j
+    return False
+
+
+def _needs_no_article(noun: Match, tokens: list[Token]) -> bool:
+    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
+    if any("me" in e.data or "speaks" in e.data for e in noun.entries):
+        return True
+    after = tokens[noun.j] if noun.j < len(tokens) else None
+    numbered = after is not None and after.kind == "number" and quantity_at(tokens, noun.j) is None
+    return numbered and noun.form == "base"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _JOINTS = frozenset({",", "and"})
 _REACH = 6
@@ -49,20 +49,17 @@ def read_angles(tokens: list[Token]) -> Angles | None:
 def _run(tokens: list[Token], i: int) -> tuple[list[float], int, bool]:
     """Numbers from token ``i`` on, joined by commas and "and", and whether they are degrees."""
     values: list[float] = []
-    j = i
+    j = k = i
     sign = False
-    while j < len(tokens) and tokens[j].kind == "number":
-        values.append(float(tokens[j].text.replace(",", ".")))
-        j += 1
-        if j < len(tokens) and tokens[j].low in word_list("degrees"):
+    while k < len(tokens) and tokens[k].kind == "number" and (k > j or not values):
+        values.append(float(tokens[k].text.replace(",", ".")))
+        j = k + 1
+        if low_at(tokens, j) in word_list("degrees"):
             sign = True
             j += 1
         k = j
-        while k < len(tokens) and tokens[k].low in _JOINTS:
+        while low_at(tokens, k) in _JOINTS:
             k += 1
-        if k == j or k >= len(tokens) or tokens[k].kind != "number":
-            break
-        j = k
     return values, j, sign
 
 
@@ -84,9 +81,7 @@ def kind_of(degrees: tuple[float, ...]) -> JunctionKind:
     Args:
         degrees: directions of the arms, rising.
     """
-    gaps = [
-        (b - a) % 360 or 360.0 for a, b in zip(degrees, (*degrees[1:], degrees[0]), strict=True)
-    ]
+    gaps = [(b - a) % 360 for a, b in zip(degrees, (*degrees[1:], degrees[0]), strict=True)]
     if len(degrees) == _FEWEST:
         through = any(abs(gap - 180) <= _SQUARE_DEG for gap in gaps)
         return JunctionKind.T if through else JunctionKind.Y

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry, word_list
-from scegen.understanding.words.ahead import noun_follows
-from scegen.understanding.words.lookalikes import left_or_gone, names_a_measure
-from scegen.understanding.words.nominal import ORDINALS
+from scegen.understanding.words.adjectives import noun_follows
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Match, Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.terms import Match, Term, begins, longest_match
+from scegen.understanding.words.tokens import Token, low_at
 
 _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape", "quantity"}
@@ -23,7 +22,7 @@ _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """Whether a participle stands before the noun that it describes."""
     following = longest_match(tokens, match.j)
-    opens = longest_match(tokens, match.j, match.j + 1) if match.j < len(tokens) else None
+    opens = longest_match(tokens, match.j, match.j + 1)
     if opens is not None and opens.has("possessive", "det"):
         return False  # "struck my vehicle"
     measured = following is not None and _with_a_number(match, following, tokens)
@@ -99,24 +98,25 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         # "turning left and following vehicle B": without an article it is no adjective
         attributive = _clause_follows(tokens, match.j) or _single_one(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
-        shaped = before in {"shape", "control", "det"} and not attributive
-        return (match.get("place") if shaped else _without_place(match, attributive)), attributive
+        # "crossing" describes a vehicle or is what somebody does, unless it is a shaped one
+        place = "place" if before in {"shape", "control", "det"} else "verb"
+        return match.get("dir" if attributive else place), attributive
     if match.has("dir") and match.get("dir").value == "left":
-        return left_or_gone(match, tokens, previous)
-    if match.form == "base" and before == "aux" and previous is not None and previous.value == "be":
+        return _left_or_gone(match, tokens, previous), False
+    if match.form == "base" and previous is not None and (before, previous.value) == ("aux", "be"):
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
-        return (match.get(*_ADJECTIVE_CATS) if match.has(*_ADJECTIVE_CATS) else verb), True
-    if match.has("dir", "state", "manner") and attributive and not participle:
+        return match.get(*_ADJECTIVE_CATS, "verb"), True
+    if match.has("dir", "state", "manner") and attributive:
         return match.get("dir", "state", "manner"), True
     if _must_be_verb(match, tokens, previous):
         return verb, False
-    if names_a_measure(match, tokens, previous):
+    if _names_a_measure(match, tokens, previous):
         return match.get("inert", "limit"), False
     if match.has(*_NOUNS) and match.form in {"base", "s"} and _noun_slot(match, tokens, previous):
-        part = match.has("dir") and match.get("dir").value == "rear" and before != "manner"
+        part = match.has("dir") and match.get("dir").value == "rear"
         return match.get("dir") if part else match.get(*_NOUNS), False  # "hit the back of it"
-    if match.has("dir") and match.form == "base" and not _second_verb(match, tokens, previous):
+    if match.has("dir") and match.form == "base" and not _verb_due(match, tokens, previous):
         across = match.get("dir").value == "lateral" and not noun_follows(tokens, match.j)
         return (verb if across else match.get("dir")), False  # "they … cross in front of it"
     return verb, False
@@ -134,11 +134,11 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     if previous.cat in {"dir", "compass"} and headed:
         return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
-    one = one or (previous.cat == "label" and previous.value in ORDINALS)  # "the first brakes"
+    one = one or (previous.cat == "label" and previous.value in POSITIONS)  # "the first brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"}
     sided = sided and match.has("inert", "thing")  # "from the left barrels through"
     bare = match.has("thing") and previous.cat not in {"det", "possessive", "num", "quant"}
-    if bare and tokens[min(match.j, len(tokens) - 1)].low in word_list("where"):
+    if bare and low_at(tokens, match.j) in word_list("where"):
         return True  # "a car without lights stands in the lane"
     return one or sided
 
@@ -155,25 +155,16 @@ def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool
     return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
 
 
-def _verb_slot(previous: Term | None) -> bool:
-    """Whether a verb is due: after its subject, an auxiliary, "to", or a verb that takes one."""
+def _verb_due(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """Whether a verb is due: after its subject, "to" or a verb of its own ("get off and cross")."""
     if previous is None:
         return False
-    controls = previous.cat == "verb" and "control" in previous.data
-    controls = controls and previous.value != "unknown"
-    return controls or previous.cat in _VERBAL_BEFORE or previous.value == "to"
-
-
-def _second_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """Whether a verb is due, also as the second of two ("get off and cross")."""
-    joined = previous is not None and (previous.cat == "conj" or previous.value == ",")
-    joined = joined and match.get("dir").value == "lateral"
-    return _verb_slot(previous) or (joined and not noun_follows(tokens, match.j))
-
-
-def _without_place(match: Match, attributive: bool) -> Entry:
-    """``crossing`` describes a vehicle or is what somebody does, unless it is a shaped one."""
-    return match.get("dir" if attributive else "verb")
+    controls = previous.cat == "verb" and "control" in previous.data and previous.value != "unknown"
+    if controls or previous.cat in _VERBAL_BEFORE or previous.value == "to":
+        return True
+    joined = previous.cat == "conj" or previous.value == ","
+    lateral = match.get("dir").value == "lateral"
+    return joined and lateral and not noun_follows(tokens, match.j)
 
 
 def _not_inflected(match: Match) -> Match:
@@ -181,8 +172,7 @@ def _not_inflected(match: Match) -> Match:
     if match.form not in {"ing", "ed"} or not match.has("actor", "thing"):
         return match
     kept = tuple(e for e in match.entries if e.cat not in {"actor", "thing"})
-    cats = match.cats - {"actor", "thing"}
-    return Match(kept, match.j, match.form, cats) if kept else match
+    return Match(kept, match.j, match.form, match.cats - {"actor", "thing"})
 
 
 def _describes(match: Match, tokens: list[Token]) -> bool:
@@ -196,19 +186,18 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
     if previous is None:
         return False
+    if previous.cat in {"actor", "place", "thing", "inert"}:
+        return True
     after = longest_match(tokens, match.j)
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
-    verbal = verbal and after is not None and not after.has("actor", "place")
-    sided = previous.cat in {"dir", "compass"} and verbal
-    return sided or previous.cat in {"actor", "place", "thing", "inert"}
+    sided = previous.cat in {"dir", "compass"}
+    return sided and verbal and not begins(tokens, match.j, "actor", "place")
 
 
 def _before_a_noun(match: Match, tokens: list[Token]) -> bool:
     """``the red car``, ``the red one``: a colour; ``the red`` alone is a light."""
-    following = longest_match(tokens, match.j)
-    if following is not None and following.has("actor", "place", "label"):
-        return True
-    return match.j < len(tokens) and tokens[match.j].low in {"one", "ones"}
+    one = low_at(tokens, match.j) in {"one", "ones"}
+    return one or begins(tokens, match.j, "actor", "place", "label")
 
 
 _PRIORITY = (
@@ -236,12 +225,6 @@ def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) 
     return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
 
 
-def _with_a_verb(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
-    if match.has("prep") and previous is not None and previous.cat == "verb":
-        return match.get("prep"), False  # "rides near the kerb"
-    return _verb_or_other(match, tokens, previous)
-
-
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun.
 
@@ -251,27 +234,50 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         previous: the term before.
     """
     match = _not_inflected(match)
+    before = previous.cat if previous else ""
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
-    if match.has("noted") and match.has("actor") and previous and previous.cat == "det":
+    if match.has("noted") and match.has("actor") and before == "det":
         return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
+    if match.has("verb") and match.has("prep") and before == "verb":
+        return match.get("prep"), False  # "rides near the kerb"
     if match.has("verb"):
-        return _with_a_verb(match, tokens, previous)
+        return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):
         return match.get("rel" if _relates(match, tokens, previous) else "det"), False
     if match.has("label") and match.has("place"):
         return match.get("label" if _before_a_noun(match, tokens) else "place"), False
     if match.has("neg") and match.has("pronoun"):
-        following = longest_match(tokens, match.j)
-        listed = following is not None and following.has("det", "actor", "possessive")
+        listed = begins(tokens, match.j, "det", "actor", "possessive")
         return match.get("neg" if listed else "pronoun"), False
-    if match.has("leg") and previous is not None and previous.cat == "num":
+    if match.has("leg") and before == "num":
         return match.get("leg"), False
-    inside = previous is not None and previous.cat in {"actor", "pronoun", "num", "aux"}
+    inside = before in {"actor", "pronoun", "num", "aux"}
     if match.has("conj") and match.has("manner") and inside:
         return match.get("manner"), False  # "a jogger then ran"
-    if match.has("manner") and match.has("label") and previous and previous.cat == "det":
+    if match.has("manner") and match.has("label") and before == "det":
         return match.get("label"), False
     return match.get(*_PRIORITY), False
+
+
+def _left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
+    """``left`` is nearly always the side; "V1 left the road" has a subject and an object."""
+    subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
+    left = begins(tokens, match.j, "det", "possessive", "place", "manner")
+    left = left or low_at(tokens, match.j) in word_list("leaving")
+    return match.get("verb" if subject and left else "dir")
+
+
+def _names_a_measure(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+    """``speed 50 km/h``, ``speed difference``, ``limit 60 km/h``: what is measured, not a verb."""
+    speed = match.has("inert") and match.get("verb").value == "speed"
+    if match.form != "base" or not (speed or match.has("limit")):
+        return False
+    if previous is None or previous.cat == "punct":
+        return True  # "speed ego = 80 km/h"
+    if previous.cat in {"aux", "pronoun"} or previous.value == "to":
+        return False
+    following = tokens[match.j : match.j + 1]
+    return all(t.kind in {"number", "punct"} or t.low in word_list("measures") for t in following)

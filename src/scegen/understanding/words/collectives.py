@@ -16,8 +16,6 @@ _OPENERS = frozenset({"det", "possessive"})
 
 def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """The terms with such a noun and its "of" made part of the words before the noun after it."""
-    if not any(t.value == "of" for t in terms):
-        return terms
     found: list[Term] = []
     k = 0
     while k < len(terms):
@@ -27,11 +25,9 @@ def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
             k += 1
             continue
         described: list[Term] = []
-        while found and _adjective(found[-1], tokens) and _opened(found):
+        while found and _adjective(found[-1]) and _opened(found):
             described.insert(0, found.pop())
-        opener = found[-1] if found and found[-1].cat in _OPENERS else None
-        if opener is not None:
-            found.pop()
+        opener = found.pop() if found and found[-1].cat in _OPENERS else None
         start = opener.i if opener is not None else terms[k].i
         definite = opener is not None and (opener.cat == "possessive" or opener.value == "def")
         if terms[k + 2].cat == "num":  # "a jam of six cars" tells what the six do
@@ -49,16 +45,16 @@ def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
 def _gathered(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     """Where the words end that only gather; None if the term does nothing of the kind."""
-    term = terms[k]
-    of = terms[k + 1] if k + 1 < len(terms) else None
-    noun = tokens[term.j - 1].forms[-1][0] in word_list("gathering") and term.j - term.i == 1
-    counted = k + 2 < len(terms) and terms[k + 2].cat == "num"
-    jam = bool(term.data.get("stands")) or (counted and "mass" in term.data)
-    if not (noun or jam) or term.cat in {"verb", "quant"} or of is None or of.value != "of":
+    term, following = terms[k], terms[k + 2 : k + 2 + _MOST_ADJECTIVES]
+    if not following or terms[k + 1].value != "of" or term.cat in {"verb", "quant"}:
         return None
-    for after in terms[k + 2 : k + 2 + _MOST_ADJECTIVES]:
+    noun = tokens[term.i].base in word_list("gathering") and term.j - term.i == 1
+    jam = term.data.get("stands") or (following[0].cat == "num" and "mass" in term.data)
+    if not (noun or jam):
+        return None
+    for after in following:
         if after.cat == "actor":
-            return of.j
+            return terms[k + 1].j
         if after.cat not in {*_DESCRIBING, "dir", "quant", *(["num"] if jam else [])}:
             return None
     return None
@@ -70,19 +66,13 @@ def _stands(after: list[Term]) -> bool:
     return verb is None or verb.value not in {"crawl", "move", "slow"}
 
 
-def _adjective(term: Term, tokens: list[Token]) -> bool:
-    if term.cat == "inert" and term.value != "adjective":
-        return False
-    if term.cat == "verb" and not (term.premod or tokens[term.i].low.endswith("ing")):
-        return False
-    return term.cat in _DESCRIBING
+def _adjective(term: Term) -> bool:
+    """A participle may be one, no verb of a clause."""
+    return term.cat in _DESCRIBING and (term.cat != "verb" or term.premod or term.form == "ing")
 
 
 def _opened(found: list[Term]) -> bool:
     """Whether an article stands before the adjectives at the end."""
-    for term in reversed(found[-1 - _MOST_ADJECTIVES :]):
-        if term.cat in _OPENERS:
-            return True
-        if term.cat not in _DESCRIBING:
-            return False
-    return False
+    before = (t for t in reversed(found[-1 - _MOST_ADJECTIVES :]) if t.cat not in _DESCRIBING)
+    opener = next(before, None)
+    return opener is not None and opener.cat in _OPENERS

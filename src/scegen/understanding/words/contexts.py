@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
 from scegen.understanding.lexicon import load_contexts
 from scegen.understanding.words.paces import doing
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Match, Term, longest_match
+from scegen.understanding.words.terms import Match, Term, longest_match, term_at
 from scegen.understanding.words.tokens import Token
 
 _SOON = 6
@@ -43,18 +43,29 @@ class _Item:
 class _Row:
     """A row of the file, its items read."""
 
-    at: _Item | None
-    ends: frozenset[str]
-    single: bool
-    before: tuple[_Item, ...]
-    after: tuple[_Item, ...]
-    soon: _Item | None
-    ago: _Item | None
-    doing: bool
-    length: int | None
-    takes: int
-    becomes: dict[str, Any]
-    previous: dict[str, Any]
+    at: _Item | None = None
+    ends: frozenset[str] = frozenset()
+    single: bool = False
+    before: tuple[_Item, ...] = ()
+    after: tuple[_Item, ...] = ()
+    soon: _Item | None = None
+    ago: _Item | None = None
+    doing: bool = False
+    length: int | None = None
+    takes: int = 0
+    becomes: dict[str, Any] = field(default_factory=dict)
+    previous: dict[str, Any] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, record: dict[str, Any]) -> _Row:
+        told = {key: v for key, v in record.items() if key not in {"of", "word", "lemma", "is"}}
+        for key in told.keys() & {"at", "soon", "ago"}:
+            told[key] = _Item.of(told[key])
+        for key in told.keys() & {"before", "after"}:
+            told[key] = tuple(map(_Item.of, told[key]))
+        return cls(
+            **told | {"ends": frozenset(told.get("ends", ())), "becomes": record.get("is", {})}
+        )
 
     def fits(self, term: Term, terms: list[Term], tokens: list[Token]) -> bool:
         """Whether the words around a term are those of the row."""
@@ -65,7 +76,7 @@ class _Row:
         if self.ends and tokens[term.j - 1].low not in self.ends:
             return False
         for back, item in enumerate(self.before, 1):
-            if not item.fits_term(terms[-back] if back <= len(terms) else None, tokens):
+            if not item.fits_term(term_at(terms, len(terms) - back), tokens):
                 return False
         if not all(item.fits_at(tokens, term.j + k) for k, item in enumerate(self.after)):
             return False
@@ -92,7 +103,7 @@ def _is(atom: str, term: Term | None, tokens: list[Token]) -> bool:
     if atom[0] == "=":
         return atom[1:] in {tokens[term.i].low, tokens[term.j - 1].low}
     if atom[0] == "+":
-        return tokens[term.i].forms[-1][0] == atom[1:]
+        return tokens[term.i].base == atom[1:]
     if atom[0] == "#":
         return (term.cat, term.value) == ("quantity", atom[1:])
     named, _, form = atom.partition(".")
@@ -106,7 +117,7 @@ def _begins(atom: str, tokens: list[Token], j: int, match: Match | None) -> bool
     if atom[0] == "=":
         return tokens[j].low == atom[1:]
     if atom[0] == "+":
-        return tokens[j].forms[-1][0] == atom[1:]
+        return tokens[j].base == atom[1:]
     if atom[0] == ":":
         return tokens[j].kind == atom[1:]
     if atom[0] == "#":
@@ -121,20 +132,7 @@ def _rows() -> dict[str, tuple[tuple[int, _Row], ...]]:
     """First word, or what the term is -> the rows that may fit, by their place in the file."""
     found: dict[str, list[tuple[int, _Row]]] = {}
     for number, record in enumerate(load_contexts()):
-        row = _Row(
-            at=_Item.of(record["at"]) if "at" in record else None,
-            ends=frozenset(record.get("ends", ())),
-            single=record.get("single", False),
-            before=tuple(_Item.of(item) for item in record.get("before", ())),
-            after=tuple(_Item.of(item) for item in record.get("after", ())),
-            soon=_Item.of(record["soon"]) if "soon" in record else None,
-            ago=_Item.of(record["ago"]) if "ago" in record else None,
-            doing=record.get("doing", False),
-            length=record.get("length"),
-            takes=record.get("takes", 0),
-            becomes=record.get("is", {}),
-            previous=record.get("previous", {}),
-        )
+        row = _Row.of(record)
         words = [f"={w}" for w in record.get("word", ())]
         for key in words or [f"+{w}" for w in record.get("lemma", ())] or [record["at"]]:
             found.setdefault(key, []).append((number, row))
@@ -158,7 +156,7 @@ def in_context(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
         tokens: the tokens of the text.
     """
     first = tokens[term.i]
-    lemma = first.forms[-1][0]
+    lemma = first.base
     for row in _candidates(first.low, lemma, term.cat, term.value, term.form):
         if not row.fits(term, terms, tokens):
             continue

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.quantities import ends_a_quantity
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.quantities import after_a_measure
+from scegen.understanding.words.tokens import Token, low_at
 
 
 def without_emptiness(tokens: list[Token]) -> list[Token]:
@@ -13,22 +13,24 @@ def without_emptiness(tokens: list[Token]) -> list[Token]:
     Args:
         tokens: of the text.
     """
-    long = {k: _room(tokens, k) if token.low == "of" else _stress(tokens, k)
-            for k, token in enumerate(tokens)}  # fmt: skip
-    left_out = {m for k, length in long.items() for m in range(k, k + length)}
-    return [token for k, token in enumerate(tokens) if k not in left_out]
+    empty = {m for k in range(len(tokens)) for m in range(k, k + _empty(tokens, k))}
+    return [token for k, token in enumerate(tokens) if k not in empty]
+
+
+def _empty(tokens: list[Token], k: int) -> int:
+    if tokens[k].low == "of":
+        return _room(tokens, k)
+    return _stress(tokens, k) if tokens[k].low in word_list("being") else 0
 
 
 def _room(tokens: list[Token], k: int) -> int:
     """How many words ``of free road`` has before a word that says between whom."""
     end = k + 1
-    while end < len(tokens) and tokens[end].low in word_list("free"):
+    while low_at(tokens, end) in word_list("free"):
         end += 1
-    if end + 1 >= len(tokens) or tokens[end].low not in word_list("emptiness"):
-        return 0
-    quantity = ends_a_quantity(tokens, k)
-    told = quantity is not None and quantity.dimension == "length"
-    return end + 1 - k if told and tokens[end + 1].low in word_list("apart") else 0
+    between = low_at(tokens, end + 1) in word_list("apart")
+    empty = between and tokens[end].low in word_list("emptiness") and after_a_measure(tokens, k)
+    return end + 1 - k if empty else 0
 
 
 def _stress(tokens: list[Token], k: int) -> int:
@@ -36,5 +38,5 @@ def _stress(tokens: list[Token], k: int) -> int:
     for phrase in word_list("stressing"):
         words = phrase.split()
         if [t.low for t in tokens[k + 1 : k + 1 + len(words)]] == words:
-            return 1 + len(words) if tokens[k].low in word_list("being") else 0
+            return 1 + len(words)
     return 0

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.ahead import noun_follows
+from scegen.understanding.words.adjectives import noun_follows
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|t|car|cv|obj|tgt|gvt)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
@@ -32,25 +32,23 @@ def _labelled(token: Token, i: int) -> Term | None:
     if token.kind != "label":
         return None
     digits = token.low.lstrip("abcdefghijklmnopqrstuvwxyz")
-    if _LABELLED.match(token.low):
-        return Term("actor", "car", i, i + 1, "base", {"label": f"#{digits}"})
-    if _WALKER.match(token.low):
-        return Term("actor", "pedestrian", i, i + 1, "base", {"label": f"#p{digits}"})
+    for names, kind, label in ((_LABELLED, "car", "#"), (_WALKER, "pedestrian", "#p")):
+        if names.match(token.low):
+            return Term("actor", kind, i, i + 1, data={"label": f"{label}{digits}"})
     return None
 
 
 def _road_number(tokens: list[Token], i: int) -> Term | None:
     """``the A40``, ``I-95``, ``US 1``: a road."""
     token = tokens[i]
+    kind = "highway" if token.low[0] in "mi" else "road"
     if token.kind == "label" and token.text[0].isupper() and _ROAD.match(token.low):
-        return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 1)
+        return Term("place", kind, i, i + 1)
     after = tokens[i + 1] if i + 1 < len(tokens) else None
-    joined = after is not None and after.kind == "number" and after.start <= token.end + 1
-    if not (joined and token.text.isupper() and _ROAD.match(f"{token.low}1")):
-        return None
-    if token.low == "a" and after is not None and after.start > token.end:
-        return None
-    return Term("place", "highway" if token.low[0] in "mi" else "road", i, i + 2)
+    gap = token.low != "a"  # "US 1", but no "A 40"
+    joined = after is not None and after.kind == "number" and after.start <= token.end + gap
+    named = joined and token.text.isupper() and _ROAD.match(f"{token.low}1")
+    return Term("place", kind, i, i + 2) if named else None
 
 
 def _aged(tokens: list[Token], i: int) -> Term | None:
@@ -63,6 +61,6 @@ def _aged(tokens: list[Token], i: int) -> Term | None:
     if not aged and tokens[i].low not in word_list("sexes"):
         return None
     j = i + 3 if aged else i + 1
-    if noun_follows(tokens, j) or (j < len(tokens) and tokens[j].low in word_list("sexes")):
+    if noun_follows(tokens, j) or low_at(tokens, j) in word_list("sexes"):
         return Term("label", "quality", i, j)
     return Term("actor", "pedestrian", i, j)

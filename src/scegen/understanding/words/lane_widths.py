@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from scegen.scenario.roadway import AUXILIARY_LENGTHS_M, LANE_WIDTHS_M
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 
 def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
@@ -19,9 +19,10 @@ def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | 
         tokens: its tokens.
     """
     length = _length_m(terms[k], LANE_WIDTHS_M)
-    near = length is not None
-    near = near and (_before_lanes(terms, k, tokens) or _after_lanes(terms, k, tokens))
-    return length if near else None
+    if length is None:
+        return None
+    lanes = [t for t in terms if _is_lane(t) or _names_it(t, tokens)]
+    return length if _told_of(lanes, terms[k], tokens, "wide") else None
 
 
 def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
@@ -32,19 +33,11 @@ def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> fl
         k: index of the term.
         tokens: its tokens.
     """
-    term, length = terms[k], _length_m(terms[k], AUXILIARY_LENGTHS_M)
+    length = _length_m(terms[k], AUXILIARY_LENGTHS_M)
     if length is None:
         return None
-    long = term.j < len(tokens) and tokens[term.j].low in word_list("long")
-    if any("auxiliary" in t.data and t.i == term.j + long for t in terms[k + 1 : k + 3]):
-        return length  # "a 180 m acceleration lane"
-    lane = next((t for t in reversed(terms[:k]) if t.cat in {"place", "actor"}), None)
-    if lane is None or "auxiliary" not in lane.data:
-        return None
-    between = {t.low for t in tokens[lane.j : term.i]}
-    said = long or between & word_list("long") or between == {"of"}
-    near = between <= word_list("between_widths") | word_list("long")
-    return length if said and near else None
+    lanes = [t for t in terms if "auxiliary" in t.data]
+    return length if _told_of(lanes, terms[k], tokens, "long") else None
 
 
 def _length_m(term: Term, limits: tuple[float, float]) -> float | None:
@@ -55,28 +48,25 @@ def _length_m(term: Term, limits: tuple[float, float]) -> float | None:
     return float(value.low) if limits[0] <= value.low == value.high <= limits[1] else None
 
 
-def _before_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> bool:
-    """``3.25 m lanes``, ``3 m wide lanes``."""
-    j = terms[k].j
-    wide = j < len(tokens) and tokens[j].low in word_list("wide")
-    return any(_is_lane(t) and t.i == j + wide for t in terms[k + 1 : k + 3])
-
-
-def _after_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> bool:
-    """``lanes only 2.75 m wide``, ``a lane width of 3 m``, ``lanes narrowed to 2.6 m``."""
-    lane = next((t for t in reversed(terms[:k]) if _is_lane(t) or _names_it(t, tokens)), None)
+def _told_of(lanes: list[Term], length: Term, tokens: list[Token], how: str) -> bool:
+    """``3 m wide lanes``, ``lanes narrowed to 2.6 m``, ``a merging lane of 180 m``."""
+    words = word_list(how)
+    if any(lane.i == length.j + (low_at(tokens, length.j) in words) for lane in lanes):
+        return True
+    lane = next((t for t in reversed(lanes) if t.j <= length.i), None)
     if lane is None:
         return False
-    between = {t.low for t in tokens[lane.j - _names_it(lane, tokens) : terms[k].i]}
-    after = {t.low for t in tokens[terms[k].j : terms[k].j + 2]}
-    said = (between | after) & word_list("wide") or between == {"of"}  # "lanes of 3.5 m"
-    return bool(said) and between <= word_list("between_widths") | word_list("wide")
+    begin = lane.j - (tokens[lane.j - 1].low in words)  # "lane width"
+    between = {t.low for t in tokens[begin : length.i]}
+    after = {t.low for t in tokens[length.j : length.j + 2]}
+    told = not words.isdisjoint(between | after) or between == {"of"}
+    return told and between <= word_list("between_widths") | words
 
 
 def _names_it(term: Term, tokens: list[Token]) -> bool:
     """``lane width``."""
     words = [t.low for t in tokens[term.i : term.j]]
-    return words[0] == "lane" and words[-1] in word_list("wide")
+    return words[:1] == ["lane"] and words[-1] in word_list("wide")
 
 
 def _is_lane(term: Term) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 
 from scegen.errors import InputError
-from scegen.understanding.lexicon import load, load_languages
+from scegen.understanding.lexicon import load, word_lists
 from scegen.understanding.words.tokens import Token
 
 _ENGLISH = "English"
@@ -31,7 +31,8 @@ def require_english(tokens: list[Token], text: str) -> None:
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
     counts = {
-        name: sum(map(common.__contains__, words)) for name, common in load_languages().items()
+        name: sum(map(common.__contains__, words))
+        for name, common in word_lists("languages").items()
     }
     english = counts.pop(_ENGLISH)
     likeliest = max(counts, key=lambda name: counts[name])

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
 WAYS = frozenset({"left", "right", "straight"})
@@ -13,8 +13,6 @@ _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merg
 """Actions that a side tells apart: "the left turn"."""
 _OWNED = frozenset({"lane", "path", "side"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
-ORDINALS = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
-                      "former", "latter", "last"})  # fmt: skip
 
 
 def is_nominal(
@@ -22,7 +20,6 @@ def is_nominal(
     head: Term,
     following: Term | None,
     chunks: list[Chunk],
-    tokens: list[Token],
 ) -> bool:
     """Whether a verb form after these words is a noun ("a sudden stop").
 
@@ -31,14 +28,13 @@ def is_nominal(
         head: the verb form.
         following: the term after it.
         chunks: the chunks read so far.
-        tokens: the tokens of the text.
     """
     if head.cat != "verb" or head.form == "ed":
         return False
     if head.form == "s" and [m.cat for m in mods] == ["possessive", "dir"]:
         return False  # "the van to the ego's right creeps forward"
-    counted = [m for m in mods if m.cat != "manner"][-1:]
-    if counted and counted[0].cat == "quant" and counted[0].value in {"both", "all"}:
+    counted = [m.value for m in mods if m.cat != "manner"][-1:]
+    if counted in (["both"], ["all"]):
         return False  # "both initially go"
     named = any(m.cat == "label" for m in mods) and head.form == "base"
     if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
@@ -46,25 +42,19 @@ def is_nominal(
     previous = chunks[-1] if chunks else None
     if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
         return False
-    if mods[0].cat == "dir" and isinstance(previous, Word) and previous.cat == "aux":
+    if mods[0].cat == "dir" and previous is not None and previous.cat == "aux":
         return False  # "a bus that is oncoming turns left"
     if mods[0].value == "opposite" and len(mods) == 1 and isinstance(previous, Mention):
         return False  # "the car opposite turns left"
-    after_prep = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
     placed = has_dir(mods) or mods[-1].cat == "compass"
-    turned = head.value == "turn" and _way(following)
+    turned = head.value == "turn" and following is not None and following.cat == "dir"
     turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
-    listed = _after_a_side(chunks)
-    sided = placed and (head.form == "s" or turned or listed)
-    after_prep = after_prep or listed
-    if after_prep and placed and len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE:
-        return False  # "cars from the right enter"
-    if after_prep and (sided or (has_dir(mods) and "control" in head.data)):
-        return False
-    if tokens[mods[-1].i].low == "others":
-        return False  # "two others turn"
+    if governed(chunks) and placed:  # "cars from the right enter"
+        bare = len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE
+        if bare or head.form == "s" or turned or _after_a_side(chunks):
+            return False
     last = next((m for m in reversed(mods) if m.cat != "manner"), mods[-1])
-    pronominal = last.cat == "num" or last.value in {"another", "other", *ORDINALS}
+    pronominal = last.cat == "num" or last.value in {"another", "other", *POSITIONS}
     if pronominal and head.form != "base":
         return False
     return not (mods[0].cat == "manner" and head.form == "s")
@@ -75,15 +65,9 @@ def _after_a_side(chunks: list[Chunk]) -> bool:
     if len(chunks) < 2:
         return False
     place, joint = chunks[-2:]
-    joined = isinstance(joint, Word) and joint.value in {"and", "or"}
-    if not joined or not isinstance(place, Place) or place.kind != "side":
+    if joint.value not in {"and", "or"} or not isinstance(place, Place) or place.kind != "side":
         return False
-    return bool(place.mods) and place.mods[0].value != "indef"  # "either a left or a right turn"
-
-
-def _way(follows: Term | None) -> bool:
-    """``cars from the left turn right``: a noun would not say which way."""
-    return follows is not None and follows.cat == "dir"
+    return place.mods[0].value != "indef"  # "either a left or a right turn"
 
 
 def has_dir(mods: list[Term]) -> bool:
@@ -99,10 +83,10 @@ def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Ter
         following: the term after it.
         chunks: the chunks read so far.
     """
-    doing = following is not None and (following.cat, following.form) == ("verb", "base")
-    if following is not None and doing and head.value == "noun" and governed(chunks):
-        return head if head.form == "s" else following  # no singular noun has such a verb
-    return head
+    if following is None or (following.cat, following.form) != ("verb", "base"):
+        return head
+    singular = head.value == "noun" and head.form != "s"  # no singular noun has such a verb
+    return following if singular and governed(chunks) else head
 
 
 def ego_owns(heads: list[Term], following: Term | None) -> bool:
@@ -123,8 +107,7 @@ def governed(chunks: list[Chunk]) -> bool:
     Args:
         chunks: the chunks read so far.
     """
-    previous = chunks[-1] if chunks else None
-    preposed = isinstance(previous, Word) and previous.cat in VERBAL_LINKS
+    preposed = bool(chunks) and chunks[-1].cat in VERBAL_LINKS
     return preposed or _after_a_side(chunks)
 
 

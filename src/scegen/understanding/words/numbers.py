@@ -8,19 +8,19 @@ from functools import lru_cache
 from text_to_num import text2num
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
-ATOMS = frozenset(
-    (
-        "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
-        "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
-        "nineteen", "twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety",
-        "hundred", "thousand",
-    )
+_WORDS = (
+    "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+    "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
+    "nineteen", "twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety",
+    "hundred", "thousand",
 )  # fmt: skip
-_DIGITS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
+ATOMS = frozenset(_WORDS)
+_DIGITS = _WORDS[:10]
 _FRACTION_DIGITS = 3
 _HALF = 0.5
+COUNTED = {"a": 1, "one": 1, "two": 2, "three": 3}
 PARTS = {"half": 2, "third": 3, "thirds": 3, "quarter": 4, "quarters": 4, "fifth": 5, "fifths": 5}
 """Names of parts, and how many make a whole."""
 _WIDTH_REACH = 6
@@ -66,7 +66,7 @@ def number_at(tokens: list[Token], i: int) -> Number | None:
     if token.low not in ATOMS:
         return None
     j = i
-    while j < len(tokens) and tokens[j].low in ATOMS and j - i < 6:
+    while low_at(tokens, j) in ATOMS and j - i < 6:
         j += 1
     for end in range(j, i, -1):
         value = _spoken(tuple(t.low for t in tokens[i:end]))
@@ -81,7 +81,7 @@ def _with_fraction(tokens: list[Token], j: int, whole: Number) -> Number:
     if lows == ["and", "a", "half"]:
         return Number(whole.value + _HALF, whole.length + 3)
     end = j + 1
-    while lows[:1] == ["point"] and end < len(tokens) and tokens[end].low in _DIGITS:
+    while lows[:1] == ["point"] and low_at(tokens, end) in _DIGITS:
         end += 1
     digits = "".join(str(_DIGITS.index(t.low)) for t in tokens[j + 1 : end])
     return Number(whole.value + float(f"0.{digits}"), whole.length + end - j) if digits else whole
@@ -97,19 +97,17 @@ def share_at(tokens: list[Token], i: int) -> Number | None:
     Returns:
         The share with the tokens of the fraction alone, or None where it is of anything else.
     """
-    lows = [t.low for t in tokens[i : i + 2]]
-    count = {"one": 1, "a": 1, "two": 2, "three": 3}.get(lows[0], 0)
-    part = PARTS.get(lows[1]) if len(lows) > 1 and count else None
-    length = 2 if part is not None else 1
+    lows = [low_at(tokens, k) for k in range(i, i + 2)]
+    count, part, length = (
+        {"one": 1, "a": 1, "two": 2, "three": 3}.get(lows[0]),
+        PARTS.get(lows[1]),
+        2,
+    )
     if lows[0] == "half":
-        count, part = 1, 2
-    if part is None:
+        count, part, length = 1, 2, 1
+    if count is None or part is None:
         return None
     after = [t.low for t in tokens[i + length : i + length + _WIDTH_REACH]]
-    named = i > 0 and tokens[i - 1].low in {"overlap", "overlapping"}
-    wide = (
-        named
-        or after[:1] == ["overlap"]
-        or (after[:1] == ["of"] and bool(word_list("widths") & set(after)))
-    )
+    wide = low_at(tokens, i - 1) in {"overlap", "overlapping"} or after[:1] == ["overlap"]
+    wide = wide or (after[:1] == ["of"] and not word_list("widths").isdisjoint(after))
     return Number(100 * count / part, length) if wide else None

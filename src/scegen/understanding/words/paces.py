@@ -5,13 +5,12 @@ from __future__ import annotations
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.quantities import Quantity, as_written, quantity_at
-from scegen.understanding.words.terms import Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.terms import Term, begins, longest_match
+from scegen.understanding.words.tokens import Token, low_at
 
 _ARTICLES = frozenset({"a", "an", "the"})
 _DEGREES = {"slow": "slow_degrees", "fast": "fast_degrees"}
 _OVER = {"over": "fast", "above": "fast", "under": "slow", "below": "slow"}
-_SHORT_OF = 2
 _CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir")
 """Classes of words that go on after a number without a unit; nouns would be counted by it."""
 _PHRASE = 8
@@ -35,43 +34,43 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
     if number is None or not _FEWEST <= number.value <= _MOST or not doing(tokens, i):
         return None
     quantity = quantity_at(tokens, i)
-    speed = quantity is not None and quantity.dimension == "speed"
-    j = quantity.j if quantity is not None and speed else i + number.length
+    speed = quantity if quantity is not None and quantity.dimension == "speed" else None
+    j = speed.j if speed is not None else i + number.length
     limit = number_at(tokens, j + 2) if j + 2 < len(tokens) else None
     lowest = limit is not None and limit.value >= _LOWEST_LIMIT  # "30 km/h on a two-lane road"
     if limit and lowest and tokens[j].low in {"in", "on"} and tokens[j + 1].low in _ARTICLES:
-        allowed = quantity_at(tokens, j + 2)
-        end = allowed.j if allowed is not None else j + 2 + limit.length
-        while end < len(tokens) and tokens[end].low in word_list("zones"):
-            end += 1
         value = "fast" if number.value > limit.value else "slow"
-        if (
-            speed and quantity is not None and allowed is not None
-        ):  # both are told, each in its unit
-            return Term("manner", value, i, j, data={"pace": True, "quantity": quantity})
-        return Term("manner", value, i, end, data={"pace": True})
-    if number.value <= _CRAWL and j < len(tokens) and _on_a_highway(tokens, j):
-        return Term("manner", "slow", i, j, data={"pace": True})
-    merely = {t.low for t in tokens[max(0, i - _SHORT_OF) : i]} & word_list("merely")
-    if merely and speed and quantity is not None:
-        return Term("manner", "slow", i, j, data={"pace": True, "quantity": quantity})
-    if number.value >= _MOTORWAY and not speed and _must_have_been(tokens, i):
-        return Term("manner", "fast", i, j, data={"pace": True})
-    if j < len(tokens) and tokens[j].low in _OVER:
-        end = j + 1
-        while end < len(tokens) and tokens[end].low in {*_ARTICLES, "speed", "limit"}:
+        allowed = quantity_at(tokens, j + 2)
+        if speed is not None and allowed is not None:  # both are told, each in its unit
+            return _pace(value, i, j, speed)
+        end = allowed.j if allowed is not None else j + 2 + limit.length
+        while low_at(tokens, end) in word_list("zones"):
             end += 1
-        ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
-        return Term("manner", _OVER[tokens[j].low], i, end, data={"pace": True}) if ends else None
-    return None
+        return _pace(value, i, end)
+    if number.value <= _CRAWL and _on_a_highway(tokens, j):
+        return _pace("slow", i, j)
+    if speed is not None and any(low_at(tokens, i - k) in word_list("merely") for k in (1, 2)):
+        return _pace("slow", i, j, speed)
+    if number.value >= _MOTORWAY and speed is None and _must_have_been(tokens, i):
+        return _pace("fast", i, j)
+    end = j + 1
+    while low_at(tokens, end) in {*_ARTICLES, "speed", "limit"}:
+        end += 1
+    ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
+    return _pace(_OVER[tokens[j].low], i, end) if low_at(tokens, j) in _OVER and ends else None
+
+
+def _pace(value: str, i: int, j: int, quantity: Quantity | None = None) -> Term:
+    """A term that says how fast, and perhaps the speed itself."""
+    told = {} if quantity is None else {"quantity": quantity}
+    return Term("manner", value, i, j, data={"pace": True, **told})
 
 
 def _on_a_highway(tokens: list[Token], j: int) -> bool:
     """``doing 30 on the motorway``: far below what is usual there."""
-    k = j + 1 + (j + 1 < len(tokens) and tokens[j + 1].low in _ARTICLES)
-    if tokens[j].low not in {"on", "down"} or k >= len(tokens):
+    if low_at(tokens, j) not in {"on", "down"}:
         return False
-    found = longest_match(tokens, k)
+    found = longest_match(tokens, j + 1 + (low_at(tokens, j + 1) in _ARTICLES))
     return found is not None and any(e.value == "highway" for e in found.entries)
 
 
@@ -86,15 +85,15 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
 
     Args:
         tokens: the tokens of the text.
-        i: index of the number.
+        i: index of a number without a unit.
     """
     number = number_at(tokens, i)
-    if number is None or not _FEWEST < number.value <= _MOST or quantity_at(tokens, i) is not None:
+    if number is None or not _FEWEST < number.value <= _MOST:
         return None
     j = i + number.length
-    told = doing(tokens, i) or tokens[i - 1].low in {"at", "only"} or _its_speed(tokens, i)
-    ends = j >= len(tokens) or tokens[j].kind == "punct" or _another_word(tokens, j)
-    if not (told and ends and i):
+    told = doing(tokens, i) or low_at(tokens, i - 1) in {"at", "only"} or _its_speed(tokens, i)
+    ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
+    if not (told and ends):
         return None
     for k in range(len(tokens)):
         given = quantity_at(tokens, k)
@@ -106,19 +105,10 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
 def _its_speed(tokens: list[Token], i: int) -> bool:
     """``its own speed is 120``, ``100 km/h against the ego's 80``: a speed without its unit."""
     before = tokens[max(0, i - _SAID_REACH) : i]
-    rated = any(t.low in word_list("pace_nouns") for t in before) and before[-1].low in {
-        "is",
-        "was",
-        "of",
-        "=",
-    }
+    rated = any(t.low in word_list("pace_nouns") for t in before)
+    rated = rated and before[-1].low in {"is", "was", "of", "="}
     versus = any(t.low in {"against", "versus", "vs"} for t in before)
     return rated or (versus and before[-1].kind == "clitic")
-
-
-def _another_word(tokens: list[Token], j: int) -> bool:
-    found = longest_match(tokens, j)
-    return found is not None and found.has(*_CLOSED)
 
 
 def speed_at(tokens: list[Token], i: int) -> Term | None:
@@ -156,4 +146,4 @@ def doing(tokens: list[Token], i: int) -> bool:
     k = i - 1
     while k >= 0 and tokens[k].low in word_list("vaguely"):
         k -= 1
-    return k >= 0 and tokens[k].forms[-1][0] in word_list("pacing")
+    return k >= 0 and tokens[k].base in word_list("pacing")

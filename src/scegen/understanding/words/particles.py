@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.terms import Match, Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.terms import Match, Term, begins, longest_match
+from scegen.understanding.words.tokens import Token, low_at
 
 _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
@@ -18,18 +18,14 @@ def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
         i: index of a token.
         previous: the term before it.
     """
-    if tokens[i].low != "right" or i + 1 >= len(tokens) or previous is None:
+    if tokens[i].low != "right" or previous is None or previous.cat == "det":
         return False
-    following = longest_match(tokens, i + 1)
-    located = following is not None and following.has("locus")
-    located = located or (tokens[i + 1].low in word_list("particles") and previous.cat == "verb")
-    located = located or tokens[i + 1].low == "across"
-    located = located or (i + 2 < len(tokens) and tokens[i + 1].low == "at" and _me(tokens[i + 2]))
-    return located and not previous.value.endswith("turn") and previous.cat != "det"
-
-
-def _me(token: Token) -> bool:
-    return token.low in {"me", "us", "him", "her", "them", "it"}
+    after = low_at(tokens, i + 1)
+    located = begins(tokens, i + 1, "locus") or after == "across"
+    located = located or (after in word_list("particles") and previous.cat == "verb")
+    whom = low_at(tokens, i + 2) in {"me", "us", "him", "her", "them", "it"}
+    located = located or (after == "at" and whom)
+    return located and not previous.value.endswith("turn")
 
 
 def then_a_noun(tokens: list[Token], match: Match) -> bool:
@@ -39,16 +35,17 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
         tokens: the tokens of the text.
         match: a phrase of motion or direction that may end in "on".
     """
-    if match.j < len(tokens) and tokens[match.j].low == "of":
+    after = low_at(tokens, match.j)
+    if after == "of":
         return all(e.cat == "manner" and e.value == "row" for e in match.entries)
     if tokens[match.j - 1].low == "across" and any(e.value == "encounter" for e in match.entries):
         # "comes across the median"
         return _named_at(tokens, match.j, ("place",), ("actor", "thing"))
-    if tokens[match.j - 1].low not in {"on", "through"} or match.j >= len(tokens):
+    if tokens[match.j - 1].low not in {"on", "through"}:
         return False
     if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
         return False
-    if tokens[match.j].low in word_list("each"):
+    if after in word_list("each"):
         return True  # "drive on either side"
     noun = longest_match(tokens, match.j)
     if noun is not None and noun.has("possessive") and match.only("verb"):
@@ -74,8 +71,7 @@ def nothing_shed(tokens: list[Token], match: Match) -> bool:
     """``loses patience``, ``a lost pallet``: no thing that it carried is let fall."""
     if match.entries[0].value != "shed" or not match.only("verb"):
         return False
-    opened = longest_match(tokens, match.j)
-    bare = match.form == "ed" and not (opened is not None and opened.has("det", "possessive"))
+    bare = match.form == "ed" and not begins(tokens, match.j, "det", "possessive")
     return bare or not _named_at(tokens, match.j, ("thing",), ("actor", "place"))
 
 
@@ -86,14 +82,11 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
         tokens: the tokens of the text.
         match: a verb that may end in "over".
     """
-    if tokens[match.j - 1].low != "over" or not match.only("verb") or match.j >= len(tokens):
+    if tokens[match.j - 1].low != "over" or not match.only("verb"):
         return False
     noun = longest_match(tokens, match.j)
-    opened = noun is not None and noun.has("det", "possessive")
-    if noun is not None and opened and noun.j < len(tokens):
-        noun = longest_match(tokens, noun.j)
-    value = match.get("verb").value
-    return value in {"collide", "lose_control"} and noun is not None and noun.has("place")
+    j = noun.j if noun is not None and noun.has("det", "possessive") else match.j
+    return match.get("verb").value in {"collide", "lose_control"} and begins(tokens, j, "place")
 
 
 def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
@@ -109,21 +102,11 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
         return False
     k = tokens.index(token)
-    before = tokens[k - 2].low if k > 1 else ""
-    sided = previous.cat == "dir" and previous.value in {"left", "right"} and before == "the"
-    after = tokens[k + 1].low if k + 1 < len(tokens) else ""
-    governs = after in {
-        "the",
-        "a",
-        "an",
-        "its",
-        "their",
-        "his",
-        "her",
-        "to",
-        "and",
-        "from",
-    } | word_list("particles_across")
+    sided = previous.cat == "dir" and previous.value in {"left", "right"}
+    sided = sided and low_at(tokens, k - 2) == "the"
+    after = low_at(tokens, k + 1)
+    governs = begins(tokens, k + 1, "det", "possessive") or after in {"to", "and", "from"}
+    governs = governs or after in word_list("particles_across")
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
@@ -133,5 +116,4 @@ def suffix_form(token: Token) -> str | None:
     Args:
         token: the word.
     """
-    endings = (("ing", "ing"), ("ed", "ed"), ("s", "s"))
-    return next((form for ending, form in endings if token.low.endswith(ending)), None)
+    return next((ending for ending in ("ing", "ed", "s") if token.low.endswith(ending)), None)

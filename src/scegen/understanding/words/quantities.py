@@ -7,8 +7,8 @@ from itertools import product
 
 from scegen.scenario.model import Interval
 from scegen.understanding.lexicon import load, word_list
-from scegen.understanding.words.numbers import ATOMS, PARTS, Number, number_at, share_at
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.numbers import ATOMS, COUNTED, PARTS, Number, number_at, share_at
+from scegen.understanding.words.tokens import Token, low_at
 from scegen.units import UNITS
 
 OPENS = ATOMS | {"a", "half", "between"}
@@ -16,10 +16,7 @@ OPENS = ATOMS | {"a", "half", "between"}
 _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "least", "beyond"})
 _BELOW = frozenset({"under", "below", "most"})
-_ARTICLES = frozenset({"a", "an"})
-_COUNTED = {"a": 1, "one": 1, "two": 2, "three": 3}
 _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
-_DENYING = frozenset({"no", "not"})
 _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
                     "approx", "circa", "ca"})  # fmt: skip
 _LONGEST_UNIT = 4
@@ -59,14 +56,14 @@ def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
     """Dimension and name of the unit that begins at token ``i``, and its length in tokens."""
     lexicon = load()
     first = tokens[i] if i < len(tokens) else None
-    if first is None or not {first.low, first.forms[-1][0]} & lexicon.unit_words:
+    if first is None or not {first.low, first.base} & lexicon.unit_words:
         return None
     units = lexicon.units
     for length in range(min(_LONGEST_UNIT, len(tokens) - i), 0, -1):
         window = tokens[i : i + length]
         if window[-1].kind == "punct":
             continue
-        for spelling in product(*((t.low, t.forms[-1][0]) for t in window)):
+        for spelling in product(*((t.low, t.base) for t in window)):
             if spelling in units:
                 return *units[spelling], length
     return None
@@ -101,16 +98,15 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
         spread = _tolerance(tokens, end, dimension, name, first.value)
         if spread is not None:
             return _around(tokens, i, values[0], spread, dimension)
-        apart = dimension == "time" and not opened  # "for 1.5 s and 4 s later": two times
-        joined = _RANGE_WORDS - {"and"} if apart else _RANGE_WORDS
-        if end < len(tokens) and tokens[end].low in joined:
-            second = _second_number(tokens, end + 1)
-            if second is not None and second[1] == dimension:
-                return _build(tokens, i, second[2], [*values, second[0]], dimension)
+        # "for 1.5 s and 4 s later": two times
+        joined = _RANGE_WORDS - {"and"} if dimension == "time" and not opened else _RANGE_WORDS
+        second = _second_number(tokens, end + 1) if low_at(tokens, end) in joined else None
+        if second is not None and second[1] == dimension:
+            return _build(tokens, i, second[2], [*values, second[0]], dimension)
         return None if opened else _build(tokens, i, end, values, dimension)
-    joiner = j < len(tokens) and tokens[j].low in _RANGE_WORDS
+    joiner = low_at(tokens, j) in _RANGE_WORDS
     second = _second_number(tokens, j + 1 if joiner else j)
-    named = i > 0 and tokens[i - 1].low == "lane" and first.value < _TEN  # "in lane 2 65 ft ahead"
+    named = low_at(tokens, i - 1) == "lane" and first.value < _TEN  # "in lane 2 65 ft ahead"
     if second is not None and (joiner or (tokens[i].kind == "number" and not named)):
         value, dimension, end, name = second
         return _build(tokens, i, end, [_si(first.value, dimension, name), value], dimension)
@@ -125,17 +121,17 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
 def _fraction(tokens: list[Token], i: int) -> Number | None:
     """``half a second``, ``half metre``, ``a quarter of a g``, ``a metre``."""
     lows = [t.low for t in tokens[i : i + 4]]
-    if lows[0] == "half" and len(lows) > 1:
-        if lows[1] in _ARTICLES:
-            return Number(0.5, 2)
+    if lows[0] == "half" and lows[1:2] in (["a"], ["an"]):
+        return Number(0.5, 2)
+    if lows[0] == "half":
         return Number(0.5, 1) if _unit_at(tokens, i + 1) is not None else None
-    if len(lows) == 4 and lows[0] in _COUNTED and lows[1] in PARTS and lows[2] == "of":
-        value = _COUNTED[lows[0]] / PARTS[lows[1]]
-        return Number(value, 4) if lows[3] in _ARTICLES else None
+    whole, part = COUNTED.get(lows[0]), PARTS.get(lows[1]) if len(lows) == 4 else None
+    if whole is not None and part is not None and lows[2:] in (["of", "a"], ["of", "an"]):
+        return Number(whole / part, 4)
     unit = _unit_at(tokens, i + 1) if lows[0] == "a" and len(lows) > 1 else None
     named = unit is not None and unit[0] == "length" and len(lows[1]) > 2
-    before = [t.low for t in tokens[max(i - 2, 0) : i]]
-    if before[-1:] in (["into"], ["in"], ["from"]) or before == ["out", "of"]:
+    before = low_at(tokens, i - 1)
+    if before in {"into", "in", "from"} or (before == "of" and low_at(tokens, i - 2) == "out"):
         return None  # "out of a yard"
     return Number(1.0, 1) if named else None  # "a second" may be another one
 
@@ -171,7 +167,7 @@ def _second_number(tokens: list[Token], j: int) -> tuple[float, str, int, str] |
     if j >= len(tokens):
         return None
     number = number_at(tokens, j)
-    if number is None or j + number.length >= len(tokens):
+    if number is None:
         return None
     unit = _unit_at(tokens, j + number.length)
     if unit is None:
@@ -189,17 +185,16 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     low, high = min(values), max(values)
     parts = tuple(Interval(low=v, high=v) for v in values)
     value, note = Interval(low=low, high=high), None
-    before = [t.low for t in tokens[max(0, i - 2) : i]]
-    last = before[-1] if before else ""
+    before, last = low_at(tokens, i - 2), low_at(tokens, i - 1)
     than = last == "than"
-    denied = i > 2 and tokens[i - 3].low in _DENYING  # "no less than 1.5 m"
-    less = bool(_FEWER & {*before}) != denied
+    denied = low_at(tokens, i - 3) in {"no", "not"}  # "no less than 1.5 m"
+    less = (before in _FEWER) != denied
     if len(values) > 1:
         pass
     elif (last in _ABOVE and not _goes_over(tokens, i)) or (than and not less):
         note = f"'{last}' is read as up to 20 % more"
         value = Interval(low=low, high=high * (1 + 2 * _SPREAD))
-    elif last in _BELOW or than or before == ["up", "to"]:
+    elif last in _BELOW or than or (before, last) == ("up", "to"):
         note = f"'{last}' is read as up to 20 % less"
         value = Interval(low=low * (1 - 2 * _SPREAD), high=high)
     elif last in _ABOUT:
@@ -210,8 +205,8 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
 
 def _goes_over(tokens: list[Token], i: int) -> bool:
     """``moves over 30 m ahead``: a word of the verb, not of the number."""
-    moves = i > 1 and tokens[i - 1].low == "over" and tokens[i - 2].kind == "word"
-    return moves and bool({base for base, _ in tokens[i - 2].forms} & word_list("goes_over"))
+    bases = {base for t in tokens[max(0, i - 2) : i - 1] for base, _ in t.forms}
+    return low_at(tokens, i - 1) == "over" and not bases.isdisjoint(word_list("goes_over"))
 
 
 def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity | None:
@@ -224,7 +219,7 @@ def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity
         other: the quantity with the unit.
     """
     number = number_at(tokens, i)
-    if j < len(tokens) and tokens[j].low in word_list("degrees"):
+    if low_at(tokens, j) in word_list("degrees"):
         return None  # "at 15 km/h, at 90°"
     units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
     if number is None or not units:

@@ -19,8 +19,9 @@ def named_by_letter(terms: list[Term], k: int) -> bool:
         k: index of the letter.
     """
     before = [t.cat for t in terms[max(0, k - 2) : k]]
-    placed = before[-1:] == ["det"] and before[:1] in (["prep"], ["verb"])
-    return placed and (k + 1 >= len(terms) or terms[k + 1].cat not in {"actor", "place", "num"})
+    after = [t.cat for t in terms[k + 1 : k + 2]]
+    placed = before in (["prep", "det"], ["verb", "det"])
+    return placed and after not in (["actor"], ["place"], ["num"])
 
 
 def only_counted(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
@@ -46,6 +47,4 @@ def only_counted(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     if named is None or named in {kind, JunctionKind.FOUR_WAY}:
         return None
     fewest, most = ARM_COUNTS[JunctionKind(named)]
-    if not fewest <= _ARMS_SAID[kind] <= most:
-        return None
-    return _ARMS_SAID[kind]
+    return _ARMS_SAID[kind] if fewest <= _ARMS_SAID[kind] <= most else None

@@ -39,7 +39,7 @@ def _of_somebody(terms: list[Term], k: int) -> bool:
     named = [t.cat if t.cat != "place" else t.value for t in after if t.cat != "det"]
     whose = named[1:2] in (["actor"], ["pronoun"])
     whole = named[2:3] != ["possessive"] or named[3:4] == ["lane"]  # not "of the ego's centre"
-    return bare and (after[0].value if after else "") == "of" and whose and whole
+    return bare and bool(after) and after[0].value == "of" and whose and whole
 
 
 def _bare(terms: list[Term], k: int) -> bool:

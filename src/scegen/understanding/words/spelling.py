@@ -4,21 +4,11 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from scegen.understanding.lexicon import load_spelling
+from scegen.understanding.lexicon import word_lists
 from scegen.understanding.words.lemmas import lemmas
 
 _SHORTEST_KEY = 6
 _SHORTEST_WORD = 5
-
-
-@lru_cache(maxsize=1)
-def _index() -> dict[str, tuple[str, ...]]:
-    """Every key word and every way to drop one of its letters -> the key words it comes from."""
-    found: dict[str, list[str]] = {}
-    for word in load_spelling().keys:
-        for cut in (word, *_shortened(word)):
-            found.setdefault(cut, []).append(word)
-    return {cut: tuple(dict.fromkeys(words)) for cut, words in found.items()}
 
 
 def _shortened(word: str) -> list[str]:
@@ -54,13 +44,11 @@ def meant(word: str) -> str | None:
     Args:
         word: a lower-case word that the lexicon does not know.
     """
-    if not _SHORTEST_WORD <= len(word) <= 20 or word in load_spelling().real_words:
+    if not _SHORTEST_WORD <= len(word) <= 20 or word in word_lists("spelling")["real_words"]:
         return None
-    index = _index()
-    options = {key for cut in (word, *_shortened(word)) for key in index.get(cut, ())}
     fitting = {
         key
-        for key in options
+        for key in word_lists("spelling")["keys"]
         if len(key) >= _SHORTEST_KEY and key[0] == word[0] and one_slip(word, key)
     }
     bases = {lemmas(key)[-1][0] for key in fitting}

@@ -9,7 +9,6 @@ from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.collectives import gather
 from scegen.understanding.words.labels import named_at
-from scegen.understanding.words.lettered import name_letters
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
@@ -23,10 +22,10 @@ from scegen.understanding.words.particles import (
 from scegen.understanding.words.quantities import OPENS, quantity_at
 from scegen.understanding.words.retagging import retag
 from scegen.understanding.words.somebodys import around_somebody
-from scegen.understanding.words.terms import Match, Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.terms import Match, Term, begins, longest_match
+from scegen.understanding.words.tokens import Token, low_at
 from scegen.understanding.words.unknown_drivers import who_drive
-from scegen.understanding.words.unnamed_roles import with_articles
+from scegen.understanding.words.without_noun import name_letters, with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
@@ -44,8 +43,7 @@ def _first_person(tokens: list[Token], i: int) -> bool:
         return False
     if token.low != "i" or token.text == "I":
         return True
-    following = longest_match(tokens, i + 1)
-    return following is not None and following.has("aux", "verb", "neg", "manner")
+    return begins(tokens, i + 1, "aux", "verb", "neg", "manner")
 
 
 def _own_form(entry: Entry, match: Match, tokens: list[Token], i: int) -> str:
@@ -79,15 +77,15 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
     changes = match.has("verb") and match.get("verb").value == "lane_change"
     if match.j - i != 2 or match.form != "s" or not (changes or match.only(*_NOUNS)):
         return False
-    alone = longest_match(tokens, i, i + 1)
-    singular = previous is not None and previous.cat in {"det", "dir", "label", "state"}
+    before = previous.cat if previous is not None else "punct"
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
-    singular = singular or (known and (previous is None or previous.cat in {"punct", "conj"}))
-    after, number = (tokens[k : k + 1] for k in (match.j, match.j + 1))
-    rated = bool(number) and after[0].low in {"with", "at"} and number[0].kind == "number"
-    leads = bool(after) and after[0].low in {"to", "into", "onto", "lanes"}
-    rest = longest_match(tokens, i + 1)
-    verbal = rest is not None and rest.has("verb") and (leads or not changes)
+    singular = before in {"det", "dir", "label", "state"}
+    singular = singular or (known and before in {"punct", "conj"})
+    after, number = low_at(tokens, match.j), tokens[match.j + 1 : match.j + 2]
+    rated = after in {"with", "at"} and any(t.kind == "number" for t in number)
+    verbal = begins(tokens, i + 1, "verb")
+    verbal = verbal and (not changes or after in {"to", "into", "onto", "lanes"})
+    alone = longest_match(tokens, i, i + 1)
     return (singular or rated) and verbal and alone is not None and alone.has("actor", "place")
 
 
@@ -136,20 +134,16 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
         return False  # "the zebra crossing that …"
     if _crossed(tokens, term.j):
         return True
-    if len(terms) < 3:
-        return False
-    counted = terms[-1].cat in {"det", "num"}
-    road = longest_match(tokens, term.j)
-    return counted and road is not None and road.has("det")  # "a pedestrian crossing the road"
+    counted = len(terms) > 2 and terms[-1].cat in {"det", "num"}
+    return counted and begins(tokens, term.j, "det")  # "a pedestrian crossing the road"
 
 
 def _crossed(tokens: list[Token], j: int) -> bool:
     """``pedestrian crossing from the left``, ``… the road``, ``… in front of the ego``."""
-    if j >= len(tokens):
-        return False
-    if tokens[j].low in {"from", "against", "into"}:
+    if low_at(tokens, j) in {"from", "against", "into"}:
         return True
-    speed = quantity_at(tokens, j + 1) if tokens[j].low == "at" and j + 1 < len(tokens) else None
+    measured = low_at(tokens, j) == "at" and j + 1 < len(tokens)
+    speed = quantity_at(tokens, j + 1) if measured else None
     if speed is not None and speed.dimension == "speed":
         return True
     following = longest_match(tokens, j)
@@ -174,27 +168,26 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
 
 
 def _turning(previous: Term | None) -> bool:
+    """``turns right when …``."""
     return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
 
 
 def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
     """``continues to the third exit``: "to" leads to a place, not to another verb."""
-    if tokens[match.j - 1].low != "to" or match.j >= len(tokens):
-        return False
-    following = longest_match(tokens, match.j)
-    return following is None or not following.has("verb", "neg", "manner")
+    leads = tokens[match.j - 1].low == "to" and match.j < len(tokens)
+    return leads and not begins(tokens, match.j, "verb", "neg", "manner")
 
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     token = tokens[i]
     match = longest_match(tokens, i)
-    if match and token.low in _STEERED and tokens[match.j - 1].low == "by":
-        match = longest_match(tokens, i, i + 1)  # "driven by a student"
-    if match and _is_clause(match, tokens, i, previous):
+    if match and (
+        (token.low in _STEERED and tokens[match.j - 1].low == "by")  # "driven by a student"
+        or (token.low == "right" and match.only("sub") and _turning(previous))
+        or _is_clause(match, tokens, i, previous)
+    ):
         match = longest_match(tokens, i, i + 1)
-    if match and token.low == "right" and match.only("sub") and _turning(previous):
-        match = longest_match(tokens, i, i + 1)  # "turns right when …"
     if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
         match = longest_match(tokens, i, match.j - 1)
     if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
@@ -252,8 +245,7 @@ def _by_lexicon(tokens: list[Token], i: int, previous: Term | None) -> Term:
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(tokens, i) else None
     counted = number is not None and match is not None and match.has("shape", "label")
-    counted = counted and match is not None and match.form == "s"
-    if match and not counted and (number is None or match.j > i + number.length):
+    if match and not (counted and match.form == "s"):  # "two lanes"
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, tokens, i)
         predicate = token.low == "about" or "predicate" in entry.data

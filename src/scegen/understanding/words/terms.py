@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -60,6 +61,22 @@ class Match:
         return self.entries[0]
 
 
+def term_at(terms: Sequence[Term], k: int) -> Term | None:
+    """The term with an index, if there is one."""
+    return terms[k] if 0 <= k < len(terms) else None
+
+
+def cat_at(terms: Sequence[Term], k: int) -> str:
+    """The class of the term with an index, empty where there is none."""
+    return terms[k].cat if 0 <= k < len(terms) else ""
+
+
+def begins(tokens: list[Token], i: int, *cats: str) -> bool:
+    """Whether the longest phrase at token ``i`` has a meaning of one of these classes."""
+    match = longest_match(tokens, i)
+    return match is not None and match.has(*cats)
+
+
 @lru_cache(maxsize=8192)
 def _begins_nothing(word: str) -> bool:
     """Whether no phrase of the lexicon begins with a form of a word."""
@@ -80,7 +97,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
     Returns:
         The phrase, or None where none begins, as behind the last token.
     """
-    last = len(tokens) if end is None else end
+    last = len(tokens) if end is None else min(end, len(tokens))
     if i >= last or _begins_nothing(tokens[i].low):
         return None
     best: list[tuple[Node, str]] = []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from unicodedata import normalize
 
@@ -72,6 +73,11 @@ class Token:
     forms: tuple[tuple[str, str], ...]
     slip: bool = False
 
+    @property
+    def base(self) -> str:
+        """The base form, as the lexicon has it."""
+        return self.forms[-1][0]
+
 
 def tokenize(text: str) -> list[Token]:
     """Tokens in order; hyphens, slashes and other marks within words only separate.
@@ -85,7 +91,7 @@ def tokenize(text: str) -> list[Token]:
     found: list[Token] = []
     points = set[int]()
     if _WITHIN.search(text):
-        points = {m.start(m.lastgroup or 0) for m in _POINT.finditer(text)}
+        points = {m.start(m.lastindex or 0) for m in _POINT.finditer(text)}
     known = load().words
     layout = laid_out(text) if _LAYOUT.search(text) else {}
     for match in _TOKEN.finditer(text):
@@ -110,6 +116,11 @@ def tokenize(text: str) -> list[Token]:
     return found
 
 
+def low_at(tokens: Sequence[Token], i: int) -> str:
+    """The word at a place in the text, empty before its beginning and behind its end."""
+    return tokens[i].low if 0 <= i < len(tokens) else ""
+
+
 def base_words(tokens: list[Token], i: int, j: int) -> str:
     """The base forms of some tokens, with blanks between.
 
@@ -118,7 +129,7 @@ def base_words(tokens: list[Token], i: int, j: int) -> str:
         i: index of the first.
         j: index after the last.
     """
-    return " ".join(token.forms[-1][0] for token in tokens[i:j])
+    return " ".join(token.base for token in tokens[i:j])
 
 
 def _spelt(written: str, group: str) -> str:
@@ -141,8 +152,4 @@ def _plain(low: str) -> str:
 
 def _unit(written: str) -> str:
     """``m/s^2``, ``m / s²``, ``ft/sec2``: one unit, however it is written."""
-    return (
-        written
-        if written == "%"
-        else f"{written.split('/', maxsplit=1)[0].split('per', maxsplit=1)[0].strip()}/s2"
-    )
+    return written if written == "%" else f"{re.split('/|per', written)[0].strip()}/s2"
