@@ -40,6 +40,10 @@ class NounPhrase:
         """The first word before the head of one of these classes."""
         return next((m for m in self.mods if m.cat in cats), None)
 
+    def has(self, cat: str, *values: str) -> bool:
+        """Whether a word before the head is of this class, and one of these values if any."""
+        return any(m.cat == cat and (not values or m.value in values) for m in self.mods)
+
     @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""
@@ -111,6 +115,21 @@ class Mention(NounPhrase):
     def is_ego(self) -> bool:
         """Whether it names the vehicle under test."""
         return any(h.data.get("ego") for h in self.heads)
+
+    @property
+    def is_me(self) -> bool:
+        """Whether it is "me" or "us"."""
+        return any("me" in h.data for h in self.heads)
+
+    @property
+    def is_mass(self) -> bool:
+        """Whether it names many as one ("traffic", "a jam")."""
+        return self.head is not None and "mass" in self.head.data
+
+    @property
+    def is_person(self) -> bool:
+        """Whether it names somebody by a word for people on foot."""
+        return self.head is not None and self.head.value == "pedestrian"
 
 
 @dataclass(slots=True, eq=False)
@@ -200,6 +219,11 @@ class Event:
         """Direction words that belong to the event."""
         return [m for m in self.mods if m.cat == "dir"]
 
+    @property
+    def doers(self) -> list[Any]:
+        """The participants that its subject refers to."""
+        return [e for m in self.subject for e in m.entities]
+
     def how(self, *values: str) -> Term | None:
         """The first word of manner with one of these values, here or on the verbs above."""
         node: Event | None = self
@@ -237,6 +261,16 @@ class Prep:
     def value(self) -> str:
         """Which preposition."""
         return self.word.value
+
+    @property
+    def place(self) -> Place | None:
+        """The place that it governs, if it is one."""
+        return self.target if isinstance(self.target, Place) else None
+
+    @property
+    def who(self) -> Mention | None:
+        """Those whom it governs, if it is somebody."""
+        return self.target if isinstance(self.target, Mention) else None
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event

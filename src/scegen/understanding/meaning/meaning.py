@@ -131,14 +131,14 @@ class Interpreter:
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
         }  # "kicks a ball"
         acting = {id(m) for e in events for m in e.subject if e.name not in {"hide", "collide"}}
-        for chunk in chunks:
+        for k, chunk in enumerate(chunks):
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
                 if id(chunk) not in acting:
                     standing.jam(chunk, self._context)
                     say("nouns.idle", clause_of_noun(chunk), self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
-                read_thing(chunk, chunks, self._draft)
+                read_thing(chunk, k, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
                 self._context.barred |= chunk.kind in {"object", "obstacle"}
 
@@ -218,10 +218,9 @@ class Interpreter:
 
 def _met_there(prep: Prep) -> bool:
     """``hits a cyclist on its right``: where one is who was not told of before."""
-    who, side = prep.on_mention, prep.target
-    new = who is not None and any((m.cat, m.value) == ("det", "indef") for m in who.mods)
-    its = isinstance(side, Place) and side.head is None and side.mod("possessive") is not None
-    return new and its
+    who, side = prep.on_mention, prep.place
+    new = who is not None and who.has("det", "indef")
+    return new and side is not None and side.head is None and side.has("possessive")
 
 
 def _from_behind(prep: Prep) -> bool:
