@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
+from scegen.understanding.phrases.lookahead import chunk_at, is_word
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
@@ -20,7 +21,7 @@ def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     Returns:
         Whether it is the side of the place before it.
     """
-    place = chunks[k - 2] if k > 1 else None
+    place = chunk_at(chunks, k - 2)
     if not isinstance(noun, Place) or noun.kind != "side":
         return False
     behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
@@ -46,11 +47,11 @@ def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     within = along and (lane.prep is None or lane.prep.value in ways)
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
-    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    whose, who = (chunk_at(chunks, m) for m in (k + 1, k + 2))
+    owned = is_word(whose, "of") and isinstance(who, Mention)
     if owned and isinstance(who, Mention):
         lane.beside = who
-    verb = chunks[k - 3] if k > 2 else None  # "enters the lane to the left"
+    verb = chunk_at(chunks, k - 3)  # "enters the lane to the left"
     gone_to = isinstance(verb, Event) and verb.name != "leave"
     there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
     there = there and side.prep is not None and side.prep.value in _ASIDE

@@ -19,6 +19,7 @@ from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
     by_follows,
+    chunk_at,
     event_follows,
     only_a_noun_follows,
     view_of,
@@ -134,7 +135,7 @@ class ClauseReader:
             return
         release(self._state)
         after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        following = chunk_at(self._chunks, k + 1)
         before_event = event_follows(self._chunks, k)
         waits = after_event and isinstance(state.anchor, Event) and state.anchor.control
         opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
@@ -173,7 +174,7 @@ class ClauseReader:
 
     def _heading_of_a_noun(self, word: Word, k: int) -> bool:
         """``it is red for the van opposite``."""
-        noun = self._chunks[k - 1] if k else None
+        noun = chunk_at(self._chunks, k - 1)
         if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
             release(self._state)
             noun.mods.append(word.term)
@@ -193,9 +194,9 @@ class ClauseReader:
 
     def _inverted(self, event: Event, k: int) -> bool:
         """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        following = chunk_at(self._chunks, k + 1)
         finite = not event.nominal and event.form != "ing"
-        before, opener = (self._chunks[m] if m >= 0 else None for m in (k - 1, k - 2))
+        before, opener = (chunk_at(self._chunks, m) for m in (k - 1, k - 2))
         if isinstance(before, Word) and before.cat == "conj":
             return False  # "comes up from behind and overtakes the ego"
         adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
@@ -205,7 +206,7 @@ class ClauseReader:
 
     def _by_a_stranger(self, event: Event, k: int) -> bool:
         """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
-        before = self._chunks[k - 1] if k else None
+        before = chunk_at(self._chunks, k - 1)
         if event.nominal or before is None:
             return False
         if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:

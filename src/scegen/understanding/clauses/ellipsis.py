@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.phrases.predicates import complete
 from scegen.understanding.words.tokens import Token
 
@@ -34,7 +34,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
-        joint = chunks[k - 1] if k else None
+        joint = chunk_at(chunks, k - 1)
         if not isinstance(joint, Word) or joint.value not in _JOINTS:
             continue
         verb = _verb_before(chunk, events)
@@ -95,13 +95,13 @@ def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     for k, chunk in enumerate(chunks[1:], start=1):
         if not isinstance(chunk, Word) or chunk.cat != "neg":
             continue
-        helper, after = chunks[k - 1], chunks[k + 1] if k + 1 < len(chunks) else None
+        helper, after = chunks[k - 1], chunk_at(chunks, k + 1)
         does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
         ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
         before = [e for e in events if e.j <= helper.i and e.subject and not e.nominal]
         if does and ends and before:
             again = replace(before[-1], i=helper.i, j=chunk.j, negated=True, modal=False, pps=[])
-            who = chunks[k - 2] if k > 1 else None
+            who = chunk_at(chunks, k - 2)
             fresh = isinstance(who, Mention) and who.prep is None
             again.subject = [who] if isinstance(who, Mention) and fresh else again.subject
             found.append(replace(again, mods=[], parent=None, children=[], alternative=None))
@@ -130,7 +130,7 @@ def _ends(chunks: list[Chunk], k: int) -> bool:
 
 
 def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> Event | None:
-    rest = chunks[k] if k < len(chunks) else None
+    rest = chunk_at(chunks, k)
     fresh = replace(verb, subject=[who], parent=None, children=[], alternative=None)
     if isinstance(rest, Mention) and rest.pronoun == "ordinal" and isinstance(verb.object, Place):
         chunks[k] = place = Place(rest.i, rest.j, rest.mods, verb.object.head, None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import BOUNDARIES, finite_follows
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, finite_follows
 
 
 def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -68,7 +68,7 @@ def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
 def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
     """``waits for a van coming from the left and a bus coming from the right``: for both."""
     last = state.last
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    following = chunk_at(chunks, k + 1)
     if last is None or last.form != "ing" or last.finite or "and" not in state.between:
         return
     alike = isinstance(following, Event) and following.form == "ing"

@@ -19,6 +19,15 @@ def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     return target
 
 
+def is_it(noun: object) -> bool:
+    """Whether a noun is "it" or "him".
+
+    Args:
+        noun: what stands as a noun.
+    """
+    return isinstance(noun, Mention) and noun.pronoun in {"it", "him"}
+
+
 def loci_of(mention: Mention) -> set[str]:
     """Where a noun is said to be: "the car behind" is not "the car in front".
 

@@ -16,7 +16,7 @@ from scegen.understanding.clauses.phrases import (
     relative_noun,
 )
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import finite_follows
+from scegen.understanding.phrases.lookahead import chunk_at, finite_follows, is_word
 
 _SMALL = frozenset({"prep", "manner"})
 _PARTS = frozenset({"side", "flank"})
@@ -201,7 +201,7 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
 
 def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``the path of the bus``, ``to the left of the truck``: whose place it is."""
-    place = chunks[k - 2] if k > 1 else None
+    place = chunk_at(chunks, k - 2)
     if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
         return False
     place.owner = mention
@@ -253,10 +253,10 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
 def _whole(chunks: list[Chunk], k: int) -> int:
     """``the left part of the ego's front``: where a noun ends with what it is a part of."""
     of, owner = chunks[k + 1 : k + 2], chunks[k + 2 : k + 3]
-    if not (of and isinstance(of[0], Word) and of[0].value == "of"):
+    if not (of and is_word(of[0], "of")):
         return k
     end = k + 2 + (bool(owner) and isinstance(owner[0], Mention) and owner[0].possessor)
-    part = chunks[end] if end < len(chunks) else None
+    part = chunk_at(chunks, end)
     return end if isinstance(part, Place | Thing) else k
 
 

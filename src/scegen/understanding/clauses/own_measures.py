@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, is_word
 from scegen.understanding.words.tokens import Token
 
 _LINKS = frozenset({"of", "be", "speed", "mild", ":"})
@@ -40,7 +41,7 @@ def _of_all(chunks: list[Chunk], k: int) -> Mention | None:
     m = k - 1
     while m > 0 and (isinstance(chunks[m], Thing) or getattr(chunks[m], "cat", "") in _SMALL):
         m -= 1
-    who, opens = (chunks[n] if n >= 0 else None for n in (m, m - 1))
+    who, opens = (chunk_at(chunks, n) for n in (m, m - 1))
     everybody = isinstance(who, Mention) and who.pronoun in {"both", "all"}
     return who if isinstance(who, Mention) and everybody and _is_comma(opens) else None
 
@@ -48,13 +49,13 @@ def _of_all(chunks: list[Chunk], k: int) -> Mention | None:
 def _possessor(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
     """``the ego's speed of 100 km/h``, ``speed of the ego: 100 km/h``, ``ego speed 100 km/h``."""
     for m in range(k - 1, max(-1, k - _FARTHEST), -1):
-        chunk, before = chunks[m], chunks[m - 1] if m else None
+        chunk, before = chunks[m], chunk_at(chunks, m - 1)
         rated = isinstance(chunk, Thing) and _rates(chunk, tokens)
         if isinstance(chunk, Thing) and chunk.owner is not None:
             return chunk.owner
         if rated and isinstance(before, Mention) and before.prep is None:
             return before
-        if isinstance(chunk, Word) and chunk.value == "genitive":
+        if is_word(chunk, "genitive"):
             return before if isinstance(before, Mention) and before.possessor else None
         if isinstance(chunk, Mention):
             return chunk if m > 1 and _of_a_rate(chunks[m - 2 : m], tokens) else None
@@ -67,7 +68,7 @@ def _possessor(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | No
 def _of_a_rate(chunks: list[Chunk], tokens: list[Token]) -> bool:
     rate, of = chunks
     named = isinstance(rate, Thing) and _rates(rate, tokens)
-    return named and isinstance(of, Word) and of.value == "of"
+    return named and is_word(of, "of")
 
 
 def _rates(thing: Thing, tokens: list[Token]) -> bool:
@@ -95,7 +96,7 @@ def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
 
 def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:
     """``lets a car from the left at 50 km/h pass``: the car's."""
-    who, off, side, at = (chunks[k - n] if k >= n else None for n in (4, 3, 2, 1))
+    who, off, side, at = (chunk_at(chunks, k - n) for n in (4, 3, 2, 1))
     placed = isinstance(side, Place) and side.kind in {"side", "direction"}
     preps = [w.value for w in (off, at) if isinstance(w, Word) and w.cat == "prep"]
     named = placed and len(preps) > 1 and preps[0] == "from" and isinstance(who, Mention)
@@ -117,7 +118,7 @@ def _fronted(chunks: list[Chunk], k: int) -> Mention | None:
 
 
 def _is_comma(chunk: Chunk | None) -> bool:
-    return isinstance(chunk, Word) and chunk.value == ","
+    return is_word(chunk, ",")
 
 
 def _told_of(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
@@ -133,7 +134,7 @@ def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | Non
 
     Who waits has no speed, and who sets off has none yet.
     """
-    who, at = (chunks[m] if m >= 0 else None for m in (k - 2, k - 1))
+    who, at = (chunk_at(chunks, m) for m in (k - 2, k - 1))
     said = isinstance(at, Word) and at.cat == "prep"
     if not said or not isinstance(who, Mention) or who.possessor:
         return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import chunk_at, is_word
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""
@@ -27,7 +28,7 @@ def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
     if not waiting or state.between != {","} or state.candidate_done:
         return None
     following = chunks[k + 1 : k + 3]
-    comma = bool(following) and isinstance(following[0], Word) and following[0].value == ","
+    comma = bool(following) and is_word(following[0], ",")
     if not comma and _described_role(chunks, k, state):
         return who
     if not comma or len(following) < 2:
@@ -81,7 +82,7 @@ def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
     named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    following = chunk_at(chunks, k + 1)
     listed = isinstance(following, Word) and following.cat == "conj"
     indefinite = any(m.value == "indef" for m in here.mods)
     acts = isinstance(following, Event) and following.form != "ing"
@@ -111,7 +112,7 @@ def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
         return False
     bare = noun.mods[0].value == "indef" or noun.is_ego
     after = chunks[k + 1 : k + 9]
-    ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
+    ends = next((m for m, c in enumerate(after) if is_word(c, ",")), None)
     if not bare or ends is None or ends + 1 >= len(after):
         return False
     joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
@@ -152,12 +153,12 @@ def further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     """
     if mention.pronoun not in {"one", "count"} or not {"and"} <= state.between <= {"and", "conj"}:
         return False
-    before, following = state.anchor, chunks[k + 1] if k + 1 < len(chunks) else None
+    before, following = state.anchor, chunk_at(chunks, k + 1)
     participle = isinstance(before, Event) and before.form == "ing" and len(before.subject) == 1
     who = before.subject[0] if isinstance(before, Event) and participle else before
     number = who.mod("num") if isinstance(who, Mention) and who.heads else None
     if number is None or number.data["number"] < 2:
         return False
     again = isinstance(following, Event) and following.form == "ing" and participle
-    off = isinstance(following, Word) and following.value == "from"
+    off = is_word(following, "from")
     return again or (off and state.last_prep is not None and state.last_prep.value == "from")

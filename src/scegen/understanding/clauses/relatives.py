@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import chunk_at
 
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
@@ -41,7 +42,7 @@ def _acts(k: int, chunks: list[Chunk]) -> bool:
     """Whether a verb follows that wants an object and does not get one."""
     for m, chunk in enumerate(chunks[k + 1 : k + 1 + _REACH], start=k + 1):
         if isinstance(chunk, Event):
-            after = chunks[m + 1] if m + 1 < len(chunks) else None
+            after = chunk_at(chunks, m + 1)
             free = not isinstance(after, Mention)
             return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
         if not isinstance(chunk, Word) or chunk.cat not in {"aux", "manner", "neg"}:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.terms import Term
 
 _HIDING = frozenset({"behind", "between"})
@@ -44,7 +44,7 @@ def _hides(chunks: list[Chunk], k: int) -> bool:
 
 def _end(chunks: list[Chunk], k: int) -> int | None:
     """Where a noun with an article ends whose last word is in no lexicon."""
-    opener = chunks[k] if k < len(chunks) else None
+    opener = chunk_at(chunks, k)
     if not isinstance(opener, Word) or opener.cat not in _OPENERS:
         return None
     m = k + 1
@@ -54,7 +54,7 @@ def _end(chunks: list[Chunk], k: int) -> int | None:
         if not (noun_like or (isinstance(chunk, Word) and chunk.cat in _DESCRIBING)):
             break
         m += 1
-    last, after = chunks[m - 1], chunks[m] if m < len(chunks) else None
+    last, after = chunks[m - 1], chunk_at(chunks, m)
     named = m > k + 1 and (isinstance(last, Event) or getattr(last, "cat", "") == "unknown")
     ends = after is None or (
         isinstance(after, Word) and (after.cat in _ENDS or after.value in BOUNDARIES)

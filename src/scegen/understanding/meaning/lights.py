@@ -9,7 +9,7 @@ from scegen.scenario.vocabulary import AtLight, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 
@@ -99,7 +99,7 @@ def _owner(place: Place) -> list[Entity]:
 def _for(chunks: list[Chunk], k: int, context: Context) -> list[Entity]:
     """``red for the ego``; ``for the cross street``: for those who come from the side."""
     marker, noun = [*chunks[k + 1 : k + 3], None, None][:2]
-    if not (isinstance(marker, Word) and marker.value == "for"):
+    if not (is_word(marker, "for")):
         return []
     if isinstance(noun, Mention) and noun.entities:
         return list(noun.entities)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
 from scegen.understanding.clauses import bearing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at
 
 _IN_THE_WAY = 9
 _CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk", "middle"})
@@ -35,7 +36,9 @@ def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
     lost = possessed and _comes_off(thing, draft)
     if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, k, chunks)):
         return  # "its tyre bursts", "a man with a dog": a part of somebody
-    if thing.kind == "obstacle" or (thing.kind == "object" and _in_the_way(thing, k, chunks, draft)):
+    if thing.kind == "obstacle" or (
+        thing.kind == "object" and _in_the_way(thing, k, chunks, draft)
+    ):
         draft.hazard(HazardKind.OBSTACLE, basis, [])
         draft.lying.append(thing)
     elif thing.kind == "object":
@@ -80,7 +83,7 @@ def _comes_off(thing: Thing, draft: Draft) -> bool:
 
 def _carried(thing: Thing, k: int, chunks: list[Chunk]) -> bool:
     """Whether it is with somebody on foot."""
-    who = chunks[k - 2] if k > 1 else None
+    who = chunk_at(chunks, k - 2)
     along = thing.prep is not None and thing.prep.value == "with"
     if along and thing.head is not None and "part" in thing.head.data:
         return True  # "parked with a flat tyre"

@@ -63,7 +63,7 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
     while k < min(last, len(chunks) - 1):
         behind = _behind_insertion(chunks, k)
         last, k = last + behind - k, behind + 1
-        chunk = chunks[k] if k < len(chunks) else None
+        chunk = chunk_at(chunks, k)
         if isinstance(chunk, Event):
             return auxiliary or chunk.form != "ing"
         if isinstance(chunk, Word):
@@ -93,7 +93,7 @@ def _behind_insertion(chunks: list[Chunk], k: int) -> int:
         (isinstance(inside[0], Word) and inside[0].cat in {"prep", "quantity", "rel"})
         or (isinstance(inside[0], Event) and inside[0].form in {"ing", "ed"})
     )
-    verb = chunks[end + 1] if end + 1 < len(chunks) else None
+    verb = chunk_at(chunks, end + 1)
     finite = isinstance(verb, Event) and verb.form in {"s", "ed"} and not verb.nominal
     finite = finite or (isinstance(verb, Word) and verb.cat == "aux")
     return end if opens and finite and not ends else k
@@ -142,8 +142,8 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
         k: its index.
         chunks: the chunks of the text.
     """
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
-    place = chunks[k - 1] if k else None
+    following = chunk_at(chunks, k + 1)
+    place = chunk_at(chunks, k - 1)
     if word.value == "when" and isinstance(place, Place) and "same" in place.dirs:
         return isinstance(following, Mention)  # "in the same direction as the ego"
     if (word.cat, word.value) != ("sub", "before") or not isinstance(following, Mention):
@@ -152,7 +152,7 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
         if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat in {"aux", "copy"}):
             return False
         if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.value == ","):
-            after = chunks[m] if m < len(chunks) else None
+            after = chunk_at(chunks, m)
             return not isinstance(after, Event)  # "before the ego, turning left, has cleared it"
     return True
 
@@ -167,7 +167,7 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
     for chunk in chunks[k + 1 : k + 7]:
         if isinstance(chunk, Mention | Event):
             return False
-        if isinstance(chunk, Word) and chunk.value == "by":
+        if is_word(chunk, "by"):
             return True
         if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
@@ -183,7 +183,7 @@ def view_of(before: list[Chunk]) -> Thing | None:
     last = before[-1] if before else None
     if isinstance(last, Thing) and last.kind == "view":
         return last
-    if len(before) == _VIEW_OF and isinstance(before[1], Word) and before[1].value == "of":
+    if len(before) == _VIEW_OF and is_word(before[1], "of"):
         first = before[0]
         return first if isinstance(first, Thing) and first.kind == "view" else None
     return None

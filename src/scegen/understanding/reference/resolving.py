@@ -9,7 +9,7 @@ from itertools import pairwise
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
 from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
@@ -209,7 +209,7 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
     found = {
         id(chunk)
         for before, chunk in pairwise(chunks)
-        if isinstance(before, Word) and before.value == "thereis" and isinstance(chunk, Mention)
+        if is_word(before, "thereis") and isinstance(chunk, Mention)
         if not any(m.cat == "state" for m in chunk.mods)
     }
     opens: Mention | None = None
