@@ -44,6 +44,10 @@ class NounPhrase:
         """Whether a word before the head is of this class, and one of these values if any."""
         return any(m.cat == cat and (not values or m.value in values) for m in self.mods)
 
+    def opened_by(self, value: str) -> bool:
+        """Whether its first word is of that value ("def": the article)."""
+        return bool(self.mods) and self.mods[0].value == value
+
     @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""

@@ -208,6 +208,11 @@ class Draft:
         self.entities.append(entity)
         return entity
 
+    @property
+    def ego(self) -> Entity | None:
+        """The ego, as far as it is known which one that is."""
+        return next((e for e in self.entities if e.ego), None)
+
     def note(self, i: int, j: int, instead: str) -> None:
         """Reports words that no field holds."""
         self.notes.append(Note(i, j, instead))

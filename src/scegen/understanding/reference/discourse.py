@@ -55,7 +55,7 @@ class Discourse:
         self._arms = arms
         self._own = [k for k, token in enumerate(tokens) if token.low in {"my", "our"}]
         self._roster = Roster(draft, tokens)
-        self._pronouns = Pronouns(draft, self._roster, tokens)
+        self._pronouns = Pronouns(self._roster)
         self._known = Known(self._roster)
 
     @property
@@ -101,7 +101,7 @@ class Discourse:
             found = self._we(mention) or self._pronouns.resolve(mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
-            one = of_both(reading, loci_of(mention), self._roster.groups, self._draft.entities)
+            one = of_both(reading, loci_of(mention), self._roster)
             found = one or self._noun(reading, mention, exclude)
         found = self._share(mention, found)
         mention.entities = list(found)
@@ -146,11 +146,10 @@ class Discourse:
 
     def _their_own_queue(self, mention: Mention) -> bool:
         """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
-        mass = bool(mention.head and mention.head.data.get("mass"))
         within = mention.prep is not None and mention.prep.value == "in"
         end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
         several = max(len(self._roster.subject), len(self._draft.entities)) > 1
-        return mass and ((within and several) or end)
+        return mention.is_mass and ((within and several) or end)
 
     def _a_measure(self, mention: Mention) -> bool:
         """``and one of 12 m/s``."""

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Entity
 from scegen.understanding.reference.mention_words import KINDS, Reading
 from scegen.understanding.words.tokens import Token
-
-_MOTOR = frozenset(ParticipantKind) - ON_FOOT
 
 
 @dataclass(slots=True)
@@ -53,9 +51,9 @@ def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
         return None
     for prep in mention.pps:
         target = prep.target
-        if prep.value == "in" and isinstance(target, Mention) and target.heads:
-            kinds = [KINDS.get(h.value) for h in target.heads]
-            if any(kind in _MOTOR for kind in kinds if kind is not None):
+        if prep.value == "in" and isinstance(target, Mention):
+            kinds = [KINDS[h.value] for h in target.heads if h.value in KINDS]
+            if set(kinds) - ON_FOOT:
                 return target
     return None
 

@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import loci_of
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.everybody import everybody
-from scegen.understanding.reference.roster import Roster
+from scegen.understanding.reference.roster import Roster, claimed
 from scegen.understanding.words.ordinals import POSITIONS
-from scegen.understanding.words.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
@@ -25,14 +24,10 @@ class Pronouns:
     """Looks up whom a pronoun means.
 
     Attributes:
-        draft: where participants are kept.
         roster: who is known, and who was spoken of last.
-        tokens: the tokens of the text.
     """
 
-    draft: Draft
     roster: Roster
-    tokens: list[Token]
 
     def resolve(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """The participants that a pronoun refers to.
@@ -44,44 +39,42 @@ class Pronouns:
         which = mention.pronoun
         basis = Basis(mention.i, mention.j)
         if which == "everybody":
-            return everybody(mention, self.draft)
+            return everybody(mention, self.roster.draft)
         if which in {"it", "him"}:
             return self._single(mention, exclude)
-        if which == "they" and not mention.walks and all(e.ego for e in self.draft.entities):
+        if which == "they" and not mention.walks and all(e.ego for e in self.roster.entities):
             return self._new_driver(mention)
         if which in {"they", "both", "all", "neither"}:
             return self._together(mention, exclude)
         if which == "other":
             rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
             return rest or [self.roster.new(ParticipantKind.CAR, basis)]
-        if which == "ordinal":
-            found = self._ordinal(mention)
-            if found:
-                return found
-            if mention.mods and mention.mods[0].value == "indef":
-                return self.roster.further(exclude, basis)
-        if which == "another":
+        if which == "ordinal" and (found := self._ordinal(mention)):
+            return found
+        if which == "another" or (which == "ordinal" and mention.opened_by("indef")):
             return self.roster.further(exclude, basis)
         return self._counted(mention, exclude, basis)
 
     def _together(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
-        one = len(self.draft.entities) == 1 and not self.draft.entities[0].ego
-        if mention.pronoun == "both" and one:
+        if mention.pronoun == "both" and [e.ego for e in self.roster.entities] == [False]:
             the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
         meant = self.roster.together(exclude)
         number = mention.mod("num")
         if number is not None and int(number.data["number"]) != len(meant):
-            people = [e for e in everybody(mention, self.draft) if e not in exclude]
+            people = [e for e in everybody(mention, self.roster.draft) if e not in exclude]
             return people if len(people) == int(number.data["number"]) else meant
-        opens = mention.i == 0 or self.tokens[mention.i - 1].kind == "punct"
-        if opens and self.tokens[mention.i].low == "all" and len(meant) == _TWO:
-            return everybody(mention, self.draft)  # of two one would say "both"
+        opens = mention.i == 0 or self.roster.tokens[mention.i - 1].kind == "punct"
+        if opens and self._word(mention) == "all" and len(meant) == _TWO:
+            return everybody(mention, self.roster.draft)  # of two one would say "both"
         return meant
+
+    def _word(self, mention: Mention) -> str:
+        return self.roster.tokens[mention.i].low
 
     def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         subject, recent = self.roster.subject, self.roster.recent
-        word = self.tokens[mention.i].low
+        word = self._word(mention)
         afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
         if word == "it" and mention.walks and not mention.drives and afoot:
             return afoot[-1:]  # "two cars hide a child; it walks out"
@@ -97,13 +90,13 @@ class Pronouns:
             recent = others or told  # "a car cuts in while both drive …; it brakes"
         options = subject if len(subject) == 1 and word != "that" else recent[-1:]
         options = self._persons(mention, [e for e in recent if e not in exclude], options)
-        if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
+        if word == "it" and any(map(self._person, options)):
             order = self.roster.recent
             since = order[order.index(options[0]) + 1 :] if options[0] in order else []
             others = [e for e in since if not self._person(e) and e not in exclude]
             # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
             options = [e for e in others if mention.drives or not e.still][-1:] or options
-        if not self.draft.entities and word in {"he", "she"}:
+        if not self.roster.entities and word in {"he", "she"}:
             return self._somebody(mention, exclude, subject)
         if mention.stood and not any(e.still for e in options):
             standing = [e for e in recent if e.still and e not in exclude]
@@ -122,7 +115,7 @@ class Pronouns:
 
         "The ego hits a cyclist; he rides …"; "a van had hidden her, and the ego hit her".
         """
-        if self.tokens[mention.i].low not in word_list("persons"):
+        if self._word(mention) not in word_list("persons"):
             return options
         people = [e for e in known if self._person(e)]
         if mention.walks and not mention.drives:
@@ -132,12 +125,14 @@ class Pronouns:
 
     def _person(self, entity: Entity) -> bool:
         """Whether a word for a person named them: "he" or "she" would mean them."""
-        last = self.tokens[(entity.basis.j or 1) - 1].low if entity.basis.i is not None else ""
+        last = (
+            self.roster.tokens[(entity.basis.j or 1) - 1].low if entity.basis.i is not None else ""
+        )
         return not entity.is_vehicle or last.endswith(_PERSONS)
 
     def _new_driver(self, mention: Mention) -> list[Entity]:
         """``they pulled out in front of me``: somebody who drives, not named before."""
-        if self.tokens[mention.i].low != "they" or not mention.drives:
+        if self._word(mention) != "they" or not mention.drives:
             return self.roster.together([])
         return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
@@ -149,34 +144,27 @@ class Pronouns:
         told = self._persons(mention, others, [e for e in subject if e in others])
         if told or others:
             return told[:1] or others[-1:]
-        if self.tokens[mention.i].low == "him":
-            return []
-        kind = ParticipantKind.CAR
-        return [self.roster.new(kind, Basis(mention.i, mention.j))]
+        return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
     def _ordinal(self, mention: Mention) -> list[Entity]:
         position = POSITIONS[mention.label or "first"]
-        vehicles = [e for e in self.draft.entities if e.moving_vehicle and not e.ego]
-        everybody = vehicles or self.draft.entities
-        group = self.roster.groups[-1].members if self.roster.groups else everybody
+        vehicles = [e for e in self.roster.entities if e.moving_vehicle and not e.ego]
+        named = vehicles or self.roster.entities
+        group = self.roster.groups[-1].members if self.roster.groups else named
         if position < 0 or mention.label == "former":
             two = self.roster.recent if len(self.roster.recent) > 1 else group
             group = list(two[-2:]) if position == 0 or not self.roster.pair else self.roster.pair
             self.roster.pair = group if position == 0 else []
             position %= max(len(group), 1)
-        if position >= len(group):
-            return []
-        group[position].claimed = True
-        return [group[position]]
+        return claimed(group[position : position + 1])
 
     def _counted(self, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
         which = mention.pronoun
         if mention.whole is not None and mention.whole.entities:  # "one of the cars": no truck
             whole = mention.whole.entities
-            exclude = [*exclude, *(e for e in self.draft.entities if e not in whole)]
-        count = 1
+            exclude = [*exclude, *(e for e in self.roster.entities if e not in whole)]
         named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
-        if named and which == "one" and mention.mods and mention.mods[0].value == "def":
+        if named and which == "one" and mention.opened_by("def"):
             return named[-1:]  # "the one from the left"
         if which == "one" and (known := self._known_one(mention, exclude)):
             return known
@@ -185,25 +173,25 @@ class Pronouns:
             opened = [g for g in self.roster.groups if 0 < len(g.free) < len(g.members)]
             return picked(opened[-1].free) if opened else []
         count = int(number.data["number"]) if number is not None else 1
-        claimed = self.roster.claim(count, exclude) if which != "further" else []
-        if which in {"others", "further"} and not claimed:
+        free = self.roster.claim(count, exclude) if which != "further" else []
+        if which in {"others", "further"} and not free:
             alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
             kind = (alike or [ParticipantKind.CAR])[-1]
             return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
-        if claimed or which == "count":
-            return picked(claimed) if which in {"one", "count"} and not mention.sides else claimed
+        if free or which == "count":
+            return picked(free) if which in {"one", "count"} and not mention.sides else free
         new = which != "one" or bool(self.roster.recent)
-        kinds = {e.kind for e in self.draft.entities if not e.ego}
+        kinds = {e.kind for e in self.roster.entities if not e.ego}
         afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
         kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
         return [self.roster.new(kind, basis)] if new else []
 
     def _known_one(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``the one in front``, ``this one``: of those who are known."""
-        if not mention.mods or mention.mods[0].value != "def":
+        if not mention.opened_by("def"):
             return []
         others = [e for e in self.roster.recent if e.is_vehicle and not e.ego and e not in exclude]
-        if self.tokens[mention.i].low in word_list("pointing"):
+        if self._word(mention) in word_list("pointing"):
             return others[-1:]
         there = loci_of(mention)
         placed = [e for e in others if e.loci & there]
@@ -218,5 +206,5 @@ def picked(entities: list[Entity]) -> list[Entity]:
         entities: who stands for them.
     """
     for entity in entities:
-        entity.some = entity.claimed = True
-    return entities
+        entity.some = True
+    return claimed(entities)
