@@ -74,7 +74,6 @@ class Mention(NounPhrase):
         listed: one of those who were counted before ("two cars, a taxi and a van").
         whole: the set that it is a part of.
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
-        landmark: others are placed by it ("behind it there is a van").
         aside: somebody is on one side of it ("on the right of the ego").
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
@@ -103,7 +102,6 @@ class Mention(NounPhrase):
     listed: bool = False
     whole: Mention | None = None
     ranked: tuple[Mention, int] | None = None
-    landmark: bool = False
     aside: bool = False
     elsewhere: bool = False
     narrowed: bool = False
@@ -201,7 +199,6 @@ class Event:
     perfect: bool = False
     modal: bool = False
     late: bool = False
-    purpose: bool = False
     mods: list[Term] = field(default_factory=list)
     subject: list[Mention] = field(default_factory=list)
     object: NounPhrase | None = None

@@ -175,7 +175,6 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     mention.prep = prep.word
     if not (prep.value == "of" and _owns_place(mention, k, chunks)):
         attach(prep, state)
-    mention.landmark = prep.fronted and prep.word.cat == "locus"
     if prep.fronted:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return

@@ -105,8 +105,6 @@ class Discourse:
             found = one or self._noun(reading, mention, exclude)
         found = self._share(mention, found)
         mention.entities = list(found)
-        if mention.landmark:
-            self._roster.landmark = list(found)
         for entity in found:
             entity.loci |= loci_of(mention)
             entity.sides |= mention.sides

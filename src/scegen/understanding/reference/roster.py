@@ -29,7 +29,6 @@ class Roster:
         recent: everybody, the one spoken of last at the end.
         subject: who acted last.
         before: who acted before them.
-        landmark: who others were placed by last.
         pair: the two of whom one was called "the former".
         teller: what the one who tells it goes by.
         apart: that one is not the ego.
@@ -41,7 +40,6 @@ class Roster:
     recent: list[Entity] = field(default_factory=list)
     subject: list[Entity] = field(default_factory=list)
     before: list[Entity] = field(default_factory=list)
-    landmark: list[Entity] = field(default_factory=list)
     pair: list[Entity] = field(default_factory=list)
     teller: ParticipantKind = ParticipantKind.CAR
     apart: bool = False
