@@ -50,7 +50,6 @@ class Discourse:
     """
 
     def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
-        self._draft = draft
         self.tokens = tokens
         self._arms = arms
         self._own = [k for k, token in enumerate(tokens) if token.low in {"my", "our"}]
@@ -61,7 +60,7 @@ class Discourse:
     @property
     def entities(self) -> list[Entity]:
         """Everybody known so far."""
-        return self._draft.entities
+        return self._roster.entities
 
     def resolve(
         self,
@@ -86,7 +85,7 @@ class Discourse:
         if mention.same_as is not None:
             same = mention.same_as  # "riding a moped, I …": whom comes later
             mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
-            refine(mention, self._draft)
+            refine(mention, self._roster.draft)
             if mention.pronoun is not None:
                 self._roster.spoken_of(mention.entities, subject=subject, settled=settled)
             return mention.entities
@@ -114,11 +113,11 @@ class Discourse:
 
     def _of_two(self, mention: Mention) -> list[Entity]:
         """``both vehicles``, ``the two``: of two who are known already."""
-        if len(self._draft.entities) != _A_PAIR:
+        if len(self.entities) != _A_PAIR:
             return []
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
-        cars = all(e.kind is ParticipantKind.CAR for e in self._draft.entities)
+        cars = all(e.kind is ParticipantKind.CAR for e in self.entities)
         named = words in word_list("two_of_them") or (cars and words in word_list("two_cars"))
         meant = self._roster.together([]) if named else []
         return meant if len(meant) == _A_PAIR else []
@@ -126,8 +125,9 @@ class Discourse:
     def _at_the_wheel(self, mention: Mention) -> list[Entity]:
         """``the ego's driver``: the ego."""
         owner, head = mention.owner, mention.head
-        drives = owner is not None and head is not None and head.value == "driver"
-        return list(owner.entities) if drives and owner is not None else []
+        if owner is None or head is None or head.value != "driver":
+            return []
+        return list(owner.entities)
 
     def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
         """``half of them``: so many, no matter which; ``some of them`` says not how many."""
@@ -138,7 +138,7 @@ class Discourse:
         count = len(whole) * share
         if not count or count != int(count):
             instead = "how many of them is not said; what they do is left out"
-            self._draft.note(mention.i, mention.j, instead)
+            self._roster.draft.note(mention.i, mention.j, instead)
             return []
         return picked([e for e in whole if not e.claimed][: int(count)])
 
@@ -146,7 +146,7 @@ class Discourse:
         """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
         within = mention.prep is not None and mention.prep.value == "in"
         end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
-        several = max(len(self._roster.subject), len(self._draft.entities)) > 1
+        several = max(len(self._roster.subject), len(self.entities)) > 1
         return mention.is_mass and ((within and several) or end)
 
     def _a_measure(self, mention: Mention) -> bool:
@@ -177,17 +177,17 @@ class Discourse:
             if tells(mention) or mine(mention, reading.kind):
                 return [the_teller(self._roster, reading.kind, basis)]
             return [the_ego(self._roster, reading.kind, basis)]
-        of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
-        if reading.driver and isinstance(of_whom, Mention):
+        of_whom = next((p.who for p in mention.pps if p.value == "of"), None)
+        if reading.driver and of_whom is not None:
             return self.resolve(of_whom, subject=False, exclude=[])
-        parked = opened(reading, mention, self._draft.entities)
+        parked = opened(reading, mention, self.entities)
         if parked:
             return parked
         inside = vehicle_around(reading, mention)
         if inside is not None:
             return self.resolve(inside, subject=False, exclude=[])
         if kin(reading, mention):
-            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            strangers = [e for e in self.entities if not e.named_by & reading.called]
             exclude = [*exclude, *strangers]  # "a man with his son"
         known = self._known.find(reading, mention, exclude)
         if known:
@@ -195,11 +195,10 @@ class Discourse:
             return known
         reading = replace(reading, count=reading.count - (mention.ranked is not None))
         found = with_the_ranked(mention, self._roster.introduce(reading, basis))
-        opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
         numbered = mention.mod("num") is not None and not reading.parked
         numbered = numbered and reading.kind is ParticipantKind.CAR
         numbered = numbered and not (reading.dirs or mention.pps or mention.prep is not None)
-        both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
+        both = mention.opened_by("both") or (mention.opened_by("def") and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found

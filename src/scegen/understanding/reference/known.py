@@ -43,7 +43,7 @@ class Known:
             return looker
         names = {label for label in reading.labels if label.startswith("#")}
         if names:
-            known = [e for e in self.roster.draft.entities if names & e.labels][:1]
+            known = [e for e in self.roster.entities if names & e.labels][:1]
             return known or self.roster.named(reading, names, exclude)
         counted = self.roster.by_order(reading, mention)
         if counted is not None:
@@ -74,7 +74,7 @@ class Known:
         view = before[-1:] == ["of"] and before[0] in word_list("views_of")
         after = [t.low for t in self.roster.tokens[mention.j : mention.j + _LOOKS_WITHIN]]
         forward = bool({"forward", "forwards"} & {*after})  # "a driver who faces forward"
-        drive = [e for e in self.roster.draft.entities if e.is_vehicle]
+        drive = [e for e in self.roster.entities if e.is_vehicle]
         if forward and len(drive) > 1:
             drive = [e for e in drive if e.ego]
         alone = len(drive) == 1 and reading.driver and not reading.labels
@@ -82,17 +82,17 @@ class Known:
 
     def _other(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``the other car``: the only one beside the ego, or beside who was just spoken of."""
-        if not self.roster.draft.entities:
+        if not self.roster.entities:
             the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
             return []  # other than mine
-        if claimed := self.roster.claim(1, exclude, reading):
-            return claimed
+        if free := self.roster.claim(1, exclude, reading):
+            return free
         others = [e for e in self._compatible(reading) if not (e.ego or e.still or e in exclude)]
         rest = [e for e in others if e not in self.roster.subject]
         return next((found for found in (others, rest) if len(found) == 1), [])
 
     def _compatible(self, reading: Reading) -> list[Entity]:
-        return [e for e in self.roster.draft.entities if self.roster.compatible(e, reading)]
+        return [e for e in self.roster.entities if self.roster.compatible(e, reading)]
 
     def _several(self, reading: Reading, mention: Mention) -> list[Entity]:
         quantity = mention.mod("quant")
@@ -115,11 +115,9 @@ class Known:
         pair = mention.mod("num") is None or reading.count == _A_PAIR
         if reading.det == "def" and pair and len(fitting) == 1 and not fitting[0].ego:
             moving = not (reading.dirs or reading.parked or fitting[0].parked)
-            if moving and not any(e.ego for e in self.roster.draft.entities):
-                return [
-                    *fitting,
-                    the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j)),
-                ]  # "between the vehicles"
+            if moving and self.roster.draft.ego is None:  # "between the vehicles"
+                ego = the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+                return [*fitting, ego]
         if reading.det == "bare" and not reading.vague:
             return []
         return fitting if len(fitting) > 1 else []
@@ -140,9 +138,8 @@ class Known:
                 continue
             if not self.roster.agree(group, reading) or (group.settled and not within):
                 continue
-            claimed = self.roster.claim(1, exclude, reading)
-            if claimed:
-                return claimed
+            if free := self.roster.claim(1, exclude, reading):
+                return free
         return []
 
     def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
@@ -168,7 +165,7 @@ class Known:
         done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
         placed = which or mention.elsewhere or mention.narrowed or done
         restricted = reading.dirs or reading.labels or placed
-        only = [e for e in self.roster.draft.entities if e.is_vehicle]
+        only = [e for e in self.roster.entities if e.is_vehicle]
         own = all(p.value == "to" for p in which) and not (mention.narrowed or loci)
         own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
         ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
@@ -177,7 +174,7 @@ class Known:
         alone = len(only) == 1 and ego is not None and not elsewhere(reading, mention, ego)
         if own and car and alone and ego is not None and reading.det == "def":
             return [ego]  # "the ego reverses; a child stands behind the car"
-        rest = [e for e in self.roster.draft.entities if not e.ego]
+        rest = [e for e in self.roster.entities if not e.ego]
         if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
             return rest  # "a pedestrian target walks …; the target is hit"
         if others or reading.det == "bare" or restricted:

@@ -43,9 +43,8 @@ def kin(reading: Reading, mention: Mention) -> bool:
         reading: what the words of the mention say.
         mention: the mention.
     """
-    whose = mention.mods[0] if mention.mods else None
     people = reading.kind in ON_FOOT and not reading.driver
-    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
+    return people and mention.opened_by("its")
 
 
 def tells(mention: Mention) -> bool:
