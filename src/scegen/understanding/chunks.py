@@ -119,6 +119,11 @@ class Mention(NounPhrase):
         return any(h.data.get("ego") for h in self.heads)
 
     @property
+    def is_named(self) -> bool:
+        """Whether it has a name of its own ("vehicle 1")."""
+        return self.label is not None and self.label.startswith("#")
+
+    @property
     def is_me(self) -> bool:
         """Whether it is "me" or "us"."""
         return any("me" in h.data for h in self.heads)

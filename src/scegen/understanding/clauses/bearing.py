@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Place, Prep
+from scegen.understanding.chunks import Event, Prep
 
 _LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
 
@@ -14,8 +14,8 @@ def own_lane(event: Event, prep: Prep) -> bool:
         event: what happens.
         prep: a phrase after its object.
     """
-    lane = isinstance(prep.target, Place) and prep.target.kind == "lane" and prep.value == "in"
-    ego = any(e.ego for m in event.subject for e in m.entities)
+    lane = prep.place is not None and prep.place.kind == "lane" and prep.value == "in"
+    ego = any(e.ego for e in event.doers)
     return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
 
 
@@ -25,7 +25,7 @@ def is_side(prep: Prep) -> bool:
     Args:
         prep: a phrase of place.
     """
-    return isinstance(prep.target, Place) and prep.target.kind == "side"
+    return prep.place is not None and prep.place.kind == "side"
 
 
 def from_the_wrong_lane(prep: Prep, event: Event | None) -> bool:
@@ -35,6 +35,6 @@ def from_the_wrong_lane(prep: Prep, event: Event | None) -> bool:
         prep: a phrase of place.
         event: the event that it belongs to, if any.
     """
-    place = prep.target
-    wrong = isinstance(place, Place) and place.head is not None and "dir" in place.head.data
+    place = prep.place
+    wrong = place is not None and place.head is not None and "dir" in place.head.data
     return wrong and prep.value == "from" and event is not None and event.name in _LEAVING

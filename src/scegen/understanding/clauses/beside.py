@@ -24,20 +24,17 @@ def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
     place = chunk_at(chunks, k - 2)
     if not isinstance(noun, Place) or noun.kind != "side":
         return False
-    behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
-    if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
-        place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
-        return True  # "from behind a hedge on the right"
-    shared = isinstance(place, Thing) and place.mod("quantity") is not None
-    if shared and set(noun.dirs) & {"left", "right"}:
-        return True  # "with 50 % overlap on the left side"
-    if not isinstance(place, Place):
-        return False
-    if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
+    if isinstance(place, Thing) and set(noun.dirs) & {"left", "right"}:
+        if place.prep is None or place.prep.cat != "locus":
+            return place.has("quantity")  # "with 50 % overlap on the left side"
+    elif isinstance(place, Place):
+        if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
+            return False
+        place.j = noun.j
+    else:
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
-    place.j = noun.j
-    return True
+    return True  # "a driveway on the right", "from behind a hedge on the right"
 
 
 def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
@@ -55,5 +52,5 @@ def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
     gone_to = isinstance(verb, Event) and verb.name != "leave"
     there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
     there = there and side.prep is not None and side.prep.value in _ASIDE
-    there = there and lane.owner is None and not any(m.cat == "possessive" for m in lane.mods)
-    return owned or there or any(m.cat == "possessive" for m in side.mods)
+    there = there and lane.owner is None and not lane.has("possessive")
+    return owned or there or side.has("possessive")

@@ -90,10 +90,9 @@ class ClauseReader:
             state.between.add("conj")
             state.between |= {"neg:not"} if word.term.data.get("denies") else set()
         if word.cat == "conj" and word.value in {"and", "but"}:
-            somewhere = state.candidate is not None and any(
-                p.predicate for p in state.candidate.pps
-            )
-            state.being = state.candidate if "aux:be" in state.between or somewhere else None
+            who = state.candidate
+            somewhere = who is not None and any(p.predicate for p in who.pps)
+            state.being = who if somewhere or "aux:be" in state.between else None
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
             self._where(k)
@@ -101,17 +100,17 @@ class ClauseReader:
             state.resumed = subjects.main_in_sentence(state)
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
-        if word.cat == "rel" and k and _acts(self._chunks[k - 1]):
+        if word.cat == "rel" and _is_thing(chunk_at(self._chunks, k - 1)):
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
 
     def _opens_noun(self, word: Word, k: int) -> bool:
         """``without the two touching``, ``without any other traffic``."""
-        noun = next(iter(self._chunks[k + 1 : k + 2]), None)
-        lacked = self._state.prep is not None and self._state.prep.value == "without"
-        noun = noun if word.cat == "det" and isinstance(noun, Mention) else None
-        return noun is not None and (lacked or noun.mod("num") is not None)
+        noun, prep = chunk_at(self._chunks, k + 1), self._state.prep
+        if word.cat != "det" or not isinstance(noun, Mention):
+            return False
+        return noun.has("num") or (prep is not None and prep.value == "without")
 
     def _put_between(self, k: int) -> bool:
         """``and, when …``: after that clause the one before goes on."""
@@ -120,13 +119,11 @@ class ClauseReader:
 
     def _where(self, k: int) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""
-        place = next(
-            (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
-        )
-        if place is None or place.kind not in LANES:
-            return
-        word = Word(Term("prep", "in", place.i, place.i + 1))
-        self._state.fronted.append(Prep(word, place, fronted=True))
+        places = [c for c in self._chunks[max(0, k - 2) : k] if isinstance(c, Place)]
+        for place in places[-1:]:
+            if place.kind in LANES:
+                word = Word(Term("prep", "in", place.i, place.i + 1))
+                self._state.fronted.append(Prep(word, place, fronted=True))
 
     def _adverb(self, word: Word, k: int) -> None:
         state = self._state
@@ -134,10 +131,11 @@ class ClauseReader:
             state.between.add(f"{word.cat}:{word.value}")
             return
         release(self._state)
-        after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
+        verb = state.anchor if not (state.between - {"either", "or"}) else None
+        after_event = isinstance(verb, Event)
         following = chunk_at(self._chunks, k + 1)
         before_event = event_follows(self._chunks, k)
-        waits = after_event and isinstance(state.anchor, Event) and state.anchor.control
+        waits = isinstance(verb, Event) and verb.control
         opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
         if opens and after_event and not state.candidate_done:
             state.ahead.append(word.term)  # "a cyclist riding ahead suddenly turns"
@@ -185,12 +183,11 @@ class ClauseReader:
         """The candidate is new: words after it belong to it and not to the verb before."""
         state = self._state
         who, anchor = state.candidate, state.anchor
-        if who is None:
+        if who is None or any(who in event.subject for event in state.events):
             return False
         beside = isinstance(anchor, Mention) and anchor.pronoun is not None
         beside = beside and any(p.target is anchor for p in who.pps)  # "the ego, behind it at …"
-        placed = anchor is who or beside
-        return placed and not any(who in event.subject for event in state.events)
+        return anchor is who or beside
 
     def _inverted(self, event: Event, k: int) -> bool:
         """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
@@ -207,9 +204,9 @@ class ClauseReader:
     def _by_a_stranger(self, event: Event, k: int) -> bool:
         """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
         before = chunk_at(self._chunks, k - 1)
-        if event.nominal or before is None:
+        if event.nominal:
             return False
-        if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
+        if _is_thing(before):
             return event.form == "ing" and not self._state.between
         view = view_of(self._chunks[max(0, k - 3) : k])
         if view is not None and event.form == "ed":
@@ -262,18 +259,15 @@ class ClauseReader:
         release(self._state)
         state.events.append(event)
         self.events.append(event)
-        state.anchor = event
-        state.between = set()
-        state.last_pp = None
+        state.stand_at(event)
 
     def _lacking(self, event: Event) -> bool:
         """``without braking``, ``without either driver braking``."""
-        who = self._state.anchor if event.form == "ing" else None
-        by = who.prep.value if isinstance(who, Mention) and who.prep is not None else ""
-        own = self._state.prep.value if self._state.prep is not None else ""
-        return "without" in {by, own}
+        who, own = self._state.anchor, self._state.prep
+        by = who.prep if event.form == "ing" and isinstance(who, Mention) else None
+        return any(word is not None and word.value == "without" for word in (by, own))
 
 
-def _acts(chunk: Chunk) -> bool:
-    """``a fallen tree that blocks the lane``: the tree does it."""
+def _is_thing(chunk: Chunk | None) -> bool:
+    """``a fallen tree that blocks the lane``: the tree does it, and no participant."""
     return isinstance(chunk, Thing) and chunk.kind in {"obstacle", "object"}

@@ -29,8 +29,8 @@ def told_beside(state: State, *words: str) -> Mention | None:
         words: the prepositions after which somebody is named.
     """
     since = state.events[-1].i if state.events else 0
-    named = [m for m in state.mentions if m.i > since and m.prep is not None]
-    return next((m for m in named if m.prep and m.prep.value in words), None)
+    named = (m for m in state.mentions if m.i > since)
+    return next((m for m in named if m.prep is not None and m.prep.value in words), None)
 
 
 def coordinate(event: Event, state: State) -> None:
@@ -40,11 +40,8 @@ def coordinate(event: Event, state: State) -> None:
         event: the second verb.
         state: what the clause reader remembers.
     """
-    helped = auxiliary(state)
-    if event.form == "base" and not helped:
-        wanted = "inf"
-    else:
-        wanted = "ing" if event.form == "ing" and not helped else "finite"
+    bare = {"base": "inf", "ing": "ing"}
+    wanted = bare.get(event.form, "finite") if not auxiliary(state) else "finite"
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
     main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
     if "," in state.between and main:
@@ -65,7 +62,9 @@ def coordinate(event: Event, state: State) -> None:
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
     who = state.waiting
-    if who is not None and (parallel is None or (parallel.i < who.i and event.finite and helped)):
+    if who is not None and (
+        parallel is None or (parallel.i < who.i and event.finite and auxiliary(state))
+    ):
         event.subject = chain(who)  # "… while the ego has green and goes straight"
         return
     goes_on = wanted == "ing" or (wanted == "finite" and not state.dependent)
@@ -86,8 +85,7 @@ def coordinate(event: Event, state: State) -> None:
 
 def _no_jam(event: Event, subject: list[Mention]) -> bool:
     """``comes up to a jam that crawls and brakes late``: what one does, and no jam."""
-    head = subject[-1].head if subject else None
-    return event.name in _ONES and head is not None and bool(head.data.get("mass"))
+    return event.name in _ONES and bool(subject) and subject[-1].is_mass
 
 
 def _as_finite(first: Event, second: Event) -> bool:
@@ -98,7 +96,6 @@ def _as_finite(first: Event, second: Event) -> bool:
 def _agree(verb: Event, subject: list[Mention]) -> bool:
     """``must wait until two trucks have passed and then turns``: no plural turns."""
     plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
-    if verb.form == "s" and any(m.head is not None and m.head.data.get("me") for m in subject):
+    if verb.form == "s" and any(m.is_me for m in subject):
         return False  # "fails to see that we stop and rams our rear"
-    numbered = any((m.label or "").startswith("#") for m in subject)
-    return verb.form != "s" or numbered or not plural
+    return verb.form != "s" or not plural or any(m.is_named for m in subject)

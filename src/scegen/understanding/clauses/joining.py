@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, finite_follows
+from scegen.understanding.phrases.lookahead import (
+    chunk_at,
+    finite_follows,
+    is_word,
+    sentence_end,
+)
 
 
 def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -44,8 +49,7 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     for event in state.events:
         if event.object is anchor:
             event.object = mention
-    state.anchor = mention
-    state.between = set()
+    state.stand_at(mention)
     return True
 
 
@@ -57,22 +61,22 @@ def _is_somewhere(who: Mention, k: int, chunks: list[Chunk]) -> bool:
 
 def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
     """``a car, a van and a bus``: a comma alone does not make a list."""
-    for chunk in chunks[k + 1 :]:
-        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
-            return False
-        if isinstance(chunk, Word) and chunk.value in {"and", "or"}:
-            return True
-    return False
+    rest = chunks[k + 1 : sentence_end(chunks, k + 1)]
+    joint = next((c for c in rest if isinstance(c, Event) or _joins(c)), None)
+    return _joins(joint)
+
+
+def _joins(chunk: Chunk | None) -> bool:
+    return is_word(chunk, "and") or is_word(chunk, "or")
 
 
 def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
     """``waits for a van coming from the left and a bus coming from the right``: for both."""
-    last = state.last
-    following = chunk_at(chunks, k + 1)
+    last, following = state.last, chunk_at(chunks, k + 1)
     if last is None or last.form != "ing" or last.finite or "and" not in state.between:
         return
     alike = isinstance(following, Event) and following.form == "ing"
-    if alike and last.subject and last.subject[-1].prep is not None and mention.heads:
+    if alike and last.subject and mention.heads:
         mention.prep = last.subject[-1].prep
 
 
@@ -88,10 +92,8 @@ def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
 def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     """``a bus approaches the ego from the left and a taxi from the right``: the taxi does, too."""
     known = anchor.is_ego or anchor.pronoun is not None  # others are described by where they are
-    last = state.last
-    if not known or last is None or last.object is not anchor or not 3 <= k < len(chunks) - 1:
+    if not known or state.last is None or state.last.object is not anchor:
         return False
-    before, after = chunks[k - 3], chunks[k + 1]
-    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
-        return False
-    return before.value == after.value and isinstance(chunks[k - 2], Place)
+    before, place, after = (chunk_at(chunks, m) for m in (k - 3, k - 2, k + 1))
+    prep = isinstance(before, Word) and before.cat == "prep" and is_word(after, before.value)
+    return prep and isinstance(place, Place)

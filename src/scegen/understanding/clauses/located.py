@@ -11,12 +11,9 @@ def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     Args:
         target: what "behind" or "next to" governs.
     """
-    part = isinstance(target, Thing) or (
-        isinstance(target, Place) and target.kind in {"shoulder", "flank"}
-    )
-    if part and isinstance(target, NounPhrase) and target.owner is not None:
-        return target.owner
-    return target
+    beside = isinstance(target, Place) and target.kind in {"shoulder", "flank"}
+    owner = target.owner if isinstance(target, Thing | Place) else None
+    return owner if owner is not None and (beside or isinstance(target, Thing)) else target
 
 
 def is_it(noun: object) -> bool:
@@ -44,8 +41,5 @@ def as_the_ego_sees(mention: Mention) -> bool:
     Args:
         mention: a noun with phrases of place.
     """
-    return all(
-        p.word.cat == "locus"
-        and (p.target is None or (isinstance(p.target, Mention) and p.target.is_ego))
-        for p in mention.pps
-    )
+    by = [p.who is not None and p.who.is_ego for p in mention.pps if p.target is not None]
+    return all(by) and all(p.word.cat == "locus" for p in mention.pps)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach, place_in_front
 from scegen.understanding.clauses.beside import side_of_place
@@ -42,14 +42,14 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     if mention.possessor:
         return
     if state.prep is not None:
-        _prepositional(mention, k, chunks, state)
+        _prepositional(mention, state.prep, k, chunks, state)
         return
     if relatives.opens(mention, k, chunks, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
     whole = partitive_before(k, chunks)
-    if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
+    if whole is not None and (not mention.mods or mention.opened_by("indef")):
         mention.same_as = whole
         _resume(whole, state)
         return
@@ -67,9 +67,7 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
         return
     else:
         _start_clause(mention, state)
-    state.anchor = mention
-    state.between = set()
-    state.last_pp = None
+    state.stand_at(mention)
 
 
 def _resume(part: Mention, state: State) -> None:
@@ -87,11 +85,12 @@ def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State)
     if mention.pronoun not in {"both", "all"}:
         return False
     rest = chunks[k + 1 : k + 6]
-    after = [c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)]
-    measured = [getattr(c, "cat", "") for c in after[:1]] == ["quantity"]
-    ends = [getattr(c, "value", "") for c in after[1:2]] == [","]
+    after: list[Chunk] = [
+        c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)
+    ]
+    measured = bool(after) and getattr(after[0], "cat", "") == "quantity"
     waits = state.waiting is not None and "," in state.between
-    return measured and ends and waits
+    return waits and measured and is_word(chunk_at(after, 1), ",")
 
 
 def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
@@ -136,10 +135,9 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
     who = state.waiting
     if who is None or state.anchor is not who:
         return False
-    bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
+    bare = not mention.mods or mention.opened_by("indef") or mention.mods[0].cat != "det"
     bare = bare or mention.is_ego  # "the truck is the ego"
-    named = (mention.label or "").startswith("#")
-    if "aux:be" not in state.between or mention.pronoun or named or not bare:
+    if "aux:be" not in state.between or mention.pronoun or mention.is_named or not bare:
         return False
     if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
         return False
@@ -166,11 +164,8 @@ def _start_clause(mention: Mention, state: State) -> None:
     state.opening, state.fronted = ([] if state.candidate_done else state.fronted), []
 
 
-def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
-    prep = state.prep
+def _prepositional(mention: Mention, prep: Prep, k: int, chunks: list[Chunk], state: State) -> None:
     state.prep = None
-    if prep is None:
-        return
     prep.target = mention
     mention.prep = prep.word
     if not (prep.value == "of" and _owns_place(mention, k, chunks)):
@@ -193,9 +188,7 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
         return
     if named and state.candidate is None:
         _start_clause(mention, state)
-    state.anchor = mention
-    state.between = set()
-    state.last_pp = None
+    state.stand_at(mention)
 
 
 def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
@@ -227,36 +220,30 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         opens = opens and (state.candidate is None or "sub" in state.between)
         opens = opens or part
         state.topic = noun if opens else None
-    if state.prep is not None:
-        if state.prep.value == "of" and state.topic is not None and noun.owner is not None:
+    if (prep := state.prep) is not None:
+        if prep.value == "of" and state.topic is not None and noun.owner is not None:
             state.topic = noun  # "the right part of the ego's front strikes …"
-        state.prep.target = noun
-        noun.prep = state.prep.word
+        prep.target, noun.prep = noun, prep.word
         if not side_of_place(noun, k, chunks):
-            attach(state.prep, state)
+            attach(prep, state)
         state.prep = None
         return
     if also_from(noun, state):
         return
-    anchor = state.anchor
-    direct = isinstance(anchor, Event) and anchor.object is None
-    if isinstance(anchor, Event) and direct and not (state.between - {"or", "either"}):
-        anchor.object = noun
-        state.anchor = noun
-        state.between = set()
+    verb = state.anchor
+    if isinstance(verb, Event) and verb.object is None and not state.between - {"or", "either"}:
+        verb.object = noun
+        state.stand_at(noun)
     elif not state.events and state.candidate is None:
-        state.anchor = noun
-        state.between = set()
+        state.stand_at(noun)
 
 
 def _whole(chunks: list[Chunk], k: int) -> int:
     """``the left part of the ego's front``: where a noun ends with what it is a part of."""
-    of, owner = chunks[k + 1 : k + 2], chunks[k + 2 : k + 3]
-    if not (of and is_word(of[0], "of")):
-        return k
-    end = k + 2 + (bool(owner) and isinstance(owner[0], Mention) and owner[0].possessor)
-    part = chunk_at(chunks, end)
-    return end if isinstance(part, Place | Thing) else k
+    owner = chunk_at(chunks, k + 2)
+    end = k + 2 + (isinstance(owner, Mention) and owner.possessor)
+    part = isinstance(chunk_at(chunks, end), Place | Thing)
+    return end if part and is_word(chunk_at(chunks, k + 1), "of") else k
 
 
 def _emphasises(mention: Mention, state: State) -> bool:

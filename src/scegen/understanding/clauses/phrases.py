@@ -24,23 +24,23 @@ def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
     if _names_before(chunks, k, state) and isinstance(state.anchor, Mention):
         return state.anchor
     who = state.candidate
-    waiting = who is not None and (state.anchor is who or _places(state.anchor, who))
+    # "the car behind it, a taxi, …": "it" only says which car
+    waiting = who is not None and (
+        state.anchor is who or any(p.target is state.anchor for p in who.pps)
+    )
     if not waiting or state.between != {","} or state.candidate_done:
         return None
-    following = chunks[k + 1 : k + 3]
-    comma = bool(following) and is_word(following[0], ",")
-    if not comma and _described_role(chunks, k, state):
-        return who
-    if not comma or len(following) < 2:
-        return None
-    after = following[1]
-    verb = isinstance(after, Event) and after.form != "ing"
-    return who if verb or (isinstance(after, Word) and after.cat == "aux") else None
+    if is_word(chunk_at(chunks, k + 1), ","):
+        described = _predicate_opens(chunk_at(chunks, k + 2))
+    else:
+        described = _described_role(chunks, k, state)
+    return who if described else None
 
 
-def _places(anchor: object, who: Mention) -> bool:
-    """``the car behind it, a taxi, …``: "it" only says which car."""
-    return any(p.target is anchor for p in who.pps)
+def _predicate_opens(chunk: Chunk | None) -> bool:
+    """Whether the verb of a clause, or its auxiliary, stands there."""
+    verb = isinstance(chunk, Event) and chunk.form != "ing"
+    return verb or (isinstance(chunk, Word) and chunk.cat == "aux")
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:
@@ -81,12 +81,11 @@ def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
     here, before = chunks[k], state.anchor
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
-    named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
     following = chunk_at(chunks, k + 1)
     listed = isinstance(following, Word) and following.cat == "conj"
-    indefinite = any(m.value == "indef" for m in here.mods)
     acts = isinstance(following, Event) and following.form != "ing"
-    return named and indefinite and not listed and not acts
+    named = before.is_named and not here.is_named
+    return named and here.has("det", "indef") and not (listed or acts)
 
 
 def partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
@@ -110,15 +109,14 @@ def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
     role, noun = state.candidate, chunks[k]
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    bare = noun.mods[0].value == "indef" or noun.is_ego
     after = chunks[k + 1 : k + 9]
-    ends = next((m for m, c in enumerate(after) if is_word(c, ",")), None)
-    if not bare or ends is None or ends + 1 >= len(after):
+    end = next((m for m, c in enumerate(after) if is_word(c, ",")), None)
+    if end is None or not (noun.opened_by("indef") or noun.is_ego):
         return False
-    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
-    verb = after[ends + 1]
-    finite = isinstance(verb, Event) and verb.form != "ing" and not verb.nominal
-    return not joined and (finite or (isinstance(verb, Word) and verb.cat == "aux"))
+    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:end])
+    verb = chunk_at(after, end + 1)
+    doing = isinstance(verb, Event) and verb.nominal
+    return not joined and not doing and _predicate_opens(verb)
 
 
 def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
@@ -138,7 +136,7 @@ def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
     who, joint, copula = before[-_RELATIVE:]
     relative = isinstance(joint, Word) and joint.cat == "rel"
     said = isinstance(copula, Word) and (copula.cat, copula.value) == ("aux", "be")
-    single = noun.mods[0].value == "indef" or noun.is_ego
+    single = noun.opened_by("indef") or noun.is_ego
     return who if relative and said and single and isinstance(who, Mention) else None
 
 
@@ -153,9 +151,10 @@ def further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     """
     if mention.pronoun not in {"one", "count"} or not {"and"} <= state.between <= {"and", "conj"}:
         return False
-    before, following = state.anchor, chunk_at(chunks, k + 1)
-    participle = isinstance(before, Event) and before.form == "ing" and len(before.subject) == 1
-    who = before.subject[0] if isinstance(before, Event) and participle else before
+    who, following = state.anchor, chunk_at(chunks, k + 1)
+    participle = isinstance(who, Event) and who.form == "ing"
+    if isinstance(who, Event) and participle and len(who.subject) == 1:
+        who = who.subject[0]
     number = who.mod("num") if isinstance(who, Mention) and who.heads else None
     if number is None or number.data["number"] < 2:
         return False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import chunk_at
+from scegen.understanding.phrases.lookahead import chunk_at, is_word
 
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
@@ -20,19 +20,16 @@ def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
         chunks: the chunks of the text.
         state: what the clause reader remembers; it keeps both nouns.
     """
-    before = chunks[max(0, k - 3) : k]
-    marked = bool(before) and isinstance(before[-1], Word) and before[-1].cat == "rel"
-    if marked:
-        before.pop()
-        if before and isinstance(before[-1], Word) and before[-1].value == ",":
-            before.pop()
-    about = before[-1] if before else None
+    that = chunk_at(chunks, k - 1)
+    marked = isinstance(that, Word) and that.cat == "rel"
+    about = chunk_at(chunks, k - 1 - marked)
+    if marked and is_word(about, ","):
+        about = chunk_at(chunks, k - 3)
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.waiting and not state.between
     told = mention.pronoun is not None or any("speaks" in h.data for h in mention.heads)
-    touching = before[-1:] == [chunks[k - 1]] and told
-    if not (marked or waits or touching) or not _acts(k, chunks):
+    if not (marked or waits or told) or not _acts(k, chunks):
         return False
     state.relative = (mention, about)
     return True
@@ -63,7 +60,7 @@ def close(event: Event, state: State) -> bool:
     event.negated = any(word.startswith("neg:") for word in state.between)
     state.relative = None
     state.events.append(event)
-    state.anchor, state.between, state.last_pp = about, set(), None
+    state.stand_at(about)
     return True
 
 

@@ -65,6 +65,10 @@ class State:
         """The candidate, as long as it has no verb of its own."""
         return self.candidate if not self.candidate_done else None
 
+    def stand_at(self, phrase: Mention | NounPhrase | Event) -> None:
+        """A phrase becomes the anchor; no words have come since."""
+        self.anchor, self.between, self.last_pp = phrase, set(), None
+
     @property
     def last(self) -> Event | None:
         """The last event of the sentence."""

@@ -43,11 +43,11 @@ def _link(event: Event, state: State) -> None:
     if event.nominal:
         nominal(event, state)
         return
-    to = state.prep is not None and state.prep.value == "to" and event.form == "base"
     helped = auxiliary(state)
-    let = granting(event, state)
-    if to or let is not None:
-        infinitive(event, state, None if to else let)
+    if state.prep is not None and state.prep.value == "to" and event.form == "base":
+        infinitive(event, state)
+    elif (let := granting(event, state)) is not None:
+        infinitive(event, state, let)
     elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
         gerund(event, state)
     else:
@@ -94,16 +94,15 @@ def before_by(event: Event) -> None:
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
-    parts = state.topic if isinstance(state.topic, NounPhrase) else None
-    if parts is not None and event.name == "collide" and "aux:be" not in state.between:
-        own = any(m.cat == "possessive" and m.value == "its" for m in parts.mods)
-        event.subject = [parts.owner] if parts.owner is not None else state.main if own else []
-        state.topic = None
-        return  # "the front of the van struck …", "its front struck …"
+    topic, state.topic = state.topic, None
     passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
-    if passive and "aux:be" in state.between:
-        event.passive, event.object = event.name in PASSIVE, state.topic
-    state.topic = None
+    if "aux:be" in state.between:
+        if passive:
+            event.passive, event.object = event.name in PASSIVE, topic
+    elif topic is not None and event.name == "collide":
+        its = state.main if topic.has("possessive", "its") else []
+        # "the front of the van struck …", "its front struck …"
+        event.subject = [topic.owner] if topic.owner is not None else its
 
 
 def _blocked(event: Event, state: State) -> bool:
@@ -122,7 +121,7 @@ def _clause(event: Event, state: State) -> None:
     between = state.between
     event.embedded = "rel" in between or state.where
     event.supplement = {"rel", ","} <= between
-    noun = noun_described(event, state) if event.reduced else None
+    noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:
         event.subject, event.finite = chain(noun), False
         return
@@ -173,8 +172,12 @@ def _antecedent(state: State) -> Mention:
 
 
 def _landmark(mention: Mention) -> bool:
-    told = mention.pronoun in _ITS or any("me" in head.data for head in mention.heads)
-    return told and mention.prep is not None and mention.prep.cat == "locus"
+    return _told(mention) and mention.prep is not None and mention.prep.cat == "locus"
+
+
+def _told(mention: Mention) -> bool:
+    """Whether one knows already who that is: "it", "them", "me"."""
+    return mention.pronoun in _ITS or mention.is_me
 
 
 def _subjectless(event: Event, state: State) -> None:
@@ -212,7 +215,7 @@ def _after_comma(event: Event, state: State) -> None:
 
 def _on_foot(event: Event, state: State) -> Mention | None:
     """``a child …, running``: who is on foot."""
-    on_foot = [m for m in state.mentions if m.head is not None and m.head.value == "pedestrian"]
+    on_foot = [m for m in state.mentions if m.is_person]
     return on_foot[-1] if event.name == "walk" and on_foot else None
 
 
@@ -229,13 +232,8 @@ def main_in_sentence(state: State) -> list[Mention]:
     return next((e.subject for e in reversed(state.events) if e.subject), [])
 
 
-def noun_described(event: Event, state: State) -> Mention | None:
-    """``hidden by two cars parked there``: the noun in a phrase that a participle is said of.
-
-    Args:
-        event: the participle.
-        state: what the clause reader remembers.
-    """
+def _noun_described(event: Event, state: State) -> Mention | None:
+    """``hidden by two cars parked there``: the noun in a phrase that a participle is said of."""
     noun = state.last_pp or state.anchor
     if not isinstance(noun, Mention) or noun.prep is None or noun.j != event.i:
         return None
@@ -251,11 +249,10 @@ def only_describes(event: Event, k: int, chunks: list[Chunk], state: State) -> b
         chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    noun = noun_described(event, state)
-    if noun is not None:
-        by = noun.prep is not None and noun.prep.value == "by"
-        if by or state.candidate_done or state.fronted:
-            return True
+    noun = _noun_described(event, state)
+    by = noun is not None and noun.prep is not None and noun.prep.value == "by"
+    if noun is not None and (by or state.candidate_done or state.fronted):
+        return True
     described = state.anchor is state.candidate or noun is not None
     return described and main_verb_follows(chunks, k)
 
@@ -267,18 +264,15 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
     last = state.last
-    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.head is not None
-    if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
+    done_to = last if last is not None and last.object is anchor else None
+    if done_to is not None and done_to.name in {"cause", "prevent"}:
+        depend(event, done_to, "ing")
+    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.is_mass
+    if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
-        return
-    if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
-        depend(event, last, "ing")
-    told = anchor.pronoun in _ITS or any("me" in h.data for h in anchor.heads)
-    if _landmark(anchor) and not event.finite and state.candidate is not None:
+    elif _landmark(anchor) and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
-        return
-    done_to = last is not None and last.object is anchor and last.name not in _SHOWN
-    if last is not None and done_to and told and not event.finite:
-        event.subject = last.subject  # "nearly hit me coming from the right"
-        return
-    event.subject = chain(anchor)
+    elif done_to is not None and done_to.name not in _SHOWN and _told(anchor) and not event.finite:
+        event.subject = done_to.subject  # "nearly hit me coming from the right"
+    else:
+        event.subject = chain(anchor)
