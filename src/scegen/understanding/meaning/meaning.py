@@ -191,12 +191,12 @@ class Interpreter:
         ends = event.name == "move" and event.lemma in word_list("ending_up")
         met = clause.targets or driven_up_to(clause, self._context)
         for prep in event.pps if not ends else []:
+            basis = Basis(prep.word.i, prep.word.j)
             if from_everywhere(prep):
                 self._spread(prep, clause.actors)
             elif _from_behind(prep) and event.name in _UNDERWAY and met:
-                self._context.ahead(met[:1], clause.actors, Basis(prep.word.i, prep.word.j))
+                self._context.ahead(met[:1], clause.actors, basis)
             elif _from_behind(prep) and not met and _is_hit(event, prep.on_mention):
-                basis = Basis(prep.word.i, prep.word.j)
                 for entity in (e for e in clause.actors if not e.ego):
                     self._draft.place(entity, None, {Approach.AHEAD}, basis)
             elif prep.on_mention is None or _starts(event, prep):
