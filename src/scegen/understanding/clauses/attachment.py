@@ -26,20 +26,18 @@ _PASSING = frozenset({"overtake", "pass", "undertake"})
 _INSERTED = 7
 
 
-def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
+def preposition(word: Word, state: State) -> None:
     """Opens a phrase; what it governs comes next.
 
     Args:
         word: the preposition.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
     before = state.prep
     if before is not None and (word.cat != "locus" or before.word.cat == "locus"):
         release(state)
     outer = state.prep.value if state.prep is not None else None
-    fronted = (before is not None and before.fronted) or _opens_clause(k, chunks, state)
+    fronted = (before is not None and before.fronted) or _opens_clause(state)
     state.prep = Prep(word, None, outer, _noun_before(word, state), fronted)
 
 
@@ -182,7 +180,7 @@ def _aside(prep: Prep, state: State) -> bool:
     return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
 
 
-def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
+def _opens_clause(state: State) -> bool:
     """Whether the phrase that begins here says where the participant after it is.
 
     "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
@@ -194,7 +192,8 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
     listed = "conj" in state.between
     if not begins and not (joins and (inserted or state.candidate_done or state.events)):
         return False
-    m = _phrase_end(k, chunks)
+    chunks = state.chunks
+    m = _phrase_end(state.k, chunks)
     if m is None:
         return False
     if is_word(chunk_at(chunks, m), ","):

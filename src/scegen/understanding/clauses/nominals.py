@@ -25,16 +25,14 @@ _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
 
 
-def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+def read_mention(mention: Mention, state: State) -> None:
     """A participant: as the subject, an object, an apposition, or in a phrase of place.
 
     Args:
         mention: the noun.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
-    if _emphasises(mention, state) or _measured_aside(mention, k, chunks, state):
+    if _emphasises(mention, state) or _measured_aside(mention, state):
         return
     state.mentions.append(mention)
     within = state.prep is not None and state.prep.value == "of"
@@ -42,28 +40,28 @@ def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) ->
     if mention.possessor:
         return
     if state.prep is not None:
-        _prepositional(mention, state.prep, k, chunks, state)
+        _prepositional(mention, state.prep, state)
         return
-    if relatives.opens(mention, k, chunks, state):
+    if relatives.opens(mention, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
-    whole = partitive_before(k, chunks)
+    whole = partitive_before(state)
     if whole is not None and (not mention.mods or mention.opened_by("indef")):
         mention.same_as = whole
         _resume(whole, state)
         return
-    if further_ones(mention, k, chunks, state):
+    if further_ones(mention, state):
         mention.pronoun = "further"
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
-    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks, state):
+    elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
-    elif (described := _described(mention, k, chunks, state)) is not None:
+    elif (described := _described(mention, state)) is not None:
         mention.same_as = described
-        if described is state.candidate or bracketed(chunks, k):
+        if described is state.candidate or bracketed(state):
             return
-    elif joins(mention, k, chunks, state):
+    elif joins(mention, state):
         return
     else:
         _start_clause(mention, state)
@@ -80,11 +78,11 @@ def _resume(part: Mention, state: State) -> None:
     state.between = set()
 
 
-def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def _measured_aside(mention: Mention, state: State) -> bool:
     """``a van beside the ego, both at 60 km/h, moves over``: put in, of those named before."""
     if mention.pronoun not in {"both", "all"}:
         return False
-    rest = chunks[k + 1 : k + 6]
+    rest = state.after(5)
     after: list[Chunk] = [
         c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)
     ]
@@ -93,19 +91,19 @@ def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State)
     return waits and measured and is_word(chunk_at(after, 1), ",")
 
 
-def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
+def _takes(verb: Event, state: State) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
-    if _waits_for_subject(verb, k, chunks) or _goes_on_with(verb, k, chunks, state):
+    if _waits_for_subject(verb, state) or _goes_on_with(verb, state):
         return False
-    tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
-    reported = tells and finite_follows(chunks, k)
+    tells = verb.says or (verb.control == "subject" and isinstance(state.at(0), Mention))
+    reported = tells and state.verb_follows
     return verb.object is None and not reported
 
 
-def _goes_on_with(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
+def _goes_on_with(verb: Event, state: State) -> bool:
     """``once it has cut in it brakes``: the next verb has no other subject."""
     complete = verb.finite and state.candidate_done and state.relative is None
-    following = next((c for c in chunks[k + 1 : k + 4] if getattr(c, "cat", "") != "manner"), None)
+    following = next((c for c in state.after(3) if getattr(c, "cat", "") != "manner"), None)
     if not complete or verb.control == "object":
         return False
     if isinstance(following, Event):
@@ -113,24 +111,24 @@ def _goes_on_with(verb: Event, k: int, chunks: list[Chunk], state: State) -> boo
     return isinstance(following, Word) and following.cat == "aux"
 
 
-def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+def _waits_for_subject(verb: Event, state: State) -> bool:
     """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
     placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
-    follows = finite_follows(chunks, k)
-    return placed and verb.i < chunks[k - 1].i and follows
+    follows = state.verb_follows
+    return placed and verb.i < state.chunks[state.k - 1].i and follows
 
 
-def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
+def _described(mention: Mention, state: State) -> Mention | None:
     """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
     anchor = state.anchor if isinstance(state.anchor, Mention) else None
-    if _is_predicate(mention, k, chunks, state):
+    if _is_predicate(mention, state):
         return state.candidate
-    if bracketed(chunks, k) and anchor is not None:
+    if bracketed(state) and anchor is not None:
         return anchor
-    return relative_noun(chunks, k) or apposed_to(chunks, k, state)
+    return relative_noun(state) or apposed_to(state)
 
 
-def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def _is_predicate(mention: Mention, state: State) -> bool:
     """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
     who = state.waiting
     if who is None or state.anchor is not who:
@@ -141,7 +139,7 @@ def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -
         return False
     if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
         return False
-    return not finite_follows(chunks, k)
+    return not state.verb_follows
 
 
 def _start_clause(mention: Mention, state: State) -> None:
@@ -164,11 +162,11 @@ def _start_clause(mention: Mention, state: State) -> None:
     state.opening, state.fronted = ([] if state.candidate_done else state.fronted), []
 
 
-def _prepositional(mention: Mention, prep: Prep, k: int, chunks: list[Chunk], state: State) -> None:
+def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     state.prep = None
     prep.target = mention
     mention.prep = prep.word
-    if not (prep.value == "of" and _owns_place(mention, k, chunks)):
+    if not (prep.value == "of" and _owns_place(mention, state)):
         attach(prep, state)
     if prep.fronted:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
@@ -183,7 +181,7 @@ def _prepositional(mention: Mention, prep: Prep, k: int, chunks: list[Chunk], st
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.partitive, prep.on_mention.whole = True, mention
         return
-    if state.waiting is not None and finite_follows(chunks, k):
+    if state.waiting is not None and state.verb_follows:
         state.last_pp = mention
         return
     if named and state.candidate is None:
@@ -191,9 +189,9 @@ def _prepositional(mention: Mention, prep: Prep, k: int, chunks: list[Chunk], st
     state.stand_at(mention)
 
 
-def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+def _owns_place(mention: Mention, state: State) -> bool:
     """``the path of the bus``, ``to the left of the truck``: whose place it is."""
-    place = chunk_at(chunks, k - 2)
+    place = state.at(-2)
     if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
         return False
     place.owner = mention
@@ -202,20 +200,18 @@ def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     return True
 
 
-def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
+def read_noun(noun: NounPhrase, state: State) -> None:
     """A place or thing: what a preposition or verb governs.
 
     Args:
         noun: the noun.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
-    end = _whole(chunks, k)
-    if state.prep is None and opens and finite_follows(chunks, end):
-        of_one = end > k or (isinstance(noun, Place) and noun.kind in _PARTS)
-        part = of_one and chunks[end].owner is not None  # type: ignore[union-attr]
+    whole, behind = _whole(noun, state)
+    if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):
+        of_one = whole is not noun or (isinstance(noun, Place) and noun.kind in _PARTS)
+        part = of_one and whole.owner is not None
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
         opens = opens or part
@@ -224,7 +220,7 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         if prep.value == "of" and state.topic is not None and noun.owner is not None:
             state.topic = noun  # "the right part of the ego's front strikes …"
         prep.target, noun.prep = noun, prep.word
-        if not side_of_place(noun, k, chunks):
+        if not side_of_place(noun, state):
             attach(prep, state)
         state.prep = None
         return
@@ -238,12 +234,12 @@ def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> No
         state.stand_at(noun)
 
 
-def _whole(chunks: list[Chunk], k: int) -> int:
-    """``the left part of the ego's front``: where a noun ends with what it is a part of."""
-    owner = chunk_at(chunks, k + 2)
-    end = k + 2 + (isinstance(owner, Mention) and owner.possessor)
-    part = isinstance(chunk_at(chunks, end), Place | Thing)
-    return end if part and is_word(chunk_at(chunks, k + 1), "of") else k
+def _whole(part: NounPhrase, state: State) -> tuple[NounPhrase, int]:
+    """``the left part of the ego's front``: what it is a part of, and how far behind."""
+    owner = state.at(2)
+    behind = 3 if isinstance(owner, Mention) and owner.possessor else 2
+    whole = state.at(behind) if is_word(state.at(1), "of") else None
+    return (whole, behind) if isinstance(whole, Place | Thing) else (part, 0)
 
 
 def _emphasises(mention: Mention, state: State) -> bool:

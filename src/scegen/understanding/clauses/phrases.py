@@ -10,18 +10,16 @@ _RELATIVE = 3
 """A noun, "which", and "is"."""
 
 
-def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
+def apposed_to(state: State) -> Mention | None:
     """``vehicle 1, a sedan, was …``: the second only describes the first.
 
     Args:
-        chunks: the chunks of the text.
-        k: index of the second noun.
         state: what the clause reader remembers.
 
     Returns:
         Whom it describes; None if it is somebody else.
     """
-    if _names_before(chunks, k, state) and isinstance(state.anchor, Mention):
+    if _names_before(state) and isinstance(state.anchor, Mention):
         return state.anchor
     who = state.candidate
     # "the car behind it, a taxi, …": "it" only says which car
@@ -30,10 +28,10 @@ def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
     )
     if not waiting or state.between != {","} or state.candidate_done:
         return None
-    if is_word(chunk_at(chunks, k + 1), ","):
-        described = _predicate_opens(chunk_at(chunks, k + 2))
+    if is_word(state.at(1), ","):
+        described = _predicate_opens(state.at(2))
     else:
-        described = _described_role(chunks, k, state)
+        described = _described_role(state)
     return who if described else None
 
 
@@ -65,51 +63,46 @@ def also_from(noun: NounPhrase, state: State) -> bool:
     return True
 
 
-def bracketed(chunks: list[Chunk], k: int) -> bool:
+def bracketed(state: State) -> bool:
     """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before.
 
     Args:
-        chunks: the chunks of the text.
-        k: index of the noun in brackets.
+        state: what the clause reader remembers.
     """
-    around = [*chunks[max(0, k - 1) : k], *chunks[k + 1 : k + 2]]
-    return [c.value for c in around if isinstance(c, Word)] == ["(", ")"]
+    return is_word(state.at(-1), "(") and is_word(state.at(1), ")")
 
 
-def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
+def _names_before(state: State) -> bool:
     """``struck V2, an oncoming pickup.``: a noun without a name after one with a name."""
-    here, before = chunks[k], state.anchor
+    here, before = state.at(0), state.anchor
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
-    following = chunk_at(chunks, k + 1)
+    following = state.at(1)
     listed = isinstance(following, Word) and following.cat == "conj"
     acts = isinstance(following, Event) and following.form != "ing"
     named = before.is_named and not here.is_named
     return named and here.has("det", "indef") and not (listed or acts)
 
 
-def partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
+def partitive_before(state: State) -> Mention | None:
     """``four of them trucks``, ``one of which a bus``: the noun says what kind they are.
 
     Args:
-        k: index of the noun.
-        chunks: the chunks of the text.
+        state: what the clause reader remembers.
     """
-    if k < 3:
-        return None
-    part, of, whole = chunks[k - 3 : k]
-    if not isinstance(part, Mention) or not isinstance(of, Word) or of.value != "of":
+    part, of, whole = (state.at(n) for n in (-3, -2, -1))
+    if not isinstance(part, Mention) or not is_word(of, "of"):
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"
     return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
 
 
-def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
+def _described_role(state: State) -> bool:
     """``the driver, a man from Leeds, lost …``: a noun and its phrases between two commas."""
-    role, noun = state.candidate, chunks[k]
+    role, noun = state.candidate, state.at(0)
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    after = chunks[k + 1 : k + 9]
+    after = state.after(8)
     end = next((m for m, c in enumerate(after) if is_word(c, ",")), None)
     if end is None or not (noun.opened_by("indef") or noun.is_ego):
         return False
@@ -119,18 +112,17 @@ def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
     return not joined and not doing and _predicate_opens(verb)
 
 
-def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
+def relative_noun(state: State) -> Mention | None:
     """``struck vehicle 2, which was a taxi``: the noun says what vehicle 2 is.
 
     Args:
-        chunks: the chunks of the text.
-        k: index of the noun.
+        state: what the clause reader remembers.
 
     Returns:
         Whom it describes, if it does.
     """
-    noun = chunks[k]
-    before = [c for c in chunks[max(0, k - 4) : k] if getattr(c, "value", "") != ","]
+    noun = state.at(0)
+    before = [c for c in state.before(4) if getattr(c, "value", "") != ","]
     if len(before) < _RELATIVE or not isinstance(noun, Mention) or not noun.mods:
         return None
     who, joint, copula = before[-_RELATIVE:]
@@ -140,18 +132,16 @@ def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
     return who if relative and said and single and isinstance(who, Mention) else None
 
 
-def further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def further_ones(mention: Mention, state: State) -> bool:
     """``two cars coming from the left and one from the right``: three cars, not two.
 
     Args:
         mention: the noun.
-        k: index of the noun.
-        chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
     if mention.pronoun not in {"one", "count"} or not {"and"} <= state.between <= {"and", "conj"}:
         return False
-    who, following = state.anchor, chunk_at(chunks, k + 1)
+    who, following = state.anchor, state.at(1)
     participle = isinstance(who, Event) and who.form == "ing"
     if isinstance(who, Event) and participle and len(who.subject) == 1:
         who = who.subject[0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase
+from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -240,13 +240,11 @@ def _noun_described(event: Event, state: State) -> Mention | None:
     return noun if event.form == "ed" and event.name in _DESCRIBING else None
 
 
-def only_describes(event: Event, k: int, chunks: list[Chunk], state: State) -> bool:
+def only_describes(event: Event, state: State) -> bool:
     """``hidden behind a van runs out``, ``by two cars parked there``: no clause of its own.
 
     Args:
         event: the verb form.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
         state: what the clause reader remembers.
     """
     noun = _noun_described(event, state)
@@ -254,7 +252,7 @@ def only_describes(event: Event, k: int, chunks: list[Chunk], state: State) -> b
     if noun is not None and (by or state.candidate_done or state.fronted):
         return True
     described = state.anchor is state.candidate or noun is not None
-    return described and main_verb_follows(chunks, k)
+    return described and main_verb_follows(state.chunks, state.k)
 
 
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
