@@ -48,7 +48,10 @@ def _link(event: Event, state: State) -> None:
         infinitive(event, state)
     elif (let := granting(event, state)) is not None:
         infinitive(event, state, let)
-    elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
+    elif state.prep is not None and (
+        event.form == "ing"
+        or (state.prep.value == "without" and {"aux:can", "aux:have"} & state.between)
+    ):  # "without being able to stop", "without having braked"
         gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or helped
@@ -73,12 +76,6 @@ def _link(event: Event, state: State) -> None:
         state.main = event.subject
         waits = "rel" in state.between and event.subject[-1] is state.candidate
         state.candidate_done = state.candidate_done or not waits
-
-
-def _without_ability(state: State) -> bool:
-    """``without being able to stop``, ``without having braked``."""
-    helped = {"aux:can", "aux:have"} & state.between
-    return state.prep is not None and state.prep.value == "without" and bool(helped)
 
 
 def before_by(event: Event) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
-from scegen.understanding.clauses import bearing
+from scegen.understanding.clauses import located
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing, rows, standing
@@ -85,8 +85,8 @@ class Interpreter:
                 p.on_mention is e.object
                 and (
                     _starts(e, p)
-                    or (e.name in _BESIDE and bearing.is_side(p) and not _met_there(p))
-                    or bearing.own_lane(e, p)
+                    or (e.name in _BESIDE and located.is_side(p) and not _met_there(p))
+                    or located.own_lane(e, p)
                 )
             )
         }
@@ -146,7 +146,7 @@ class Interpreter:
         placing.adjectives(mention, self._context)
         clause = clause_of_noun(mention)
         say("nouns.noun", clause, self._context)
-        sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and located.is_side(p)]
         for prep in mention.pps:
             if id(prep) in self._of_verbs:
                 continue  # "approaches the ego from the left": not the ego comes from there

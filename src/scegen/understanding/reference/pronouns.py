@@ -43,7 +43,8 @@ class Pronouns:
         if which in {"it", "him"}:
             return self._single(mention, exclude)
         if which == "they" and not mention.walks and all(e.ego for e in self.roster.entities):
-            return self._new_driver(mention)
+            drives = mention.drives and self._word(mention) == "they"
+            return self._new_driver(mention) if drives else self.roster.together([])
         if which in {"they", "both", "all", "neither"}:
             return self._together(mention, exclude)
         if which == "other":
@@ -92,12 +93,12 @@ class Pronouns:
         options = self._persons(mention, [e for e in recent if e not in exclude], options)
         if word == "it" and any(map(self._person, options)):
             order = self.roster.recent
-            since = order[order.index(options[0]) + 1 :] if options[0] in order else []
+            since = order[order.index(options[0]) + 1 :]
             others = [e for e in since if not self._person(e) and e not in exclude]
             # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
             options = [e for e in others if mention.drives or not e.still][-1:] or options
         if not self.roster.entities and word in {"he", "she"}:
-            return self._somebody(mention, exclude, subject)
+            return self._new_driver(mention)  # not the one who tells it
         if mention.stood and not any(e.still for e in options):
             standing = [e for e in recent if e.still and e not in exclude]
             options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
@@ -132,18 +133,6 @@ class Pronouns:
 
     def _new_driver(self, mention: Mention) -> list[Entity]:
         """``they pulled out in front of me``: somebody who drives, not named before."""
-        if self._word(mention) != "they" or not mention.drives:
-            return self.roster.together([])
-        return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
-
-    def _somebody(
-        self, mention: Mention, exclude: list[Entity], subject: list[Entity]
-    ) -> list[Entity]:
-        """``he``, ``she``: not the one who tells it; where nobody else is known, somebody new."""
-        others = [e for e in self.roster.recent if not e.ego and e not in exclude and not e.parked]
-        told = self._persons(mention, others, [e for e in subject if e in others])
-        if told or others:
-            return told[:1] or others[-1:]
         return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
     def _ordinal(self, mention: Mention) -> list[Entity]:
