@@ -10,12 +10,7 @@ _SIDES = frozenset({"left", "right"})
 
 
 def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
-    """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no side of its own.
-
-    Args:
-        chunks: of the text.
-        events: of the text, in its order.
-    """
+    """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no own side."""
     for event in events:
         coming = (event.lemma, event.form) == ("come", "ing") and not event.finite
         if not (coming and any(map(_from_a_side, event.pps))):
@@ -28,11 +23,7 @@ def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
 
 
 def named_again(events: list[Event]) -> None:
-    """``… as the lane change begins``: of those who change lanes, not of who acts there.
-
-    Args:
-        events: of the text, in its order.
-    """
+    """``… as the lane change begins``: of those who change lanes, not of who acts there."""
     for event in events:
         known = any((m.cat, m.value) == ("det", "def") for m in event.mods)
         if event.nominal and known and any(m.pronoun in _SEVERAL for m in event.subject):

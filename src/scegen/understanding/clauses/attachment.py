@@ -27,12 +27,7 @@ _INSERTED = 7
 
 
 def preposition(word: Word, state: State) -> None:
-    """Opens a phrase; what it governs comes next.
-
-    Args:
-        word: the preposition.
-        state: what the clause reader remembers.
-    """
+    """Opens a phrase; what it governs comes next."""
     before = state.prep
     if before is not None and (word.cat != "locus" or before.word.cat == "locus"):
         release(state)
@@ -77,12 +72,7 @@ def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
 
 
 def attach(prep: Prep, state: State) -> None:
-    """Gives a phrase to who follows it, to the noun right before it, to the verb, or to who acts.
-
-    Args:
-        prep: the phrase, complete.
-        state: what the clause reader remembers.
-    """
+    """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
     before, state.last_prep = state.last_prep, prep
     if prep.fronted:
         if not _counts_lanes(prep, before):
@@ -263,10 +253,5 @@ def _side_after(chunks: list[Chunk], m: int) -> bool:
 
 
 def place_in_front(mention: Mention, state: State) -> None:
-    """Gives the phrases that opened the clause to the participant that they place.
-
-    Args:
-        mention: the first participant after them.
-        state: what the clause reader remembers.
-    """
+    """Gives the phrases that opened the clause to the participant that they place."""
     mention.pps += [p for p in state.fronted if p.outer != "from"]

@@ -14,10 +14,6 @@ _ASIDE = frozenset({"in", "to"})
 def side_of_place(noun: NounPhrase, state: State) -> bool:
     """``a driveway on the right``, ``the lane to its right``: the side at which it lies.
 
-    Args:
-        noun: what may be a side.
-        state: what the clause reader remembers.
-
     Returns:
         Whether it is the side of the place before it.
     """

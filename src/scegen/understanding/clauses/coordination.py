@@ -34,12 +34,7 @@ def told_beside(state: State, *words: str) -> Mention | None:
 
 
 def coordinate(event: Event, state: State) -> None:
-    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject.
-
-    Args:
-        event: the second verb.
-        state: what the clause reader remembers.
-    """
+    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
     bare = {"base": "inf", "ing": "ing"}
     wanted = bare.get(event.form, "finite") if not auxiliary(state) else "finite"
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]

@@ -33,12 +33,7 @@ def depend(event: Event, parent: Event, link_kind: str) -> None:
 
 
 def granting(event: Event, state: State) -> Event | None:
-    """``lets a van already turning, which is late, pass``: the bare verb hangs on "lets".
-
-    Args:
-        event: a verb.
-        state: what the clause reader remembers.
-    """
+    """``lets a van already turning, which is late, pass``: the bare verb hangs on "lets"."""
     before = [e for e in state.events if e.control == "object" and isinstance(e.object, Mention)]
     bare = event.form == "base" and state.between <= {","} and state.waiting is None
     let = before[-1] if before and bare else None
@@ -55,25 +50,14 @@ def _share_subject(event: Event, other: Event, state: State) -> None:
 
 
 def alternative(event: Event, other: Event, state: State) -> None:
-    """Marks two doings joined by "or".
-
-    Args:
-        event: the second.
-        other: the first.
-        state: what the clause reader remembers.
-    """
+    """Marks two doings joined by "or"."""
     if "or" in state.between:
         other.alternative = other.alternative or id(other)
         event.alternative = other.alternative
 
 
 def nominal(event: Event, state: State) -> None:
-    """``makes a left turn``, ``before its left turn``: who does what a noun names.
-
-    Args:
-        event: the noun.
-        state: what the clause reader remembers.
-    """
+    """``makes a left turn``, ``before its left turn``: who does what a noun names."""
     anchor = state.anchor
     owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
     if owner is not None:
@@ -149,12 +133,7 @@ def _first_said_of(phrase: Mention | NounPhrase | Event | None, event: Event, st
 
 
 def gerund(event: Event, state: State) -> None:
-    """``blocking the car from returning``, ``without yielding``, ``by turning``.
-
-    Args:
-        event: the verb after a preposition.
-        state: what the clause reader remembers.
-    """
+    """``blocking the car from returning``, ``without yielding``, ``by turning``."""
     prep = state.prep.value if state.prep else ""
     parent, who = state.last, state.waiting
     event.negated = prep in {"without", "instead"}

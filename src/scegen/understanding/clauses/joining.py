@@ -11,12 +11,7 @@ from scegen.understanding.phrases.lookahead import (
 
 
 def joins(mention: Mention, state: State) -> bool:
-    """``a car and a truck``: the second takes the role of the first.
-
-    Args:
-        mention: the second noun.
-        state: what the clause reader remembers.
-    """
+    """``a car and a truck``: the second takes the role of the first."""
     anchor = state.anchor
     _doing_the_same(mention, state)
     listed = "and" in state.between or "or" in state.between or state.between == {","}

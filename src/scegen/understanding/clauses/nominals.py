@@ -26,12 +26,7 @@ _TURNS = frozenset({"turn", "u_turn"})
 
 
 def read_mention(mention: Mention, state: State) -> None:
-    """A participant: as the subject, an object, an apposition, or in a phrase of place.
-
-    Args:
-        mention: the noun.
-        state: what the clause reader remembers.
-    """
+    """A participant: as the subject, an object, an apposition, or in a phrase of place."""
     if _emphasises(mention, state) or _measured_aside(mention, state):
         return
     state.mentions.append(mention)
@@ -201,12 +196,7 @@ def _owns_place(mention: Mention, state: State) -> bool:
 
 
 def read_noun(noun: NounPhrase, state: State) -> None:
-    """A place or thing: what a preposition or verb governs.
-
-    Args:
-        noun: the noun.
-        state: what the clause reader remembers.
-    """
+    """A place or thing: what a preposition or verb governs."""
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     whole, behind = _whole(noun, state)
     if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):

@@ -14,13 +14,7 @@ _FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 
 
 def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
-    """Gives a speed to the noun that it is said of, from a verb or noun that it follows.
-
-    Args:
-        chunks: the chunks of the text, clauses read.
-        events: its events.
-        tokens: its tokens.
-    """
+    """Gives a speed to the noun that it is said of, from a verb or noun that it follows."""
     holders: list[Event | Mention] = [*events, *(c for c in chunks if isinstance(c, Mention))]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):

@@ -13,9 +13,6 @@ _RELATIVE = 3
 def apposed_to(state: State) -> Mention | None:
     """``vehicle 1, a sedan, was …``: the second only describes the first.
 
-    Args:
-        state: what the clause reader remembers.
-
     Returns:
         Whom it describes; None if it is somebody else.
     """
@@ -42,12 +39,7 @@ def _predicate_opens(chunk: Chunk | None) -> bool:
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:
-    """``from the north and the east``: the preposition counts for both.
-
-    Args:
-        noun: the noun just read.
-        state: what the clause reader remembers.
-    """
+    """``from the north and the east``: the preposition counts for both."""
     last = state.last_prep
     if last is None or not (isinstance(noun, Place) and noun.kind == "side"):
         return False
@@ -64,11 +56,7 @@ def also_from(noun: NounPhrase, state: State) -> bool:
 
 
 def bracketed(state: State) -> bool:
-    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before.
-
-    Args:
-        state: what the clause reader remembers.
-    """
+    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before."""
     return is_word(state.at(-1), "(") and is_word(state.at(1), ")")
 
 
@@ -85,11 +73,7 @@ def _names_before(state: State) -> bool:
 
 
 def partitive_before(state: State) -> Mention | None:
-    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are.
-
-    Args:
-        state: what the clause reader remembers.
-    """
+    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are."""
     part, of, whole = (state.at(n) for n in (-3, -2, -1))
     if not isinstance(part, Mention) or not is_word(of, "of"):
         return None
@@ -115,9 +99,6 @@ def _described_role(state: State) -> bool:
 def relative_noun(state: State) -> Mention | None:
     """``struck vehicle 2, which was a taxi``: the noun says what vehicle 2 is.
 
-    Args:
-        state: what the clause reader remembers.
-
     Returns:
         Whom it describes, if it does.
     """
@@ -133,12 +114,7 @@ def relative_noun(state: State) -> Mention | None:
 
 
 def further_ones(mention: Mention, state: State) -> bool:
-    """``two cars coming from the left and one from the right``: three cars, not two.
-
-    Args:
-        mention: the noun.
-        state: what the clause reader remembers.
-    """
+    """``two cars coming from the left and one from the right``: three cars, not two."""
     if mention.pronoun not in {"one", "count"} or not {"and"} <= state.between <= {"and", "conj"}:
         return False
     who, following = state.anchor, state.at(1)

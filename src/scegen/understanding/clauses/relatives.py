@@ -62,12 +62,7 @@ def close(event: Event, state: State) -> bool:
 
 
 def aside(event: Event, events: list[Event]) -> bool:
-    """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about.
-
-    Args:
-        event: an event.
-        events: all events of the text.
-    """
+    """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about."""
     return event.embedded and any(
         e.finite and e.subject and not e.embedded and e.sentence == event.sentence and e.i < event.i
         for e in events

@@ -19,10 +19,6 @@ def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
     Nobody drives north and east at once: as many ways as participants are one for each, in
     order, whether "respectively" is said or not. With it, the same holds for speeds and for
     verbs ("stop and turn left, respectively").
-
-    Args:
-        events: the events of a text, mentions resolved.
-        terms: its terms.
     """
     marks = [t.i for t in terms if t.value == "respectively"]
     found: list[Event] = []

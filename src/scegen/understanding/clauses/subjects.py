@@ -79,11 +79,7 @@ def _link(event: Event, state: State) -> None:
 
 
 def before_by(event: Event) -> None:
-    """``…, obstructed by a van``: a participle with "by" after it is passive.
-
-    Args:
-        event: the verb form right before "by".
-    """
+    """``…, obstructed by a van``: a participle with "by" after it is passive."""
     crossed = event.name == "cross" and event.object is not None and not event.subject
     if event.form == "ed" and not event.nominal and (crossed or event.name in PASSIVE):
         event.passive = True
@@ -217,11 +213,7 @@ def _on_foot(event: Event, state: State) -> Mention | None:
 
 
 def main_in_sentence(state: State) -> list[Mention]:
-    """Who acts in the last main clause of the sentence.
-
-    Args:
-        state: what the clause reader remembers.
-    """
+    """Who acts in the last main clause of the sentence."""
     finite = [e for e in state.events if e.finite and e.subject]
     finite = [e for e in finite if not e.embedded] or finite  # "hits a man who walks, killing …"
     if finite:
@@ -238,12 +230,7 @@ def _noun_described(event: Event, state: State) -> Mention | None:
 
 
 def only_describes(event: Event, state: State) -> bool:
-    """``hidden behind a van runs out``, ``by two cars parked there``: no clause of its own.
-
-    Args:
-        event: the verb form.
-        state: what the clause reader remembers.
-    """
+    """``hidden behind a van runs out``, ``by two cars parked there``: no clause of its own."""
     noun = _noun_described(event, state)
     by = noun is not None and noun.prep is not None and noun.prep.value == "by"
     if noun is not None and (by or state.candidate_done or state.fronted):

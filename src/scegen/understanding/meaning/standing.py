@@ -24,12 +24,7 @@ _STARTING = frozenset({"accelerate", "leave", "move", "light", "try"})
 
 
 def note_braking(events: list[Event], context: Context) -> None:
-    """``brakes hard; once it stands …``: it does not stand from the start.
-
-    Args:
-        events: of the text, in its order.
-        context: the scenario in the making.
-    """
+    """``brakes hard; once it stands …``: it does not stand from the start."""
     for event in events:
         told = event.finite and not (event.perfect or event.negated or event.modal)
         slows = event.name in _SLOWING and not _stands(event, context)
@@ -186,13 +181,7 @@ def jam(mention: Mention, context: Context) -> None:
 
 
 def state(term: Term, entities: list[Entity], context: Context) -> None:
-    """``a stationary car``, ``a parked van``: in the lane, or beside it.
-
-    Args:
-        term: the word for the state.
-        entities: whom it describes.
-        context: the scenario in the making.
-    """
+    """``a stationary car``, ``a parked van``: in the lane, or beside it."""
     basis = Basis(term.i, term.j)
     if term.value == "stationary":
         entities = _comes_to_rest(entities, basis)

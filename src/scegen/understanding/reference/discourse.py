@@ -213,19 +213,9 @@ class Discourse:
         self._roster.teller, self._roster.apart = kind or ParticipantKind.CAR, apart and bool(kind)
 
     def tells(self, i: int, j: int) -> bool:
-        """Whether words name the one who tells it ("on my side of the road").
-
-        Args:
-            i: index of the first token of the words.
-            j: index after the last one.
-        """
+        """Whether words name the one who tells it ("on my side of the road")."""
         return any(i <= k < j for k in self._own)
 
     def observer(self, i: int, j: int) -> Entity:
-        """``our lane``: whoever tells it takes part.
-
-        Args:
-            i: index of the first token of the words.
-            j: index after the last one.
-        """
+        """``our lane``: whoever tells it takes part."""
         return the_teller(self._roster, ParticipantKind.CAR, Basis(i, j))

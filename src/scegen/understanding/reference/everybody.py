@@ -30,12 +30,7 @@ def deny_of_everybody(events: list[Event]) -> None:
 
 
 def everybody(mention: Mention, draft: Draft) -> list[Entity]:
-    """Of whom "no driver", "no car" or "nobody" is said.
-
-    Args:
-        mention: the subject.
-        draft: the scenario in the making.
-    """
+    """Of whom "no driver", "no car" or "nobody" is said."""
     kinds = [KINDS[h.value] for h in mention.heads if h.value in KINDS]
     movers = [e for e in draft.entities if e.moving_vehicle]
     if not kinds or kinds == [ParticipantKind.CAR]:

@@ -31,13 +31,7 @@ class Group:
 
 
 def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[Entity]:
-    """``parked cars … a driver opens his door``: the driver stands for one of them.
-
-    Args:
-        reading: what the words say.
-        mention: who opens a door.
-        entities: everybody so far.
-    """
+    """``parked cars … a driver opens his door``: the driver stands for one of them."""
     aboard = mention.head is not None and bool(mention.head.data.get("aboard"))
     if not mention.seated or not (reading.driver or aboard):
         return []
@@ -59,13 +53,7 @@ def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
 
 
 def in_list(groups: list[Group], tokens: list[Token], mention: Mention) -> bool:
-    """Whether a colon after a group opens the list in which somebody is named.
-
-    Args:
-        groups: the groups so far.
-        tokens: the tokens of the text.
-        mention: somebody.
-    """
+    """Whether a colon after a group opens the list in which somebody is named."""
     if not groups or groups[-1].vague:
         return False
     said = groups[-1].members[-1].basis.j or 0

@@ -31,13 +31,7 @@ class Known:
     roster: Roster
 
     def find(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """Whom a noun means of those who are known; empty if it is somebody new.
-
-        Args:
-            reading: what its words say.
-            mention: the noun.
-            exclude: participants that it cannot mean.
-        """
+        """Whom a noun means of those who are known; empty if it is somebody new."""
         det = reading.det
         if looker := self._looks_on(reading, mention):
             return looker

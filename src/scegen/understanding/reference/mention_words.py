@@ -35,13 +35,7 @@ class Reading:
 
 
 def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Reading:
-    """What the words of a mention say.
-
-    Args:
-        mention: a mention with a noun.
-        tokens: the tokens of the text.
-        arms: number of arms if its members come "from all directions".
-    """
+    """What the words of a mention say."""
     heads = mention.heads
     kinds: list[ParticipantKind] = [KINDS[h.value] for h in heads if h.value in KINDS]
     words = [tokens[h.j - 1] for h in heads]
@@ -91,22 +85,13 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
 
 
 def states_of(mention: Mention) -> set[str]:
-    """``a van stands there … the stationary van``: in what state it is said to be.
-
-    Args:
-        mention: a mention and what is said of it.
-    """
+    """``a van stands there … the stationary van``: in what state it is said to be."""
     told = {m.value for m in mention.mods if m.cat == "state"}
     return told | ({"stationary"} if mention.stands else set())
 
 
 def mine(mention: Mention, kind: ParticipantKind) -> bool:
-    """``my bike``, ``our old lorry``: whoever tells it drives it.
-
-    Args:
-        mention: a mention with a noun.
-        kind: what the noun names.
-    """
+    """``my bike``, ``our old lorry``: whoever tells it drives it."""
     named = mention.head is not None and mention.head.value in KINDS
     vehicle = named and not mention.is_person and kind not in ON_FOOT  # not "my neighbour"
     return vehicle and mention.opened_by("first_person")
@@ -158,12 +143,7 @@ def _shares_noun(mention: Mention) -> bool:
 
 
 def called(mention: Mention, tokens: list[Token]) -> set[str]:
-    """The nouns of a mention that say more than "vehicle" or "person".
-
-    Args:
-        mention: a mention with nouns.
-        tokens: the tokens of the text.
-    """
+    """The nouns of a mention that say more than "vehicle" or "person"."""
     nouns = {base_words(tokens, head.i, head.j) for head in mention.heads}
     brands = {f"brand:{base_words(tokens, h.i, h.j)}" for h in mention.heads if h.data.get("brand")}
     return (nouns | brands) - word_list("everybody")

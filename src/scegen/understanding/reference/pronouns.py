@@ -30,12 +30,7 @@ class Pronouns:
     roster: Roster
 
     def resolve(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """The participants that a pronoun refers to.
-
-        Args:
-            mention: the pronoun.
-            exclude: participants that it cannot mean.
-        """
+        """The participants that a pronoun refers to."""
         which = mention.pronoun
         basis = Basis(mention.i, mention.j)
         if which == "everybody":
@@ -189,11 +184,7 @@ class Pronouns:
 
 
 def picked(entities: list[Entity]) -> list[Entity]:
-    """Some of several alike, no matter which.
-
-    Args:
-        entities: who stands for them.
-    """
+    """Some of several alike, no matter which."""
     for entity in entities:
         entity.some = True
     return claimed(entities)

@@ -37,12 +37,7 @@ def refers_to_nobody(mention: Mention) -> bool:
 
 
 def kin(reading: Reading, mention: Mention) -> bool:
-    """``her daughter``, ``his two children``: nobody who was called otherwise.
-
-    Args:
-        reading: what the words of the mention say.
-        mention: the mention.
-    """
+    """``her daughter``, ``his two children``: nobody who was called otherwise."""
     people = reading.kind in ON_FOOT and not reading.driver
     return people and mention.opened_by("its")
 
@@ -53,13 +48,7 @@ def tells(mention: Mention) -> bool:
 
 
 def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
-    """``lead car brakes; car on the left``: a bare noun with a place of its own is another one.
-
-    Args:
-        reading: what the words of the mention say.
-        mention: the mention.
-        entity: somebody known.
-    """
+    """``lead car brakes; car on the left``: a bare noun with a place of its own is another one."""
     if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
     if entity.ego and mention.has("verb", "approach"):
@@ -69,12 +58,7 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
 
 
 def refine(mention: Mention, draft: Draft) -> None:
-    """``vehicle 1, a pickup truck, …``: the apposition says what kind it is, or that it is the ego.
-
-    Args:
-        mention: the apposition, resolved.
-        draft: the scenario in the making.
-    """
+    """``vehicle 1, a pickup truck, …``: it says what kind that is, or that it is the ego."""
     if not mention.heads:
         return
     reading = read_mention(mention, draft.tokens, None)

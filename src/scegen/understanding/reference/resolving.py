@@ -142,13 +142,7 @@ def _not_by_itself(event: Event, found: _Bonds) -> None:
 
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
-    """Finds out whom every mention refers to, in the order of the text.
-
-    Args:
-        chunks: the chunks of the text.
-        events: its events.
-        discourse: the participants so far.
-    """
+    """Finds out whom every mention refers to, in the order of the text."""
     describe(chunks, events, discourse.tokens)
     discourse.told_by(teller_goes_by(chunks, events, discourse.tokens), apart=is_apart(chunks))
     mark_generic(chunks, events)
@@ -282,13 +276,7 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
 
 
 def _seen_from_the_ego(mention: Mention, placed: list[Mention], events: list[Event]) -> set[str]:
-    """``I am behind a lorry``, ``the ego follows a car``: that is "the car ahead".
-
-    Args:
-        mention: a noun.
-        placed: who is said to be somewhere, seen from it.
-        events: what is done behind it.
-    """
+    """``I am behind a lorry``, ``the ego follows a car``: that is "the car ahead"."""
     told = [e for e in events if not (e.passive or e.negated)]
     loci = {"ahead" for event in told for who in event.doers if who.ego}
     phrases = [p for m in placed if any(e.ego for e in m.entities) for p in m.pps]

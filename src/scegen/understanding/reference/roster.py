@@ -128,10 +128,6 @@ class Roster:
     def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
         """``the first car``, ``the second truck``: by the order in which they came up.
 
-        Args:
-            reading: what the words of the mention say.
-            mention: the mention.
-
         Returns:
             Whom it means; None if it says nothing of an order.
         """
