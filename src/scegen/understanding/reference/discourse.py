@@ -21,9 +21,9 @@ from scegen.understanding.reference.groups import (
     opened,
     vehicle_around,
 )
-from scegen.understanding.reference.known import Known
+from scegen.understanding.reference.known import known
 from scegen.understanding.reference.mention_words import Reading, mine, read_mention, states_of
-from scegen.understanding.reference.pronouns import Pronouns, picked
+from scegen.understanding.reference.pronouns import of_pronoun, picked
 from scegen.understanding.reference.ranks import with_the_ranked
 from scegen.understanding.reference.reference import (
     is_pronoun,
@@ -54,8 +54,6 @@ class Discourse:
         self._arms = arms
         self._own = [k for k, token in enumerate(tokens) if token.low in {"my", "our"}]
         self._roster = Roster(draft, tokens)
-        self._pronouns = Pronouns(self._roster)
-        self._known = Known(self._roster)
 
     @property
     def entities(self) -> list[Entity]:
@@ -94,10 +92,10 @@ class Discourse:
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if (known := self._of_two(mention) or self._at_the_wheel(mention)) != []:
-            found = known
+        if two := self._of_two(mention) or self._at_the_wheel(mention):
+            found = two
         elif mention.pronoun is not None:
-            found = self._we(mention) or self._pronouns.resolve(mention, exclude)
+            found = self._we(mention) or of_pronoun(self._roster, mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
             one = of_both(reading, loci_of(mention), self._roster)
@@ -189,10 +187,10 @@ class Discourse:
         if kin(reading, mention):
             strangers = [e for e in self.entities if not e.named_by & reading.called]
             exclude = [*exclude, *strangers]  # "a man with his son"
-        known = self._known.find(reading, mention, exclude)
-        if known:
-            self._roster.enrich(known, reading)
-            return known
+        meant = known(self._roster, reading, mention, exclude)
+        if meant:
+            self._roster.enrich(meant, reading)
+            return meant
         reading = replace(reading, count=reading.count - (mention.ranked is not None))
         found = with_the_ranked(mention, self._roster.introduce(reading, basis))
         numbered = mention.mod("num") is not None and not reading.parked
