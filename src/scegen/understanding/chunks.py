@@ -48,6 +48,15 @@ class NounPhrase:
         """Whether its first word is of that value ("def": the article)."""
         return bool(self.mods) and self.mods[0].value == value
 
+    def stands_after(self, *words: str) -> bool:
+        """Whether one of these prepositions governs it."""
+        return self.prep is not None and self.prep.value in words
+
+    @property
+    def is_landmark(self) -> bool:
+        """Whether somebody is said to be ahead of it, beside it and so on."""
+        return self.prep is not None and self.prep.cat == "locus"
+
     @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""

@@ -83,7 +83,7 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = part.whole  # "one of the two cars ahead": both are
     head = _head_of(prep, state)
     whom = prep.on_mention
-    if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
+    if whom is not None and whom.is_landmark and prep.value == "from" and state.events:
         # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
         # side of its own: "turns in front of a car from the left"
         own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
@@ -119,7 +119,7 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
         return lane or (verb.passive and place.kind == "side")
     if prep.who is None or prep.who.pronoun is None or prep.word.cat != "locus":
         return False
-    if whom.prep is not None and whom.prep.value == "of":
+    if whom.stands_after("of"):
         return True
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     return followed and verb is not None and verb.name == "follow" and prep.value == "behind"
@@ -127,11 +127,6 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
 
 def _from_a_side(prep: Prep) -> bool:
     return prep.place is not None and prep.place.kind in {"side", "direction"}
-
-
-def _landmark(mention: Mention) -> bool:
-    """Whether a noun only says where something is."""
-    return mention.prep is not None and mention.prep.cat == "locus"
 
 
 def _head_of(prep: Prep, state: State) -> Mention | None:

@@ -47,6 +47,6 @@ def _lane_beside(lane: Place, side: Place, state: State) -> bool:
     verb = state.at(-3)  # "enters the lane to the left"
     gone_to = isinstance(verb, Event) and verb.name != "leave"
     there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
-    there = there and side.prep is not None and side.prep.value in _ASIDE
+    there = there and side.stands_after(*_ASIDE)
     there = there and lane.owner is None and not lane.has("possessive")
     return owned or there or side.has("possessive")

@@ -30,7 +30,7 @@ def told_beside(state: State, *words: str) -> Mention | None:
     """
     since = state.events[-1].i if state.events else 0
     named = (m for m in state.mentions if m.i > since)
-    return next((m for m in named if m.prep is not None and m.prep.value in words), None)
+    return next((m for m in named if m.stands_after(*words)), None)
 
 
 def coordinate(event: Event, state: State) -> None:

@@ -112,7 +112,7 @@ def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
         return
     depend(event, parent, "inf")
     event.negated = parent.negated and parent.control == "subject"
-    if isinstance(anchor, Mention) and anchor.prep is not None and anchor.prep.value == "for":
+    if isinstance(anchor, Mention) and anchor.stands_after("for"):
         event.subject = chain(anchor)
     elif parent.control == "object" and isinstance(parent.object, Mention):
         event.subject = chain(parent.object)

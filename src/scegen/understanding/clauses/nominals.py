@@ -30,7 +30,7 @@ def read_mention(mention: Mention, state: State) -> None:
     if _emphasises(mention, state) or _measured_aside(mention, state):
         return
     state.mentions.append(mention)
-    within = state.prep is not None and state.prep.value == "of"
+    within = state.awaits("of")
     state.topic = state.topic if within else None  # "the view of the road is blocked"
     if mention.possessor:
         return
@@ -190,7 +190,7 @@ def _owns_place(mention: Mention, state: State) -> bool:
     if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
         return False
     place.owner = mention
-    beside = place.prep is not None and place.prep.value in {"in", "to"}
+    beside = place.stands_after("in", "to")
     mention.aside = place.kind == "side" and beside
     return True
 

@@ -87,6 +87,10 @@ class State:
         """The candidate, as long as it has no verb of its own."""
         return self.candidate if not self.candidate_done else None
 
+    def awaits(self, *words: str) -> bool:
+        """Whether one of these prepositions waits for its target."""
+        return self.prep is not None and self.prep.value in words
+
     def stand_at(self, phrase: Mention | NounPhrase | Event) -> None:
         """A phrase becomes the anchor; no words have come since."""
         self.anchor, self.between, self.last_pp = phrase, set(), None

@@ -44,7 +44,7 @@ def _link(event: Event, state: State) -> None:
         nominal(event, state)
         return
     helped = auxiliary(state)
-    if state.prep is not None and state.prep.value == "to" and event.form == "base":
+    if state.awaits("to") and event.form == "base":
         infinitive(event, state)
     elif (let := granting(event, state)) is not None:
         infinitive(event, state, let)
@@ -161,11 +161,7 @@ def _antecedent(state: State) -> Mention:
     In "the car ahead of us, which" it is the car.
     """
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
-    return next((m for m in nouns if not (_landmark(m) or m.aside)), nouns[0])
-
-
-def _landmark(mention: Mention) -> bool:
-    return _told(mention) and mention.prep is not None and mention.prep.cat == "locus"
+    return next((m for m in nouns if not ((_told(m) and m.is_landmark) or m.aside)), nouns[0])
 
 
 def _told(mention: Mention) -> bool:
@@ -232,8 +228,7 @@ def _noun_described(event: Event, state: State) -> Mention | None:
 def only_describes(event: Event, state: State) -> bool:
     """``hidden behind a van runs out``, ``by two cars parked there``: no clause of its own."""
     noun = _noun_described(event, state)
-    by = noun is not None and noun.prep is not None and noun.prep.value == "by"
-    if noun is not None and (by or state.candidate_done or state.fronted):
+    if noun and (noun.stands_after("by") or state.candidate_done or state.fronted):
         return True
     described = state.anchor is state.candidate or noun is not None
     return described and main_verb_follows(state.chunks, state.k)
@@ -245,16 +240,16 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         return
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
-    last = state.last
+    last, told = state.last, _told(anchor)
     done_to = last if last is not None and last.object is anchor else None
     if done_to is not None and done_to.name in {"cause", "prevent"}:
         depend(event, done_to, "ing")
-    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.is_mass
+    within = anchor.stands_after("in") and anchor.is_mass
     if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
-    elif _landmark(anchor) and not event.finite and state.candidate is not None:
+    elif told and anchor.is_landmark and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
-    elif done_to is not None and done_to.name not in _SHOWN and _told(anchor) and not event.finite:
+    elif done_to is not None and done_to.name not in _SHOWN and told and not event.finite:
         event.subject = done_to.subject  # "nearly hit me coming from the right"
     else:
         event.subject = chain(anchor)

@@ -30,7 +30,7 @@ def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
     chased = draft.tokens[max(thing.i - 1, 0)].low == "after"
     none = any((m.cat, m.value) == ("det", "negative") for m in thing.mods)
-    none = none or (thing.prep is not None and thing.prep.value == "without")
+    none = none or (thing.stands_after("without"))
     if none or chased or _bursts(thing, draft):
         return  # "no obstruction"; "a child runs after a ball": where it goes, not where it lies
     lost = possessed and _comes_off(thing, draft)
@@ -84,7 +84,7 @@ def _comes_off(thing: Thing, draft: Draft) -> bool:
 def _carried(thing: Thing, k: int, chunks: list[Chunk]) -> bool:
     """Whether it is with somebody on foot."""
     who = chunk_at(chunks, k - 2)
-    along = thing.prep is not None and thing.prep.value == "with"
+    along = thing.stands_after("with")
     if along and thing.head is not None and "part" in thing.head.data:
         return True  # "parked with a flat tyre"
     return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
@@ -93,5 +93,4 @@ def _carried(thing: Thing, k: int, chunks: list[Chunk]) -> bool:
 def _owing_to(k: int, chunks: list[Chunk]) -> list[Entity]:
     """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
     who = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Mention)), None)
-    causal = who is not None and who.prep is not None and who.prep.value in {"due", "by"}
-    return who.entities if who is not None and causal else []
+    return who.entities if who is not None and who.stands_after("due", "by") else []

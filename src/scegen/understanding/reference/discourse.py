@@ -142,10 +142,10 @@ class Discourse:
 
     def _their_own_queue(self, mention: Mention) -> bool:
         """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
-        within = mention.prep is not None and mention.prep.value == "in"
-        end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
         several = max(len(self._roster.subject), len(self.entities)) > 1
-        return mention.is_mass and ((within and several) or end)
+        within = mention.stands_after("in") and several
+        end = mention.stands_after("of") and bool(self._roster.groups)
+        return mention.is_mass and (within or end)
 
     def _a_measure(self, mention: Mention) -> bool:
         """``and one of 12 m/s``."""
@@ -178,17 +178,14 @@ class Discourse:
         of_whom = next((p.who for p in mention.pps if p.value == "of"), None)
         if reading.driver and of_whom is not None:
             return self.resolve(of_whom, subject=False, exclude=[])
-        parked = opened(reading, mention, self.entities)
-        if parked:
+        if parked := opened(reading, mention, self.entities):
             return parked
-        inside = vehicle_around(reading, mention)
-        if inside is not None:
+        if (inside := vehicle_around(reading, mention)) is not None:
             return self.resolve(inside, subject=False, exclude=[])
         if kin(reading, mention):
             strangers = [e for e in self.entities if not e.named_by & reading.called]
             exclude = [*exclude, *strangers]  # "a man with his son"
-        meant = known(self._roster, reading, mention, exclude)
-        if meant:
+        if meant := known(self._roster, reading, mention, exclude):
             self._roster.enrich(meant, reading)
             return meant
         reading = replace(reading, count=reading.count - (mention.ranked is not None))

@@ -126,7 +126,7 @@ def _member(
     roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
 ) -> list[Entity]:
     """``including one vehicle``, and any single one where only "traffic" was named."""
-    within = mention.prep is not None and mention.prep.value == "with"
+    within = mention.stands_after("with")
     for group in reversed(roster.groups):
         if not (within or group.vague or reading.det == "one"):
             continue
