@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Prep
 from scegen.understanding.frames import acts
 
 _SEVERAL = frozenset({"both", "all", "they"})
@@ -13,9 +13,8 @@ def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
     """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no own side."""
     for event in events:
         coming = (event.lemma, event.form) == ("come", "ing") and not event.finite
-        if not (coming and any(map(_from_a_side, event.pps))):
-            continue
-        if not event.subject or not all(m.is_ego for m in event.subject):
+        ego = bool(event.subject) and all(m.is_ego for m in event.subject)
+        if not (coming and ego and any(map(_from_a_side, event.pps))):
             continue
         named = [c for c in chunks if isinstance(c, Mention) and c.i < event.i and c.heads]
         others = [m for m in named if m.i > event.subject[0].i and not (m.is_ego or m.possessor)]
@@ -33,5 +32,5 @@ def named_again(events: list[Event]) -> None:
 
 
 def _from_a_side(prep: Prep) -> bool:
-    place = prep.target
-    return prep.value == "from" and isinstance(place, Place) and bool(_SIDES & {*place.dirs})
+    sided = prep.place is not None and bool(_SIDES & {*prep.place.dirs})
+    return sided and prep.value == "from"

@@ -68,14 +68,13 @@ def _lights(clauses: list[Clause], chunks: list[Chunk], context: Context) -> Ite
         told = [c for c in clauses if any(p is place for p in c.places())]
         change = next((c for c in told if _changes(c)), None)
         faced = [e for c in told if c.event.name == "encounter" for e in c.actors]
+        whose = _for(chunks, k, context) or _owner(place)
         if change is not None:
-            whose = change.actors or _for(chunks, k, context) or _owner(place)
-            yield _Light(place, colour, whose, change)
+            yield _Light(place, colour, change.actors or whose, change)
         elif faced and colour is AtLight.RED:
             yield _Light(place, colour, faced, None)
         elif not any(c.actors for c in told):
-            whose = _for(chunks, k, context) or _owner(place) or _before(chunks[:k])
-            yield _Light(place, colour, whose, None)
+            yield _Light(place, colour, whose or _before(chunks[:k]), None)
 
 
 def _colour(thing: object, context: Context) -> AtLight | None:

@@ -90,10 +90,9 @@ class Manners:
         travels = event.name in _TRAVEL
         for term in event.mods:
             if term.cat == "quantity":
-                after = any(
-                    p.value == "ahead" and p.target is not None and p.target.j + 1 == term.i
-                    for p in event.pps
-                )  # "runs across in front of the ego at 50 km/h"
+                ahead_of = [p.target for p in event.pps if p.value == "ahead"]
+                # "runs across in front of the ego at 50 km/h"
+                after = any(t is not None and t.j + 1 == term.i for t in ahead_of)
                 self._quantity(term, clause.actors, event.name, others=after)
             elif term.cat == "compass":
                 placing.heading(term, clause.actors)

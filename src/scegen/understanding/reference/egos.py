@@ -42,13 +42,12 @@ def the_teller(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
         kind: what it drives, if it is new and does not say itself what it goes by.
         basis: the words for it.
     """
-    if not roster.apart:
-        ego = the_ego(roster, kind, basis)
-        ego.named_by.add("speaks")
-        return ego
-    known = next((e for e in roster.entities if "speaks" in e.named_by), None)
-    teller = known or roster.new(roster.teller, basis)
-    teller.claimed = True
+    if roster.apart:
+        known = next((e for e in roster.entities if "speaks" in e.named_by), None)
+        teller = known or roster.new(roster.teller, basis)
+        teller.claimed = True
+    else:
+        teller = the_ego(roster, kind, basis)
     teller.named_by.add("speaks")
     return teller
 
@@ -60,14 +59,10 @@ def last_is_ego(roster: Roster, mention: Mention) -> None:
     for group in reversed(roster.groups):
         counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
         counted = counted or _of_two(roster, group, mention)
-        listed = (
-            group is roster.groups[-1]
-            and bool(group.free)
-            and in_list(roster.groups, roster.tokens, mention)
-        )
-        last = group.free[0] if counted or listed else None
-        if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
-            _take(last)
+        listed = group is roster.groups[-1] and in_list(roster.groups, roster.tokens, mention)
+        for last in group.free[:1] if counted or listed else []:
+            if last.kind is ParticipantKind.CAR and not last.parked:
+                _take(last)
 
 
 def ego_by_order(roster: Roster, mention: Mention) -> None:
@@ -115,9 +110,8 @@ def of_both(reading: Reading, loci: set[str], roster: Roster) -> list[Entity]:
         if not group.both or (ego is not None and ego not in group.members):
             continue
         if len(taken) == 1 and ego is None and not any("adversary" in e.labels for e in taken):
-            return (
-                [_take(left[0])] if reading.ego else claimed(left)
-            )  # "the follower hits the leader": of both, the one who is left
+            # "the follower hits the leader": of both, the one who is left
+            return [_take(left[0])] if reading.ego else claimed(left)
         if taken:
             continue
         own = ego or group.members[0]

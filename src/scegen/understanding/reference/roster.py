@@ -92,11 +92,10 @@ class Roster:
 
     def further(self, exclude: list[Entity], basis: Basis) -> list[Entity]:
         """``another``, ``a third one``: of a group that is being picked apart, else a new one."""
-        if any(group.vague or len(group.free) < len(group.members) for group in self.groups):
-            claimed = self.claim(1, exclude)
-            if claimed:
-                return claimed
-        afoot = len(self.subject) == 1 and self.subject[0] is self.draft.entities[-1]
+        apart = any(group.vague or len(group.free) < len(group.members) for group in self.groups)
+        if apart and (free := self.claim(1, exclude)):
+            return free
+        afoot = len(self.subject) == 1 and self.subject[0] is self.entities[-1]
         alike = [e.kind for e in self.recent if e.is_vehicle or (afoot and e in self.subject)]
         return [self.new((alike or [ParticipantKind.CAR])[-1], basis)]
 
@@ -118,8 +117,8 @@ class Roster:
             listed = in_list(self.groups, self.tokens, mention)
         if not listed or reading.generic:
             return []
-        vague = [g for g in self.groups if not g.specific]
-        found = _pick(reading.count, vague, lambda e: e.kind is ParticipantKind.CAR)
+        of_any_kind = [g for g in self.groups if not g.specific]
+        found = _pick(reading.count, of_any_kind, lambda e: e.kind is ParticipantKind.CAR)
         for entity in found:
             entity.kind = reading.kind
             entity.basis, entity.counted = Basis(mention.i, mention.j), None
@@ -137,7 +136,7 @@ class Roster:
             which = which or "first"  # "three cars in a platoon; the leader brakes"
         if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
             return None
-        if mention.mods[0].value != "def":
+        if not mention.opened_by("def"):
             return None
         for group in reversed(self.groups):
             alike = [e for e in group.members if leads or self.compatible(e, reading)]
@@ -185,7 +184,7 @@ class Roster:
             reading: what the words say.
             loci: where these words put it, as the ego sees it.
         """
-        named = any("adversary" in e.labels for e in self.draft.entities)
+        named = any("adversary" in e.labels for e in self.entities)
         if named or reading.plural or reading.labels != {"adversary"}:
             return []
         others = [e for e in self.entities if not (e.ego or e.parked)]
