@@ -282,6 +282,10 @@ class Prep:
         """The place that it governs, if it is one."""
         return self.target if isinstance(self.target, Place) else None
 
+    def names(self, *kinds: str) -> bool:
+        """Whether it governs a place of one of these kinds."""
+        return self.place is not None and self.place.kind in kinds
+
     @property
     def who(self) -> Mention | None:
         """Those whom it governs, if it is somebody."""

@@ -66,9 +66,13 @@ def release(state: State) -> None:
 
 def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     """``on a road with two lanes in each direction, a car …``: so many lanes, nobody is there."""
-    way, lanes = prep.place, before.place if before is not None else None
-    each = way is not None and way.kind == "direction"
-    return each and lanes is not None and lanes.kind == "lane" and lanes.j == prep.word.i
+    lanes = before.place if before is not None else None
+    return (
+        prep.names("direction")
+        and lanes is not None
+        and lanes.kind == "lane"
+        and lanes.j == prep.word.i
+    )
 
 
 def attach(prep: Prep, state: State) -> None:
@@ -126,7 +130,7 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
 
 
 def _from_a_side(prep: Prep) -> bool:
-    return prep.place is not None and prep.place.kind in {"side", "direction"}
+    return prep.names("side", "direction")
 
 
 def _head_of(prep: Prep, state: State) -> Mention | None:
@@ -137,8 +141,7 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
     ego = inner.is_ego or is_it(inner)
     if lane.kind != "lane" and not (ego and lane.kind == "side"):
         return None
-    placed = [p.place for p in verb.pps] if verb is not None else []
-    if any(p is not None and p.kind == "lane" for p in placed):
+    if verb is not None and any(p.names("lane") for p in verb.pps):
         return None  # "stands in the left lane 30 m ahead of the ego in the middle lane"
     if (head := _placed_by(inner, state)) is not None:
         return head

@@ -8,6 +8,8 @@ from scegen.understanding.clauses.state import State
 
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
 """What one does who comes up to others."""
+_SHAPES = {"base": "inf", "ing": "ing"}
+"""What a verb is without an auxiliary, by its form; any other is finite."""
 
 
 def auxiliary(state: State) -> bool:
@@ -35,8 +37,8 @@ def told_beside(state: State, *words: str) -> Mention | None:
 
 def coordinate(event: Event, state: State) -> None:
     """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
-    bare = {"base": "inf", "ing": "ing"}
-    wanted = bare.get(event.form, "finite") if not auxiliary(state) else "finite"
+    helped = auxiliary(state)
+    wanted = "finite" if helped else _SHAPES.get(event.form, "finite")
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
     main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
     if "," in state.between and main:
@@ -57,9 +59,7 @@ def coordinate(event: Event, state: State) -> None:
     if parallel is None:
         parallel = next((e for e in reversed(verbs) if e.finite), None)
     who = state.waiting
-    if who is not None and (
-        parallel is None or (parallel.i < who.i and event.finite and auxiliary(state))
-    ):
+    if who is not None and (parallel is None or (parallel.i < who.i and event.finite and helped)):
         event.subject = chain(who)  # "… while the ego has green and goes straight"
         return
     goes_on = wanted == "ing" or (wanted == "finite" and not state.dependent)

@@ -33,14 +33,9 @@ def as_the_ego_sees(mention: Mention) -> bool:
 
 def own_lane(event: Event, prep: Prep) -> bool:
     """``the ego follows a van in the right lane``: that is the ego's lane, too."""
-    lane = prep.place is not None and prep.place.kind == "lane" and prep.value == "in"
+    lane = prep.names("lane") and prep.value == "in"
     ego = any(e.ego for e in event.doers)
     return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
-
-
-def is_side(prep: Prep) -> bool:
-    """Whether a phrase names a side."""
-    return prep.place is not None and prep.place.kind == "side"
 
 
 def from_the_wrong_lane(prep: Prep, event: Event | None) -> bool:

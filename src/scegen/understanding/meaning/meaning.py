@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
-from scegen.understanding.clauses import located
+from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing, rows, standing
@@ -76,20 +76,7 @@ class Interpreter:
         Returns:
             What happens, in the order of the text.
         """
-        self._of_verbs = {
-            id(p)
-            for e in events
-            for p in e.pps
-            if (_from_behind(p) and (_goes_into(e, p.on_mention) or _is_hit(e, p.on_mention)))
-            or (
-                p.on_mention is e.object
-                and (
-                    _starts(e, p)
-                    or (e.name in _BESIDE and located.is_side(p) and not _met_there(p))
-                    or located.own_lane(e, p)
-                )
-            )
-        }
+        self._of_verbs = {id(p) for e in events for p in e.pps if _is_of_the_verb(p, e)}
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
@@ -146,10 +133,10 @@ class Interpreter:
         placing.adjectives(mention, self._context)
         clause = clause_of_noun(mention)
         say("nouns.noun", clause, self._context)
-        sides = [p for p in mention.pps if p.value in {"from", "in"} and located.is_side(p)]
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
         for prep in mention.pps:
             if id(prep) in self._of_verbs:
-                continue  # "approaches the ego from the left": not the ego comes from there
+                continue
             if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
                 self._spread(prep, mention.entities)
                 continue
@@ -214,6 +201,16 @@ class Interpreter:
                 entity.entries, entity.entry_basis = {number % arms}, basis
             elif number < len(_PAIR):
                 self._draft.place(entity, None, {_PAIR[number]}, basis)
+
+
+def _is_of_the_verb(prep: Prep, event: Event) -> bool:
+    """``approaches the ego from the left``: not the ego comes from there."""
+    who = prep.on_mention
+    if _from_behind(prep) and (_goes_into(event, who) or _is_hit(event, who)):
+        return True
+    beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
+    of_verb = beside or _starts(event, prep) or own_lane(event, prep)
+    return who is event.object and of_verb
 
 
 def _met_there(prep: Prep) -> bool:

@@ -42,7 +42,7 @@ def is_somebody(mention: Mention) -> bool:
 
 def _on_a_side(event: Event) -> None:
     """``on the traffic side``: the side of the vehicle, not of the road."""
-    on = [p for p in event.pps if p.place is not None and p.place.kind == "side"]
+    on = [p for p in event.pps if p.names("side")]
     for who in event.subject:
         of_body = [p for p in who.pps if p.place is not None and _of_body(p.place)]
         who.pps = [p for p in who.pps if p not in of_body]
