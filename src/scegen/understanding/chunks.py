@@ -78,6 +78,19 @@ class NounPhrase:
         """``its lane``: whether a word before the head says that it is somebody's."""
         return self.mod("possessive") is not None
 
+    def opened_by(self, value: str) -> bool:
+        """Whether its first word is of that value ("def": the article)."""
+        return bool(self.mods) and self.mods[0].value == value
+
+    def stands_after(self, *words: str) -> bool:
+        """Whether one of these prepositions governs it."""
+        return self.prep is not None and self.prep.value in words
+
+    @property
+    def is_landmark(self) -> bool:
+        """Whether somebody is said to be ahead of it, beside it and so on."""
+        return self.prep is not None and self.prep.cat == "locus"
+
     @property
     def dirs(self) -> list[str]:
         """Directions named before the head."""
@@ -104,7 +117,6 @@ class Mention(NounPhrase):
         listed: one of those who were counted before ("two cars, a taxi and a van").
         whole: the set that it is a part of.
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
-        landmark: others are placed by it ("behind it there is a van").
         aside: somebody is on one side of it ("on the right of the ego").
         elsewhere: it comes from another road ("a van from a side road").
         besides: it does something to "it", so that it is somebody else.
@@ -133,7 +145,6 @@ class Mention(NounPhrase):
     listed: bool = False
     whole: Mention | None = None
     ranked: tuple[Mention, int] | None = None
-    landmark: bool = False
     aside: bool = False
     elsewhere: bool = False
     narrowed: bool = False
@@ -149,6 +160,26 @@ class Mention(NounPhrase):
     def is_ego(self) -> bool:
         """Whether it names the vehicle under test."""
         return any(h.data.get("ego") for h in self.heads)
+
+    @property
+    def is_named(self) -> bool:
+        """Whether it has a name of its own ("vehicle 1")."""
+        return self.label is not None and self.label.startswith("#")
+
+    @property
+    def is_me(self) -> bool:
+        """Whether it is "me" or "us"."""
+        return any("me" in h.data for h in self.heads)
+
+    @property
+    def is_mass(self) -> bool:
+        """Whether it names many as one ("traffic", "a jam")."""
+        return self.head is not None and "mass" in self.head.data
+
+    @property
+    def is_person(self) -> bool:
+        """Whether it names somebody by a word for people on foot."""
+        return self.head is not None and self.head.value == "pedestrian"
 
 
 @dataclass(slots=True, eq=False)
@@ -218,7 +249,6 @@ class Event:
     perfect: bool = False
     modal: bool = False
     late: bool = False
-    purpose: bool = False
     mods: list[Term] = field(default_factory=list)
     subject: list[Mention] = field(default_factory=list)
     object: NounPhrase | None = None
@@ -258,6 +288,11 @@ class Event:
                 yield node
                 node = node.parent
 
+    @property
+    def doers(self) -> list[Any]:
+        """The participants that its subject refers to."""
+        return [e for m in self.subject for e in m.entities]
+
     def how(self, *values: str) -> Term | None:
         """The first word of manner with one of these values, here or on the verbs above."""
         for event in self.upwards():
@@ -292,6 +327,20 @@ class Prep:
     def value(self) -> str:
         """Which preposition."""
         return self.word.value
+
+    @property
+    def place(self) -> Place | None:
+        """The place that it governs, if it is one."""
+        return self.target if isinstance(self.target, Place) else None
+
+    def names(self, *kinds: str) -> bool:
+        """Whether it governs a place of one of these kinds."""
+        return self.place is not None and self.place.kind in kinds
+
+    @property
+    def who(self) -> Mention | None:
+        """Those whom it governs, if it is somebody."""
+        return self.target if isinstance(self.target, Mention) else None
 
 
 Chunk: TypeAlias = Word | Mention | Place | Thing | Event

@@ -6,7 +6,6 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Thing
-from scegen.understanding.clauses.bearing import is_side
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
@@ -147,7 +146,7 @@ def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     for told in reversed(before):
         if told.event.negated or told.actors == clause.actors:
             continue
-        from_side = any(p.value == "from" and is_side(p) for p in told.event.pps)
+        from_side = any(p.value == "from" and p.names("side") for p in told.event.pps)
         others = [e for e in told.actors if e not in clause.actors]
         meets = [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
         return meets or [e for e in others if "opposite" in e.dirs]

@@ -64,7 +64,7 @@ def undone(
 
 def _told(event: Event, tokens: list[Token]) -> bool:
     """Whether it is told to happen, by a verb of its own: not wished, feared or denied."""
-    if event.nominal or event.negated or event.unable or event.purpose or event.premod_of:
+    if event.nominal or event.negated or event.unable or event.premod_of:
         return False
     words = base_words(tokens, event.i, event.j)
     if event.name == "leave" and words not in word_list("setting_off"):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Prep
 from scegen.understanding.frames import acts
 
 _SEVERAL = frozenset({"both", "all", "they"})
@@ -10,17 +10,11 @@ _SIDES = frozenset({"left", "right"})
 
 
 def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
-    """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no side of its own.
-
-    Args:
-        chunks: of the text.
-        events: of the text, in its order.
-    """
+    """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no own side."""
     for event in events:
         coming = (event.lemma, event.form) == ("come", "ing") and not event.finite
-        if not (coming and any(map(_from_a_side, event.pps))):
-            continue
-        if not event.subject or not all(m.is_ego for m in event.subject):
+        ego = bool(event.subject) and all(m.is_ego for m in event.subject)
+        if not (coming and ego and any(map(_from_a_side, event.pps))):
             continue
         named = [c for c in chunks if isinstance(c, Mention) and c.i < event.i and c.heads]
         others = [m for m in named if m.i > event.subject[0].i and not (m.is_ego or m.possessor)]
@@ -28,11 +22,7 @@ def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
 
 
 def named_again(events: list[Event]) -> None:
-    """``… as the lane change begins``: of those who change lanes, not of who acts there.
-
-    Args:
-        events: of the text, in its order.
-    """
+    """``… as the lane change begins``: of those who change lanes, not of who acts there."""
     for event in events:
         known = any((m.cat, m.value) == ("det", "def") for m in event.mods)
         if event.nominal and known and any(m.pronoun in _SEVERAL for m in event.subject):
@@ -42,5 +32,5 @@ def named_again(events: list[Event]) -> None:
 
 
 def _from_a_side(prep: Prep) -> bool:
-    place = prep.target
-    return prep.value == "from" and isinstance(place, Place) and bool(_SIDES & {*place.dirs})
+    sided = prep.place is not None and bool(_SIDES & {*prep.place.dirs})
+    return sided and prep.value == "from"

@@ -12,8 +12,9 @@ from scegen.understanding.chunks import (
     Thing,
     Word,
 )
+from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import GOVERNING
+from scegen.understanding.phrases.lookahead import GOVERNING, chunk_at, is_word, value_at
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
 _ROADS = frozenset({"leg", "road"})
@@ -25,42 +26,32 @@ _PASSING = frozenset({"overtake", "pass", "undertake"})
 _INSERTED = 7
 
 
-def preposition(word: Word, k: int, chunks: list[Chunk], state: State) -> None:
-    """Opens a phrase; what it governs comes next.
-
-    Args:
-        word: the preposition.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
-        state: what the clause reader remembers.
-    """
-    outer = state.prep.value if state.prep is not None else None
-    fronted = state.prep is not None and state.prep.fronted
-    closed = state.prep is not None and (word.cat != "locus" or state.prep.word.cat == "locus")
-    if closed:
+def preposition(word: Word, state: State) -> None:
+    """Opens a phrase; what it governs comes next."""
+    before = state.prep
+    if before is not None and (word.cat != "locus" or before.word.cat == "locus"):
         release(state)
-        outer = None
-    anchor = state.anchor
-    near = anchor if isinstance(anchor, Mention) and not state.between else None
-    if near is not None and _bare(near) and word.value == "in":
-        near = None
-    near = (_whose_place(near, state) or near) if near is not None else None
-    if state.last_pp is not None and not state.between:
-        near = _whose_place(state.last_pp, state) or state.last_pp
-    state.prep = Prep(word, None, outer, near)
-    state.prep.fronted = fronted or _opens_clause(k, chunks, state)
+    outer = state.prep.value if state.prep is not None else None
+    fronted = (before is not None and before.fronted) or _opens_clause(state)
+    state.prep = Prep(word, None, outer, _noun_before(word, state), fronted)
 
 
-def _bare(mention: Mention) -> bool:
-    """``passes it in the left lane``: where it is done; a pronoun is described no further."""
-    return mention.pronoun in {"it", "him"} and not mention.mods
+def _noun_before(word: Word, state: State) -> Mention | None:
+    """The noun right before a preposition, or whom that one places if it is known already."""
+    near = state.last_pp or state.anchor
+    if state.between or not isinstance(near, Mention):
+        return None
+    if near is not state.last_pp and is_it(near) and not near.mods and word.value == "in":
+        return None  # "passes it in the left lane": where it is done
+    told = near.pronoun is not None or near.is_me
+    placed = _placed_by(near, state) if told else None
+    return placed or near  # "my friend in front of me on his moped": the friend is on it, not I
 
 
-def _whose_place(target: Mention, state: State) -> Mention | None:
-    """``my friend in front of me on his moped``: the friend is on it, not I."""
-    told = target.pronoun is not None or any("me" in h.data for h in target.heads)
-    for mention in reversed(state.mentions) if told else []:
-        if any(p.target is target and p.word.cat == "locus" for p in mention.pps):
+def _placed_by(landmark: Mention, state: State) -> Mention | None:
+    """The noun that is said to be behind, beside, … another one."""
+    for mention in reversed(state.mentions):
+        if any(p.target is landmark and p.word.cat == "locus" for p in mention.pps):
             return mention
     return None
 
@@ -75,18 +66,17 @@ def release(state: State) -> None:
 
 def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     """``on a road with two lanes in each direction, a car …``: so many lanes, nobody is there."""
-    way, lanes = prep.target, before.target if before is not None else None
-    each = isinstance(way, Place) and way.kind == "direction"
-    return each and isinstance(lanes, Place) and lanes.kind == "lane" and lanes.j == prep.word.i
+    lanes = before.place if before is not None else None
+    return (
+        prep.names("direction")
+        and lanes is not None
+        and lanes.kind == "lane"
+        and lanes.j == prep.word.i
+    )
 
 
 def attach(prep: Prep, state: State) -> None:
-    """Gives a phrase to who follows it, to the noun right before it, to the verb, or to who acts.
-
-    Args:
-        prep: the phrase, complete.
-        state: what the clause reader remembers.
-    """
+    """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
     before, state.last_prep = state.last_prep, prep
     if prep.fronted:
         if not _counts_lanes(prep, before):
@@ -97,7 +87,7 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = part.whole  # "one of the two cars ahead": both are
     head = _head_of(prep, state)
     whom = prep.on_mention
-    if whom is not None and _landmark(whom) and prep.value == "from" and state.events:
+    if whom is not None and whom.is_landmark and prep.value == "from" and state.events:
         # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
         # side of its own: "turns in front of a car from the left"
         own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
@@ -109,9 +99,7 @@ def attach(prep: Prep, state: State) -> None:
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
     described = _described(prep, state)
-    if described is not None and _of_who_acts(prep, described, state):
-        described = None
-    if described is not None:
+    if described is not None and not _of_who_acts(prep, described, state):
         described.pps.append(prep)
         prep.predicate = "aux:be" in state.between and "rel" not in state.between
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
@@ -126,64 +114,51 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     "In the lane of the ego ahead of it", "follows a van, 20 m behind it", "is overtaken by a van
     on the left".
     """
-    verb, target = state.last, prep.target
-    if isinstance(target, Place):
-        passed = verb is not None and verb.name in _PASSING and prep.value == "in"
-        side = verb is not None and verb.passive and target.kind == "side"
+    verb, place = state.last, prep.place
+    if place is not None:
+        if verb is None or verb.name not in _PASSING or prep.value != "in":
+            return False
         # "passes a truck in the left lane"; who is in the right lane is passed
-        lane = verb is not None and verb.object is whom and target.kind == "lane"
-        return passed and (side or (lane and "left" in target.dirs))
-    if not isinstance(target, Mention) or target.pronoun is None or prep.word.cat != "locus":
+        lane = verb.object is whom and place.kind == "lane" and "left" in place.dirs
+        return lane or (verb.passive and place.kind == "side")
+    if prep.who is None or prep.who.pronoun is None or prep.word.cat != "locus":
         return False
-    if whom.prep is not None and whom.prep.value == "of":
+    if whom.stands_after("of"):
         return True
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     return followed and verb is not None and verb.name == "follow" and prep.value == "behind"
 
 
 def _from_a_side(prep: Prep) -> bool:
-    place = prep.target
-    return isinstance(place, Place) and place.kind in {"side", "direction"}
-
-
-def _landmark(mention: Mention) -> bool:
-    """Whether a noun only says where something is."""
-    return mention.prep is not None and mention.prep.cat == "locus"
+    return prep.names("side", "direction")
 
 
 def _head_of(prep: Prep, state: State) -> Mention | None:
     """``the car behind the lead vehicle in the next lane``: the car is in that lane."""
-    inner, lane = prep.on_mention, prep.target
-    if inner is None or not isinstance(lane, Place):
+    inner, lane, verb = prep.on_mention, prep.place, state.last
+    if inner is None or lane is None:
         return None
-    ego = inner.is_ego or inner.pronoun in {"it", "him"}
+    ego = inner.is_ego or is_it(inner)
     if lane.kind != "lane" and not (ego and lane.kind == "side"):
         return None
-    placed = [p.target for e in state.events[-1:] for p in e.pps]
-    if any(isinstance(t, Place) and t.kind == "lane" for t in placed):
+    if verb is not None and any(p.names("lane") for p in verb.pps):
         return None  # "stands in the left lane 30 m ahead of the ego in the middle lane"
-    for mention in state.mentions:
-        if any(p.target is inner and p.word.cat == "locus" for p in mention.pps):
-            return mention
-    towards = state.events[-1] if ego and state.events else None
-    met = towards is not None and towards.name == "approach" and towards.object is inner
-    to = towards is not None and any(p.target is inner for p in towards.pps)
-    if towards is not None and (met or to) and towards.subject:
-        return towards.subject[-1]
-    return None
+    if (head := _placed_by(inner, state)) is not None:
+        return head
+    if verb is None or not ego or not verb.subject:
+        return None
+    met = verb.name == "approach" and verb.object is inner
+    return verb.subject[-1] if met or any(p.target is inner for p in verb.pps) else None
 
 
 def _described(prep: Prep, state: State) -> Mention | None:
     """``a van that is behind the ego``, ``and the van is on the left``: no verb but "is"."""
-    if prep.on_mention is not None or not ("aux:be" in state.between or _aside(prep, state)):
-        return None
     anchor = state.anchor
-    if not isinstance(anchor, Mention):
+    if prep.on_mention is not None or not isinstance(anchor, Mention):
         return None
     if "aux:be" not in state.between:
-        return anchor
-    waiting = anchor is state.waiting
-    return anchor if waiting or "rel" in state.between else None
+        return anchor if _aside(prep, state) else None
+    return anchor if anchor is state.waiting or "rel" in state.between else None
 
 
 def _aside(prep: Prep, state: State) -> bool:
@@ -193,7 +168,7 @@ def _aside(prep: Prep, state: State) -> bool:
     return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
 
 
-def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
+def _opens_clause(state: State) -> bool:
     """Whether the phrase that begins here says where the participant after it is.
 
     "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
@@ -205,45 +180,36 @@ def _opens_clause(k: int, chunks: list[Chunk], state: State) -> bool:
     listed = "conj" in state.between
     if not begins and not (joins and (inserted or state.candidate_done or state.events)):
         return False
-    m = _phrase_end(k, chunks)
+    chunks = state.chunks
+    m = _phrase_end(state.k, chunks)
     if m is None:
         return False
-    if _is(chunks, m, ","):
+    if value_at(chunks, m) == ",":
         if not (begins or listed):
             return False
         m = _behind_participle(chunks, m + 1)
-    if m < len(chunks):
-        m += _word_of(chunks, m, frozenset({"aux", "copy"})) or _stands_before_subject(chunks[m])
-    return m < len(chunks) and isinstance(chunks[m], Mention)
+    m += _word_of(chunks, m, frozenset({"aux", "copy"})) or _stands_before_subject(chunks, m)
+    return isinstance(chunk_at(chunks, m), Mention)
 
 
 def _behind_participle(chunks: list[Chunk], m: int) -> int:
     """``from the right, partly hidden by a wall, a van comes``: behind what is put in."""
-    inside = []
-    for chunk in chunks[m : m + _INSERTED]:
-        inside.append(chunk)
-        if isinstance(chunk, Word) and chunk.value == ",":
-            break
-    else:
-        return m
+    ends = [n for n, c in enumerate(chunks[m : m + _INSERTED], start=m) if is_word(c, ",")]
+    inside = chunks[m : ends[0]] if ends else []
     events = [c for c in inside if isinstance(c, Event)]
     opens = [c for c in inside if not isinstance(c, Word) or c.cat in GOVERNING][:1]
     participle = opens == events and bool(events) and events[0].form in {"ed", "ing"}
-    return m + len(inside) if participle else m
+    return ends[0] + 1 if participle else m
 
 
-def _stands_before_subject(chunk: Chunk) -> bool:
-    finite = isinstance(chunk, Event) and not chunk.nominal and chunk.form != "ing"
-    return finite and isinstance(chunk, Event) and chunk.name in _MEETING
-
-
-def _is(chunks: list[Chunk], m: int, mark: str) -> bool:
-    chunk = chunks[m] if m < len(chunks) else None
-    return isinstance(chunk, Word) and chunk.value == mark
+def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:
+    verb = chunk_at(chunks, m)
+    finite = isinstance(verb, Event) and not verb.nominal and verb.form != "ing"
+    return finite and isinstance(verb, Event) and verb.name in _MEETING
 
 
 def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
-    chunk = chunks[m] if m < len(chunks) else None
+    chunk = chunk_at(chunks, m)
     return isinstance(chunk, Word) and chunk.cat in classes
 
 
@@ -255,40 +221,33 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     while _word_of(chunks, m, GOVERNING):
         locus |= _word_of(chunks, m, frozenset({"locus"}))
         m += 1
-    target = chunks[m] if m < len(chunks) else None
+    target = chunk_at(chunks, m)
     placed = isinstance(target, Place) and (
         target.kind in _SIDES or (target.kind in _ROADS and (target.arm or target.dirs))
     )
     if not placed and not (locus and isinstance(target, Mention | Thing)):
         return None
     m += 1
-    owned = chunks[m] if m < len(chunks) else None
+    owned = chunk_at(chunks, m)
     if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
         m += 1  # "behind the ego's bumper"
-    aside = isinstance(target, Place) and target.kind == "access" and _is(chunks, m, "in")
-    side = chunks[m + 1] if aside and m + 1 < len(chunks) else None
-    if isinstance(side, Place) and side.kind == "side":
+    if isinstance(target, Place) and target.kind == "access" and _side_after(chunks, m):
         m += 2  # "from a driveway on the left a van …"
-    parked = chunks[m] if m < len(chunks) else None
+    parked = chunk_at(chunks, m)
     m += isinstance(parked, Event) and (parked.name, parked.form) == ("park", "ed")
     if _side_after(chunks, m):
         m += 2  # "behind a van (parked) on the right a man …"
-    while _is(chunks, m, "of") and isinstance(next(iter(chunks[m + 1 :]), None), Mention | Place):
+    while value_at(chunks, m) == "of" and isinstance(chunk_at(chunks, m + 1), Mention | Place):
         m += 2
     return m
 
 
 def _side_after(chunks: list[Chunk], m: int) -> bool:
-    side = chunks[m + 1] if m + 1 < len(chunks) else None
+    word, side = chunk_at(chunks, m), chunk_at(chunks, m + 1)
     sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
-    return (_is(chunks, m, "in") or _is(chunks, m, "to")) and sided
+    return (is_word(word, "in") or is_word(word, "to")) and sided
 
 
 def place_in_front(mention: Mention, state: State) -> None:
-    """Gives the phrases that opened the clause to the participant that they place.
-
-    Args:
-        mention: the first participant after them.
-        state: what the clause reader remembers.
-    """
+    """Gives the phrases that opened the clause to the participant that they place."""
     mention.pps += [p for p in state.fronted if p.outer != "from"]

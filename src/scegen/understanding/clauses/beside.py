@@ -2,57 +2,51 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
+from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import is_word
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _LEADING = frozenset({"in", "into", "to", "for"})
 _ASIDE = frozenset({"in", "to"})
 
 
-def side_of_place(noun: NounPhrase, k: int, chunks: list[Chunk]) -> bool:
+def side_of_place(noun: NounPhrase, state: State) -> bool:
     """``a driveway on the right``, ``the lane to its right``: the side at which it lies.
-
-    Args:
-        noun: what may be a side.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
 
     Returns:
         Whether it is the side of the place before it.
     """
-    place = chunks[k - 2] if k > 1 else None
+    place = state.at(-2)
     if not isinstance(noun, Place) or noun.kind != "side":
         return False
-    behind = isinstance(place, Thing) and place.prep is not None and place.prep.cat == "locus"
-    if isinstance(place, Thing) and behind and set(noun.dirs) & {"left", "right"}:
-        place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
-        return True  # "from behind a hedge on the right"
-    shared = isinstance(place, Thing) and place.mod("quantity") is not None
-    if shared and set(noun.dirs) & {"left", "right"}:
-        return True  # "with 50 % overlap on the left side"
-    if not isinstance(place, Place):
-        return False
-    if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, k, chunks):
+    if isinstance(place, Thing) and set(noun.dirs) & {"left", "right"}:
+        if place.prep is None or place.prep.cat != "locus":
+            return place.has("quantity")  # "with 50 % overlap on the left side"
+    elif isinstance(place, Place):
+        if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, state):
+            return False
+        place.j = noun.j
+    else:
         return False
     place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
-    place.j = noun.j
-    return True
+    return True  # "a driveway on the right", "from behind a hedge on the right"
 
 
-def _lane_beside(lane: Place, side: Place, k: int, chunks: list[Chunk]) -> bool:
+def _lane_beside(lane: Place, side: Place, state: State) -> bool:
     """``in the lane to the right of the bus``: no movement to the right."""
     along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
     ways = _LEADING | ({"from"} if lane.kind == "lane" else set())
     within = along and (lane.prep is None or lane.prep.value in ways)
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
-    whose, who = (chunks[m] if m < len(chunks) else None for m in (k + 1, k + 2))
-    owned = isinstance(whose, Word) and whose.value == "of" and isinstance(who, Mention)
+    whose, who = state.at(1), state.at(2)
+    owned = is_word(whose, "of") and isinstance(who, Mention)
     if owned and isinstance(who, Mention):
         lane.beside = who
-    verb = chunks[k - 3] if k > 2 else None  # "enters the lane to the left"
+    verb = state.at(-3)  # "enters the lane to the left"
     gone_to = isinstance(verb, Event) and verb.name != "leave"
     there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
-    there = there and side.prep is not None and side.prep.value in _ASIDE
-    there = there and lane.owner is None and not any(m.cat == "possessive" for m in lane.mods)
-    return owned or there or any(m.cat == "possessive" for m in side.mods)
+    there = there and side.stands_after(*_ASIDE)
+    there = there and lane.owner is None and not lane.has("possessive")
+    return owned or there or side.has("possessive")

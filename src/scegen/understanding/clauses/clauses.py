@@ -38,47 +38,48 @@ class ClauseReader:
 
     def __init__(self, chunks: list[Chunk]) -> None:
         self._chunks = chunks
-        self._state = State()
+        self._state = State(chunks)
         self._sentence = 0
         self.events: list[Event] = []
 
     def run(self) -> list[Event]:
         """All events in the order of the text, premodifiers before the events of their noun."""
         for k, chunk in enumerate(self._chunks):
+            self._state.k = k
             if isinstance(chunk, Word):
-                self._word(chunk, k)
+                self._word(chunk)
             elif isinstance(chunk, Mention):
                 self._premodifiers(chunk)
-                read_mention(chunk, k, self._chunks, self._state)
+                read_mention(chunk, self._state)
             elif isinstance(chunk, Event):
-                self._event(chunk, k)
+                self._event(chunk)
             else:
-                read_noun(chunk, k, self._chunks, self._state)
+                read_noun(chunk, self._state)
         self._end_sentence()
         return self.events
 
     def _end_sentence(self) -> None:
         release(self._state)
-        self._state = State(main=self._state.main)
+        self._state = State(self._chunks, main=self._state.main)
         self._sentence += 1
 
-    def _word(self, word: Word, k: int) -> None:
+    def _word(self, word: Word) -> None:
         state = self._state
         if word.cat == "punct" and word.value in BOUNDARIES:
             self._end_sentence()
-        elif word.cat in GOVERNING or only_a_noun_follows(word, k, self._chunks):
-            preposition(word, k, self._chunks, state)
+        elif word.cat in GOVERNING or only_a_noun_follows(word, state.k, self._chunks):
+            preposition(word, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            if not (self._denied_way(word) or self._heading_of_a_noun(word, k)):
-                self._adverb(word, k)
-        elif state.prep is not None and (word.value == "either" or self._opens_noun(word, k)):
+            if not (self._denied_way(word) or self._heading_of_a_noun(word)):
+                self._adverb(word)
+        elif state.prep is not None and (word.value == "either" or self._opens_noun(word)):
             return  # "from either the left or the right", "without the two touching"
         else:
             release(self._state)
             if word.value not in {"(", ")"}:
-                self._joint(word, k)
+                self._joint(word)
 
-    def _joint(self, word: Word, k: int) -> None:
+    def _joint(self, word: Word) -> None:
         """A word between phrases or clauses: "and", a comma, "where", "that"."""
         state = self._state
         ends = word.value == "," or word.cat in {"conj", "sub"}
@@ -89,54 +90,52 @@ class ClauseReader:
             state.between.add("conj")
             state.between |= {"neg:not"} if word.term.data.get("denies") else set()
         if word.cat == "conj" and word.value in {"and", "but"}:
-            somewhere = state.candidate is not None and any(
-                p.predicate for p in state.candidate.pps
-            )
-            state.being = state.candidate if "aux:be" in state.between or somewhere else None
+            who = state.candidate
+            somewhere = who is not None and any(p.predicate for p in who.pps)
+            state.being = who if somewhere or "aux:be" in state.between else None
             state.between.discard("aux:be")  # "was tired and did not notice the van"
         if word.value == "where":
-            self._where(k)
-        if word.cat == "sub" and self._put_between(k):
+            self._where()
+        if word.cat == "sub" and self._put_between():
             state.resumed = subjects.main_in_sentence(state)
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
-        if word.cat == "rel" and k and _acts(self._chunks[k - 1]):
+        if word.cat == "rel" and _is_thing(self._state.at(-1)):
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
 
-    def _opens_noun(self, word: Word, k: int) -> bool:
+    def _opens_noun(self, word: Word) -> bool:
         """``without the two touching``, ``without any other traffic``."""
-        noun = next(iter(self._chunks[k + 1 : k + 2]), None)
-        lacked = self._state.prep is not None and self._state.prep.value == "without"
-        noun = noun if word.cat == "det" and isinstance(noun, Mention) else None
-        return noun is not None and (lacked or noun.mod("num") is not None)
+        noun, prep = self._state.at(1), self._state.prep
+        if word.cat != "det" or not isinstance(noun, Mention):
+            return False
+        return noun.has("num") or (prep is not None and prep.value == "without")
 
-    def _put_between(self, k: int) -> bool:
+    def _put_between(self) -> bool:
         """``and, when …``: after that clause the one before goes on."""
-        before = [c.value for c in self._chunks[max(0, k - 2) : k] if isinstance(c, Word)]
+        before = [c.value for c in self._state.before(2) if isinstance(c, Word)]
         return before[-1:] in (["and"], ["but"]) or before in (["and", ","], ["but", ","])
 
-    def _where(self, k: int) -> None:
+    def _where(self) -> None:
         """``the next lane, where a van drives``: the van is in that lane."""
-        place = next(
-            (c for c in reversed(self._chunks[max(0, k - 2) : k]) if isinstance(c, Place)), None
-        )
-        if place is None or place.kind not in LANES:
-            return
-        word = Word(Term("prep", "in", place.i, place.i + 1))
-        self._state.fronted.append(Prep(word, place, fronted=True))
+        places = [c for c in self._state.before(2) if isinstance(c, Place)]
+        for place in places[-1:]:
+            if place.kind in LANES:
+                word = Word(Term("prep", "in", place.i, place.i + 1))
+                self._state.fronted.append(Prep(word, place, fronted=True))
 
-    def _adverb(self, word: Word, k: int) -> None:
+    def _adverb(self, word: Word) -> None:
         state = self._state
         if word.cat in {"aux", "neg"}:
             state.between.add(f"{word.cat}:{word.value}")
             return
         release(self._state)
-        after_event = isinstance(state.anchor, Event) and not (state.between - {"either", "or"})
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
-        before_event = event_follows(self._chunks, k)
-        waits = after_event and isinstance(state.anchor, Event) and state.anchor.control
+        verb = state.anchor if not (state.between - {"either", "or"}) else None
+        after_event = isinstance(verb, Event)
+        following = self._state.at(1)
+        before_event = event_follows(self._chunks, state.k)
+        waits = isinstance(verb, Event) and verb.control
         opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
         if opens and after_event and not state.candidate_done:
             state.ahead.append(word.term)  # "a cyclist riding ahead suddenly turns"
@@ -171,9 +170,9 @@ class ClauseReader:
             state.events[-1].denied_ways.add(word.value)
         return denied
 
-    def _heading_of_a_noun(self, word: Word, k: int) -> bool:
+    def _heading_of_a_noun(self, word: Word) -> bool:
         """``it is red for the van opposite``."""
-        noun = self._chunks[k - 1] if k else None
+        noun = self._state.at(-1)
         if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
             release(self._state)
             noun.mods.append(word.term)
@@ -184,18 +183,17 @@ class ClauseReader:
         """The candidate is new: words after it belong to it and not to the verb before."""
         state = self._state
         who, anchor = state.candidate, state.anchor
-        if who is None:
+        if who is None or any(who in event.subject for event in state.events):
             return False
         beside = isinstance(anchor, Mention) and anchor.pronoun is not None
         beside = beside and any(p.target is anchor for p in who.pps)  # "the ego, behind it at …"
-        placed = anchor is who or beside
-        return placed and not any(who in event.subject for event in state.events)
+        return anchor is who or beside
 
-    def _inverted(self, event: Event, k: int) -> bool:
+    def _inverted(self, event: Event) -> bool:
         """``from the left comes a bus``, ``along comes a van``: the subject follows its verb."""
-        following = self._chunks[k + 1] if k + 1 < len(self._chunks) else None
+        following = self._state.at(1)
         finite = not event.nominal and event.form != "ing"
-        before, opener = (self._chunks[m] if m >= 0 else None for m in (k - 1, k - 2))
+        before, opener = (self._state.at(n) for n in (-1, -2))
         if isinstance(before, Word) and before.cat == "conj":
             return False  # "comes up from behind and overtakes the ego"
         adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
@@ -203,14 +201,14 @@ class ClauseReader:
         fronted = bool(self._state.fronted) or (adverb and opens)
         return fronted and finite and isinstance(following, Mention)
 
-    def _by_a_stranger(self, event: Event, k: int) -> bool:
+    def _by_a_stranger(self, event: Event) -> bool:
         """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""
-        before = self._chunks[k - 1] if k else None
-        if event.nominal or before is None:
+        before = self._state.at(-1)
+        if event.nominal:
             return False
-        if isinstance(before, Thing) and before.kind in {"object", "obstacle"}:
+        if _is_thing(before):
             return event.form == "ing" and not self._state.between
-        view = view_of(self._chunks[max(0, k - 3) : k])
+        view = view_of(self._state.before(3))
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"
             return "aux:be" not in self._state.between
@@ -227,9 +225,9 @@ class ClauseReader:
             event.sentence = self._sentence
             self.events.append(event)
 
-    def _event(self, event: Event, k: int) -> None:
+    def _event(self, event: Event) -> None:
         state = self._state
-        event.reduced = subjects.only_describes(event, k, self._chunks, state)
+        event.reduced = subjects.only_describes(event, state)
         if state.prep is not None and state.prep.word.cat == "locus":
             release(self._state)
         event.sentence = self._sentence
@@ -238,14 +236,14 @@ class ClauseReader:
         if relatives.close(event, state):
             self.events.append(event)
             return
-        if self._inverted(event, k):
+        if self._inverted(event):
             event.finite = True
             state.pending.append(event)
-        elif not self._by_a_stranger(event, k):
+        elif not self._by_a_stranger(event):
             subjects.link(event, state)
             event.pps += state.opening
             state.opening = []
-        if by_follows(self._chunks, k):
+        if by_follows(self._chunks, state.k):
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)
         if event.nominal and isinstance(state.anchor, Event) and state.anchor.name == "light":
@@ -261,18 +259,15 @@ class ClauseReader:
         release(self._state)
         state.events.append(event)
         self.events.append(event)
-        state.anchor = event
-        state.between = set()
-        state.last_pp = None
+        state.stand_at(event)
 
     def _lacking(self, event: Event) -> bool:
         """``without braking``, ``without either driver braking``."""
-        who = self._state.anchor if event.form == "ing" else None
-        by = who.prep.value if isinstance(who, Mention) and who.prep is not None else ""
-        own = self._state.prep.value if self._state.prep is not None else ""
-        return "without" in {by, own}
+        who, own = self._state.anchor, self._state.prep
+        by = who.prep if event.form == "ing" and isinstance(who, Mention) else None
+        return any(word is not None and word.value == "without" for word in (by, own))
 
 
-def _acts(chunk: Chunk) -> bool:
-    """``a fallen tree that blocks the lane``: the tree does it."""
+def _is_thing(chunk: Chunk | None) -> bool:
+    """``a fallen tree that blocks the lane``: the tree does it, and no participant."""
     return isinstance(chunk, Thing) and chunk.kind in {"obstacle", "object"}

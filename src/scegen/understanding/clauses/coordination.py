@@ -8,6 +8,8 @@ from scegen.understanding.clauses.state import State
 
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
 """What one does who comes up to others."""
+_SHAPES = {"base": "inf", "ing": "ing"}
+"""What a verb is without an auxiliary, by its form; any other is finite."""
 
 
 def auxiliary(state: State) -> bool:
@@ -29,22 +31,14 @@ def told_beside(state: State, *words: str) -> Mention | None:
         words: the prepositions after which somebody is named.
     """
     since = state.events[-1].i if state.events else 0
-    named = [m for m in state.mentions if m.i > since and m.prep is not None]
-    return next((m for m in named if m.prep and m.prep.value in words), None)
+    named = (m for m in state.mentions if m.i > since)
+    return next((m for m in named if m.stands_after(*words)), None)
 
 
 def coordinate(event: Event, state: State) -> None:
-    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject.
-
-    Args:
-        event: the second verb.
-        state: what the clause reader remembers.
-    """
+    """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
     helped = auxiliary(state)
-    if event.form == "base" and not helped:
-        wanted = "inf"
-    else:
-        wanted = "ing" if event.form == "ing" and not helped else "finite"
+    wanted = "finite" if helped else _SHAPES.get(event.form, "finite")
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
     main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
     if "," in state.between and main:
@@ -86,8 +80,7 @@ def coordinate(event: Event, state: State) -> None:
 
 def _no_jam(event: Event, subject: list[Mention]) -> bool:
     """``comes up to a jam that crawls and brakes late``: what one does, and no jam."""
-    head = subject[-1].head if subject else None
-    return event.name in _ONES and head is not None and bool(head.data.get("mass"))
+    return event.name in _ONES and bool(subject) and subject[-1].is_mass
 
 
 def _as_finite(first: Event, second: Event) -> bool:
@@ -98,7 +91,6 @@ def _as_finite(first: Event, second: Event) -> bool:
 def _agree(verb: Event, subject: list[Mention]) -> bool:
     """``must wait until two trucks have passed and then turns``: no plural turns."""
     plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
-    if verb.form == "s" and any(m.head is not None and m.head.data.get("me") for m in subject):
+    if verb.form == "s" and any(m.is_me for m in subject):
         return False  # "fails to see that we stop and rams our rear"
-    numbered = any((m.label or "").startswith("#") for m in subject)
-    return verb.form != "s" or numbered or not plural
+    return verb.form != "s" or not plural or any(m.is_named for m in subject)

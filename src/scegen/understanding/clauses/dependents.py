@@ -33,12 +33,7 @@ def depend(event: Event, parent: Event, link_kind: str) -> None:
 
 
 def granting(event: Event, state: State) -> Event | None:
-    """``lets a van already turning, which is late, pass``: the bare verb hangs on "lets".
-
-    Args:
-        event: a verb.
-        state: what the clause reader remembers.
-    """
+    """``lets a van already turning, which is late, pass``: the bare verb hangs on "lets"."""
     before = [e for e in state.events if e.control == "object" and isinstance(e.object, Mention)]
     bare = event.form == "base" and state.between <= {","} and state.waiting is None
     let = before[-1] if before and bare else None
@@ -55,25 +50,14 @@ def _share_subject(event: Event, other: Event, state: State) -> None:
 
 
 def alternative(event: Event, other: Event, state: State) -> None:
-    """Marks two doings joined by "or".
-
-    Args:
-        event: the second.
-        other: the first.
-        state: what the clause reader remembers.
-    """
+    """Marks two doings joined by "or"."""
     if "or" in state.between:
         other.alternative = other.alternative or id(other)
         event.alternative = other.alternative
 
 
 def nominal(event: Event, state: State) -> None:
-    """``makes a left turn``, ``before its left turn``: who does what a noun names.
-
-    Args:
-        event: the noun.
-        state: what the clause reader remembers.
-    """
+    """``makes a left turn``, ``before its left turn``: who does what a noun names."""
     anchor = state.anchor
     owner = next((m for m in reversed(state.mentions) if m.possessor and m.j >= event.i - 1), None)
     if owner is not None:
@@ -116,28 +100,21 @@ def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
         state: what the clause reader remembers.
         parent: the verb on which it hangs, where that is not the one before.
     """
-    anchor = state.anchor
+    anchor, who = state.anchor, state.waiting
     if parent is None:
         parent = anchor if isinstance(anchor, Event) else state.last
-    who = state.waiting
     if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
         event.subject = chain(who)  # "a van passes and the ego has a second to brake"
         event.modal = "aux:have" in state.between
         return
     if parent is None:
-        owner = anchor.owner if isinstance(anchor, NounPhrase) else None
-        owned = [owner] if owner is not None else []  # "the ego's attempt to get past"
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else owned
-        if not event.subject:
-            state.pending.append(event)  # "to get past the bus, the car …"
+        _first_said_of(anchor, event, state)  # "to get past the bus, the car …"
         return
     depend(event, parent, "inf")
     event.negated = parent.negated and parent.control == "subject"
-    controlled = parent.control == "object" and isinstance(parent.object, Mention)
-    prep = anchor.prep if isinstance(anchor, Mention) else None
-    if prep is not None and prep.value == "for" and isinstance(anchor, Mention):
+    if isinstance(anchor, Mention) and anchor.stands_after("for"):
         event.subject = chain(anchor)
-    elif controlled and isinstance(parent.object, Mention):
+    elif parent.control == "object" and isinstance(parent.object, Mention):
         event.subject = chain(parent.object)
         event.modal = True
         event.name = "inert" if parent.name == "inert" else event.name  # "no time to brake"
@@ -145,31 +122,31 @@ def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
         _share_subject(event, parent, state)
 
 
-def gerund(event: Event, state: State) -> None:
-    """``blocking the car from returning``, ``without yielding``, ``by turning``.
+def _first_said_of(phrase: Mention | NounPhrase | Event | None, event: Event, state: State) -> None:
+    """The subject of a verb before any other one: the noun before it, or one that comes later."""
+    if isinstance(phrase, Mention):
+        event.subject = chain(phrase)
+    elif isinstance(phrase, NounPhrase) and phrase.owner is not None:
+        event.subject = [phrase.owner]  # "the ego's attempt to get past"
+    else:
+        state.pending.append(event)
 
-    Args:
-        event: the verb after a preposition.
-        state: what the clause reader remembers.
-    """
+
+def gerund(event: Event, state: State) -> None:
+    """``blocking the car from returning``, ``without yielding``, ``by turning``."""
     prep = state.prep.value if state.prep else ""
-    parent = state.last
+    parent, who = state.last, state.waiting
     event.negated = prep in {"without", "instead"}
     if prep == "instead" and event.name != "yield":
         event.name = "inert"  # "speeds up instead of slowing down": only what is owed counts
     if parent is None:
-        anchor = state.anchor
-        event.subject = chain(anchor) if isinstance(anchor, Mention) else []
-        if not event.subject:
-            state.pending.append(event)
+        _first_said_of(state.anchor, event, state)
         return
-    who = state.waiting
     if who is not None and parent.j <= who.i and state.anchor is not parent and prep in _OPENING:
         event.subject = chain(who)  # "a man crosses while the ego is in the middle of turning"
         return
     depend(event, parent, "ing")
-    prevented = prep == "from" and isinstance(parent.object, Mention)
-    if prevented and isinstance(parent.object, Mention):
+    if prep == "from" and isinstance(parent.object, Mention):
         event.subject = chain(parent.object)
         event.negated = True
     else:

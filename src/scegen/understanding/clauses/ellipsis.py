@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.phrases.predicates import complete
 from scegen.understanding.words.tokens import Token
 
@@ -34,17 +34,12 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
-        joint = chunks[k - 1] if k else None
-        if not isinstance(joint, Word) or joint.value not in _JOINTS:
+        joint, verb = chunk_at(chunks, k - 1), _verb_before(chunk.i, events)
+        joined = isinstance(joint, Word) and joint.value in _JOINTS
+        if verb is None or verb.premod_of is not None or not joined or not _ends(chunks, k + 2):
             continue
-        verb = _verb_before(chunk, events)
-        if verb is None or not _ends(chunks, k + 2):
-            continue
-        if _further(chunk, chunks, k, verb):
-            continue
-        copy = _copy(verb, chunk, chunks, k + 1)
-        if copy is not None:
-            found.append(copy)
+        if not _further(chunk, chunks, k, verb):
+            found += _copy(verb, chunk, chunks, k + 1)
     return complete(chunks, found, tokens)
 
 
@@ -54,7 +49,7 @@ def _further(mention: Mention, chunks: list[Chunk], k: int, verb: Event) -> bool
     Whom the verb governs has a phrase of place of its own there, and so has the second one.
     """
     last = next((c for c in reversed(chunks[: k - 1]) if isinstance(c, Mention)), None)
-    governs = next((p for p in verb.pps if p.target is last and p.word.cat == "prep"), None)
+    governs = next((p for p in verb.pps if p.who is last and p.word.cat == "prep"), None)
     if last is None or governs is None or not last.pps or last.i < verb.i:
         return False
     mention.joined = last
@@ -65,28 +60,21 @@ def _further(mention: Mention, chunks: list[Chunk], k: int, verb: Event) -> bool
 def _likewise(events: list[Event], tokens: list[Token]) -> None:
     """``and the van ahead does the same``: what somebody else was last said to do."""
     for k, event in enumerate(events):
-        if (
-            event.i
-            and tokens[event.i].low in word_list("does")
-            and tokens[event.i - 1].low in {"so", "as"}
-        ):
-            _turned_round(event)
+        does = tokens[event.i].low in word_list("does")
+        so = event.i > 0 and tokens[event.i - 1].low in {"so", "as"}
+        if does and so and isinstance(event.object, Mention):  # "and so does the van"
+            event.name, event.subject, event.object = "likewise", [event.object], None
         later = any((m.cat, m.value) == ("quantity", "time") for m in event.mods)
         if event.name == "follow" and later and not (event.object or event.pps):
             event.name = "likewise"  # "a van sets off and the ego follows 1 s later"
         if event.name != "likewise":
             continue
         who = set(map(id, event.subject))
-        before = [
-            e
-            for e in events[:k]
-            if e.name not in _EMPTY and e.subject and not who & set(map(id, e.subject))
-        ]
-        if before:
-            model = before[-1]
+        others = [e for e in events[:k] if e.subject and not who & set(map(id, e.subject))]
+        for model in [e for e in others if e.name not in _EMPTY][-1:]:
             event.name, event.object = model.name, event.object or model.object
-            event.mods = [*event.mods, *(m for m in model.mods if m.cat == "dir")]
-            event.pps = [*event.pps, *(p for p in model.pps if isinstance(p.target, Place))]
+            event.mods = [*event.mods, *model.dirs]
+            event.pps = [*event.pps, *(p for p in model.pps if p.place is not None)]
 
 
 def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
@@ -95,28 +83,25 @@ def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
     for k, chunk in enumerate(chunks[1:], start=1):
         if not isinstance(chunk, Word) or chunk.cat != "neg":
             continue
-        helper, after = chunks[k - 1], chunks[k + 1] if k + 1 < len(chunks) else None
+        who, helper, after = (chunk_at(chunks, k + n) for n in (-2, -1, 1))
         does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
         ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
-        before = [e for e in events if e.j <= helper.i and e.subject and not e.nominal]
-        if does and ends and before:
-            again = replace(before[-1], i=helper.i, j=chunk.j, negated=True, modal=False, pps=[])
-            who = chunks[k - 2] if k > 1 else None
-            fresh = isinstance(who, Mention) and who.prep is None
-            again.subject = [who] if isinstance(who, Mention) and fresh else again.subject
-            found.append(replace(again, mods=[], parent=None, children=[], alternative=None))
+        verb = _verb_before(chunks[k - 1].i, events)
+        if does and ends and verb is not None:
+            subject = [who] if isinstance(who, Mention) and who.prep is None else verb.subject
+            again = _again(verb, subject, chunks[k - 1].i, chunk.j)
+            found.append(replace(again, negated=True, modal=False, pps=[], mods=[]))
     return found
 
 
-def _turned_round(event: Event) -> None:
-    """``and so does the van``: the subject stands after the verb."""
-    if isinstance(event.object, Mention):
-        event.name, event.subject, event.object = "likewise", [event.object], None
+def _verb_before(i: int, events: list[Event]) -> Event | None:
+    before = [e for e in events if e.j <= i and e.subject and not e.nominal]
+    return before[-1] if before else None
 
 
-def _verb_before(mention: Mention, events: list[Event]) -> Event | None:
-    before = [e for e in events if e.j <= mention.i and e.subject and not e.nominal]
-    return before[-1] if before and before[-1].premod_of is None else None
+def _again(verb: Event, subject: list[Mention], i: int, j: int) -> Event:
+    """What a verb says, said of others by words that leave it out."""
+    return replace(verb, subject=subject, i=i, j=j, parent=None, children=[], alternative=None)
 
 
 def _ends(chunks: list[Chunk], k: int) -> bool:
@@ -129,27 +114,18 @@ def _ends(chunks: list[Chunk], k: int) -> bool:
     return True
 
 
-def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> Event | None:
-    rest = chunks[k] if k < len(chunks) else None
-    fresh = replace(verb, subject=[who], parent=None, children=[], alternative=None)
+def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> list[Event]:
+    """The verb again, with what stands after its new subject: nothing if that is not alike."""
+    rest, target = chunk_at(chunks, k), chunk_at(chunks, k + 1)
     if isinstance(rest, Mention) and rest.pronoun == "ordinal" and isinstance(verb.object, Place):
-        chunks[k] = place = Place(rest.i, rest.j, rest.mods, verb.object.head, None)
-        place.kind = verb.object.kind
-        return replace(fresh, i=rest.i, j=rest.j, object=place)
+        place = Place(rest.i, rest.j, rest.mods, verb.object.head, kind=verb.object.kind)
+        chunks[k] = rest = place  # "one takes the first exit, the other the second"
     if isinstance(rest, NounPhrase) and type(rest) is type(verb.object):
-        return replace(fresh, i=rest.i, j=rest.j, object=rest)
-    if isinstance(rest, Word) and rest.cat == "prep" and k + 1 < len(chunks):
-        return _copy_phrase(fresh, rest, chunks[k + 1])
-    return None
-
-
-def _copy_phrase(fresh: Event, word: Word, target: Chunk) -> Event | None:
-    """``a car comes from the left and a van from the right``."""
-    if not isinstance(target, Place):
-        return None
-    alike = any(p.value == word.value for p in fresh.pps)
-    alike = alike and (word.value != "in" or fresh.form != "ing")
-    kept = [p for p in fresh.pps if p.value != word.value]
-    if not alike:
-        return None
-    return replace(fresh, i=word.i, j=target.j, pps=[*kept, Prep(word, target)])
+        return [replace(_again(verb, [who], rest.i, rest.j), object=rest)]
+    if not isinstance(rest, Word) or rest.cat != "prep" or not isinstance(target, Place):
+        return []
+    # "a car comes from the left and a van from the right"
+    kept = [p for p in verb.pps if p.value != rest.value]
+    alike = len(kept) < len(verb.pps) and (rest.value != "in" or verb.form != "ing")
+    again = _again(verb, [who], rest.i, target.j)
+    return [replace(again, pps=[*kept, Prep(rest, target)])] if alike else []

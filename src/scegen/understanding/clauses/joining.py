@@ -4,38 +4,34 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import BOUNDARIES, finite_follows
+from scegen.understanding.phrases.lookahead import (
+    is_word,
+    sentence_end,
+)
 
 
-def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``a car and a truck``: the second takes the role of the first.
-
-    Args:
-        mention: the second noun.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
-        state: what the clause reader remembers.
-    """
+def joins(mention: Mention, state: State) -> bool:
+    """``a car and a truck``: the second takes the role of the first."""
     anchor = state.anchor
-    _doing_the_same(mention, k, chunks, state)
+    _doing_the_same(mention, state)
     listed = "and" in state.between or "or" in state.between or state.between == {","}
     if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
-    joint = chunks[k - 1]
-    if isinstance(joint, Word) and "next" in joint.term.data and finite_follows(chunks, k):
+    joint = state.at(-1)
+    if isinstance(joint, Word) and "next" in joint.term.data and state.verb_follows:
         return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     waiting = anchor is state.waiting
     waiting = waiting and not any(anchor in event.subject for event in state.events)
-    said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, k, chunks)
-    complete = said and finite_follows(chunks, k)  # "I'm here and a van …"
-    if complete or (state.between == {","} and not (waiting and _list_goes_on(k, chunks))):
+    said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, state)
+    complete = said and state.verb_follows  # "I'm here and a van …"
+    if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
         return False
-    let = _let(anchor, k, chunks, state)
-    if not waiting and ((finite_follows(chunks, k) and not let) or "," in state.between):
+    let = _let(anchor, state)
+    if not waiting and ((state.verb_follows and not let) or "," in state.between):
         return False
-    if _in_parallel(anchor, k, chunks, state):
+    if _in_parallel(anchor, state):
         return False
     mention.joined = anchor
     mention.pps += [p for p in anchor.pps if p.fronted]
@@ -44,54 +40,51 @@ def joins(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
     for event in state.events:
         if event.object is anchor:
             event.object = mention
-    state.anchor = mention
-    state.between = set()
+    state.stand_at(mention)
     return True
 
 
-def _is_somewhere(who: Mention, k: int, chunks: list[Chunk]) -> bool:
+def _is_somewhere(who: Mention, state: State) -> bool:
     """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
-    since = [c for c in chunks[:k] if c.i >= who.j]
+    since = [c for c in state.chunks[: state.k] if c.i >= who.j]
     return any(isinstance(c, Word) and (c.cat, c.value) == ("aux", "be") for c in since)
 
 
-def _list_goes_on(k: int, chunks: list[Chunk]) -> bool:
+def _list_goes_on(state: State) -> bool:
     """``a car, a van and a bus``: a comma alone does not make a list."""
-    for chunk in chunks[k + 1 :]:
-        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
-            return False
-        if isinstance(chunk, Word) and chunk.value in {"and", "or"}:
-            return True
-    return False
+    rest = state.chunks[state.k + 1 : sentence_end(state.chunks, state.k + 1)]
+    joint = next((c for c in rest if isinstance(c, Event) or _joins(c)), None)
+    return _joins(joint)
 
 
-def _doing_the_same(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
+def _joins(chunk: Chunk | None) -> bool:
+    return is_word(chunk, "and") or is_word(chunk, "or")
+
+
+def _doing_the_same(mention: Mention, state: State) -> None:
     """``waits for a van coming from the left and a bus coming from the right``: for both."""
-    last = state.last
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    last, following = state.last, state.at(1)
     if last is None or last.form != "ing" or last.finite or "and" not in state.between:
         return
     alike = isinstance(following, Event) and following.form == "ing"
-    if alike and last.subject and last.subject[-1].prep is not None and mention.heads:
+    if alike and last.subject and mention.heads:
         mention.prep = last.subject[-1].prep
 
 
-def _let(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def _let(anchor: Mention, state: State) -> bool:
     """``lets two people and a cyclist cross``: both are let."""
     last = state.last
     if last is None or last.control != "object" or last.object is not anchor:
         return False
-    verb = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Event)), None)
+    verb = next((c for c in state.after(3) if isinstance(c, Event)), None)
     return verb is not None and verb.form == "base"
 
 
-def _in_parallel(anchor: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def _in_parallel(anchor: Mention, state: State) -> bool:
     """``a bus approaches the ego from the left and a taxi from the right``: the taxi does, too."""
     known = anchor.is_ego or anchor.pronoun is not None  # others are described by where they are
-    last = state.last
-    if not known or last is None or last.object is not anchor or not 3 <= k < len(chunks) - 1:
+    if not known or state.last is None or state.last.object is not anchor:
         return False
-    before, after = chunks[k - 3], chunks[k + 1]
-    if not isinstance(before, Word) or not isinstance(after, Word) or before.cat != "prep":
-        return False
-    return before.value == after.value and isinstance(chunks[k - 2], Place)
+    before, place, after = (state.at(n) for n in (-3, -2, 1))
+    prep = isinstance(before, Word) and before.cat == "prep" and is_word(after, before.value)
+    return prep and isinstance(place, Place)

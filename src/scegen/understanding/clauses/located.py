@@ -1,42 +1,45 @@
-"""Where the words after a noun put it."""
+"""Where the words after a noun put it, and which of them do not."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+
+_LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
 
 
 def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
-    """``behind the ego's rear bumper``: behind the ego, as far as others are concerned.
+    """``behind the ego's rear bumper``: behind the ego, as far as others are concerned."""
+    beside = isinstance(target, Place) and target.kind in {"shoulder", "flank"}
+    owner = target.owner if isinstance(target, Thing | Place) else None
+    return owner if owner is not None and (beside or isinstance(target, Thing)) else target
 
-    Args:
-        target: what "behind" or "next to" governs.
-    """
-    part = isinstance(target, Thing) or (
-        isinstance(target, Place) and target.kind in {"shoulder", "flank"}
-    )
-    if part and isinstance(target, NounPhrase) and target.owner is not None:
-        return target.owner
-    return target
+
+def is_it(noun: object) -> bool:
+    """Whether a noun is "it" or "him"."""
+    return isinstance(noun, Mention) and noun.pronoun in {"it", "him"}
 
 
 def loci_of(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front".
-
-    Args:
-        mention: a noun with phrases of place.
-    """
+    """Where a noun is said to be: "the car behind" is not "the car in front"."""
     loci = {p.value for p in mention.pps if p.word.cat == "locus" and not p.predicate}
     return loci | ({"elsewhere"} if mention.elsewhere else set())
 
 
 def as_the_ego_sees(mention: Mention) -> bool:
-    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego.
+    """``the car ahead``, ``the car ahead of the ego``: placed by nobody but the ego."""
+    by = [p.who is not None and p.who.is_ego for p in mention.pps if p.target is not None]
+    return all(by) and all(p.word.cat == "locus" for p in mention.pps)
 
-    Args:
-        mention: a noun with phrases of place.
-    """
-    return all(
-        p.word.cat == "locus"
-        and (p.target is None or (isinstance(p.target, Mention) and p.target.is_ego))
-        for p in mention.pps
-    )
+
+def own_lane(event: Event, prep: Prep) -> bool:
+    """``the ego follows a van in the right lane``: that is the ego's lane, too."""
+    lane = prep.names("lane") and prep.value == "in"
+    ego = any(e.ego for e in event.doers)
+    return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
+
+
+def from_the_wrong_lane(prep: Prep, event: Event | None) -> bool:
+    """``turns right from the wrong lane``: one that is not for turning, no oncoming one."""
+    place = prep.place
+    wrong = place is not None and place.head is not None and "dir" in place.head.data
+    return wrong and prep.value == "from" and event is not None and event.name in _LEAVING

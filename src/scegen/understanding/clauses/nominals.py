@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach, place_in_front
 from scegen.understanding.clauses.beside import side_of_place
@@ -16,7 +16,7 @@ from scegen.understanding.clauses.phrases import (
     relative_noun,
 )
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import finite_follows
+from scegen.understanding.phrases.lookahead import finite_follows, is_word, value_at
 
 _SMALL = frozenset({"prep", "manner"})
 _PARTS = frozenset({"side", "flank"})
@@ -25,51 +25,42 @@ _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
 
 
-def read_mention(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
-    """A participant: as the subject, an object, an apposition, or in a phrase of place.
-
-    Args:
-        mention: the noun.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
-        state: what the clause reader remembers.
-    """
-    if _emphasises(mention, state) or _measured_aside(mention, k, chunks, state):
+def read_mention(mention: Mention, state: State) -> None:
+    """A participant: as the subject, an object, an apposition, or in a phrase of place."""
+    if _emphasises(mention, state) or _measured_aside(mention, state):
         return
     state.mentions.append(mention)
-    within = state.prep is not None and state.prep.value == "of"
+    within = state.awaits("of")
     state.topic = state.topic if within else None  # "the view of the road is blocked"
     if mention.possessor:
         return
     if state.prep is not None:
-        _prepositional(mention, k, chunks, state)
+        _prepositional(mention, state.prep, state)
         return
-    if relatives.opens(mention, k, chunks, state):
+    if relatives.opens(mention, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
-    whole = partitive_before(k, chunks)
-    if whole is not None and (mention.mods == [] or mention.mods[0].value == "indef"):
+    whole = partitive_before(state)
+    if whole is not None and (not mention.mods or mention.opened_by("indef")):
         mention.same_as = whole
         _resume(whole, state)
         return
-    if further_ones(mention, k, chunks, state):
+    if further_ones(mention, state):
         mention.pronoun = "further"
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         _start_clause(mention, state)
-    elif isinstance(anchor, Event) and direct and _takes(anchor, k, chunks, state):
+    elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
-    elif (described := _described(mention, k, chunks, state)) is not None:
+    elif (described := _described(mention, state)) is not None:
         mention.same_as = described
-        if described is state.candidate or bracketed(chunks, k):
+        if described is state.candidate or bracketed(state):
             return
-    elif joins(mention, k, chunks, state):
+    elif joins(mention, state):
         return
     else:
         _start_clause(mention, state)
-    state.anchor = mention
-    state.between = set()
-    state.last_pp = None
+    state.stand_at(mention)
 
 
 def _resume(part: Mention, state: State) -> None:
@@ -82,31 +73,32 @@ def _resume(part: Mention, state: State) -> None:
     state.between = set()
 
 
-def _measured_aside(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def _measured_aside(mention: Mention, state: State) -> bool:
     """``a van beside the ego, both at 60 km/h, moves over``: put in, of those named before."""
     if mention.pronoun not in {"both", "all"}:
         return False
-    rest = chunks[k + 1 : k + 6]
-    after = [c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)]
-    measured = [getattr(c, "cat", "") for c in after[:1]] == ["quantity"]
-    ends = [getattr(c, "value", "") for c in after[1:2]] == [","]
+    rest = state.after(5)
+    after: list[Chunk] = [
+        c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)
+    ]
+    measured = bool(after) and getattr(after[0], "cat", "") == "quantity"
     waits = state.waiting is not None and "," in state.between
-    return measured and ends and waits
+    return waits and measured and value_at(after, 1) == ","
 
 
-def _takes(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
+def _takes(verb: Event, state: State) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
-    if _waits_for_subject(verb, k, chunks) or _goes_on_with(verb, k, chunks, state):
+    if _waits_for_subject(verb, state) or _goes_on_with(verb, state):
         return False
-    tells = verb.says or (verb.control == "subject" and isinstance(chunks[k], Mention))
-    reported = tells and finite_follows(chunks, k)
+    tells = verb.says or (verb.control == "subject" and isinstance(state.at(0), Mention))
+    reported = tells and state.verb_follows
     return verb.object is None and not reported
 
 
-def _goes_on_with(verb: Event, k: int, chunks: list[Chunk], state: State) -> bool:
+def _goes_on_with(verb: Event, state: State) -> bool:
     """``once it has cut in it brakes``: the next verb has no other subject."""
     complete = verb.finite and state.candidate_done and state.relative is None
-    following = next((c for c in chunks[k + 1 : k + 4] if getattr(c, "cat", "") != "manner"), None)
+    following = next((c for c in state.after(3) if getattr(c, "cat", "") != "manner"), None)
     if not complete or verb.control == "object":
         return False
     if isinstance(following, Event):
@@ -114,36 +106,35 @@ def _goes_on_with(verb: Event, k: int, chunks: list[Chunk], state: State) -> boo
     return isinstance(following, Word) and following.cat == "aux"
 
 
-def _waits_for_subject(verb: Event, k: int, chunks: list[Chunk]) -> bool:
+def _waits_for_subject(verb: Event, state: State) -> bool:
     """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
     placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
-    follows = finite_follows(chunks, k)
-    return placed and verb.i < chunks[k - 1].i and follows
+    follows = state.verb_follows
+    return placed and verb.i < state.chunks[state.k - 1].i and follows
 
 
-def _described(mention: Mention, k: int, chunks: list[Chunk], state: State) -> Mention | None:
+def _described(mention: Mention, state: State) -> Mention | None:
     """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
     anchor = state.anchor if isinstance(state.anchor, Mention) else None
-    if _is_predicate(mention, k, chunks, state):
+    if _is_predicate(mention, state):
         return state.candidate
-    if bracketed(chunks, k) and anchor is not None:
+    if bracketed(state) and anchor is not None:
         return anchor
-    return relative_noun(chunks, k) or apposed_to(chunks, k, state)
+    return relative_noun(state) or apposed_to(state)
 
 
-def _is_predicate(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def _is_predicate(mention: Mention, state: State) -> bool:
     """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
     who = state.waiting
     if who is None or state.anchor is not who:
         return False
-    bare = not mention.mods or mention.mods[0].value == "indef" or mention.mods[0].cat != "det"
+    bare = not mention.mods or mention.opened_by("indef") or mention.mods[0].cat != "det"
     bare = bare or mention.is_ego  # "the truck is the ego"
-    named = (mention.label or "").startswith("#")
-    if "aux:be" not in state.between or mention.pronoun or named or not bare:
+    if "aux:be" not in state.between or mention.pronoun or mention.is_named or not bare:
         return False
     if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
         return False
-    return not finite_follows(chunks, k)
+    return not state.verb_follows
 
 
 def _start_clause(mention: Mention, state: State) -> None:
@@ -166,16 +157,12 @@ def _start_clause(mention: Mention, state: State) -> None:
     state.opening, state.fronted = ([] if state.candidate_done else state.fronted), []
 
 
-def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) -> None:
-    prep = state.prep
+def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     state.prep = None
-    if prep is None:
-        return
     prep.target = mention
     mention.prep = prep.word
-    if not (prep.value == "of" and _owns_place(mention, k, chunks)):
+    if not (prep.value == "of" and _owns_place(mention, state)):
         attach(prep, state)
-    mention.landmark = prep.fronted and prep.word.cat == "locus"
     if prep.fronted:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
@@ -189,75 +176,60 @@ def _prepositional(mention: Mention, k: int, chunks: list[Chunk], state: State) 
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.partitive, prep.on_mention.whole = True, mention
         return
-    if state.waiting is not None and finite_follows(chunks, k):
+    if state.waiting is not None and state.verb_follows:
         state.last_pp = mention
         return
     if named and state.candidate is None:
         _start_clause(mention, state)
-    state.anchor = mention
-    state.between = set()
-    state.last_pp = None
+    state.stand_at(mention)
 
 
-def _owns_place(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
+def _owns_place(mention: Mention, state: State) -> bool:
     """``the path of the bus``, ``to the left of the truck``: whose place it is."""
-    place = chunks[k - 2] if k > 1 else None
+    place = state.at(-2)
     if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
         return False
     place.owner = mention
-    beside = place.prep is not None and place.prep.value in {"in", "to"}
+    beside = place.stands_after("in", "to")
     mention.aside = place.kind == "side" and beside
     return True
 
 
-def read_noun(noun: NounPhrase, k: int, chunks: list[Chunk], state: State) -> None:
-    """A place or thing: what a preposition or verb governs.
-
-    Args:
-        noun: the noun.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
-        state: what the clause reader remembers.
-    """
+def read_noun(noun: NounPhrase, state: State) -> None:
+    """A place or thing: what a preposition or verb governs."""
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
-    end = _whole(chunks, k)
-    if state.prep is None and opens and finite_follows(chunks, end):
-        of_one = end > k or (isinstance(noun, Place) and noun.kind in _PARTS)
-        part = of_one and chunks[end].owner is not None  # type: ignore[union-attr]
+    whole, behind = _whole(noun, state)
+    if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):
+        of_one = whole is not noun or (isinstance(noun, Place) and noun.kind in _PARTS)
+        part = of_one and whole.owner is not None
         opens = not (state.events and "," in state.between and "sub" not in state.between)
         opens = opens and (state.candidate is None or "sub" in state.between)
         opens = opens or part
         state.topic = noun if opens else None
-    if state.prep is not None:
-        if state.prep.value == "of" and state.topic is not None and noun.owner is not None:
+    if (prep := state.prep) is not None:
+        if prep.value == "of" and state.topic is not None and noun.owner is not None:
             state.topic = noun  # "the right part of the ego's front strikes …"
-        state.prep.target = noun
-        noun.prep = state.prep.word
-        if not side_of_place(noun, k, chunks):
-            attach(state.prep, state)
+        prep.target, noun.prep = noun, prep.word
+        if not side_of_place(noun, state):
+            attach(prep, state)
         state.prep = None
         return
     if also_from(noun, state):
         return
-    anchor = state.anchor
-    direct = isinstance(anchor, Event) and anchor.object is None
-    if isinstance(anchor, Event) and direct and not (state.between - {"or", "either"}):
-        anchor.object = noun
-        state.anchor = noun
-        state.between = set()
+    verb = state.anchor
+    if isinstance(verb, Event) and verb.object is None and not state.between - {"or", "either"}:
+        verb.object = noun
+        state.stand_at(noun)
     elif not state.events and state.candidate is None:
-        state.anchor = noun
-        state.between = set()
+        state.stand_at(noun)
 
 
-def _whole(chunks: list[Chunk], k: int) -> int:
-    """``the left part of the ego's front``: where a noun ends with what it is a part of."""
-    of, owner = chunks[k + 1 : k + 2], chunks[k + 2 : k + 3]
-    if not (of and isinstance(of[0], Word) and of[0].value == "of"):
-        return k
-    end = k + 2 + (bool(owner) and isinstance(owner[0], Mention) and owner[0].possessor)
-    part = chunks[end] if end < len(chunks) else None
-    return end if isinstance(part, Place | Thing) else k
+def _whole(part: NounPhrase, state: State) -> tuple[NounPhrase, int]:
+    """``the left part of the ego's front``: what it is a part of, and how far behind."""
+    owner = state.at(2)
+    behind = 3 if isinstance(owner, Mention) and owner.possessor else 2
+    whole = state.at(behind) if is_word(state.at(1), "of") else None
+    return (whole, behind) if isinstance(whole, Place | Thing) else (part, 0)
 
 
 def _emphasises(mention: Mention, state: State) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, is_word, value_at
 from scegen.understanding.words.tokens import Token
 
 _LINKS = frozenset({"of", "be", "speed", "mild", ":"})
@@ -13,13 +14,7 @@ _FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 
 
 def own_measures(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
-    """Gives a speed to the noun that it is said of, from a verb or noun that it follows.
-
-    Args:
-        chunks: the chunks of the text, clauses read.
-        events: its events.
-        tokens: its tokens.
-    """
+    """Gives a speed to the noun that it is said of, from a verb or noun that it follows."""
     holders: list[Event | Mention] = [*events, *(c for c in chunks if isinstance(c, Mention))]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Word) or (chunk.cat, chunk.value) != ("quantity", "speed"):
@@ -40,21 +35,21 @@ def _of_all(chunks: list[Chunk], k: int) -> Mention | None:
     m = k - 1
     while m > 0 and (isinstance(chunks[m], Thing) or getattr(chunks[m], "cat", "") in _SMALL):
         m -= 1
-    who, opens = (chunks[n] if n >= 0 else None for n in (m, m - 1))
+    who = chunk_at(chunks, m)
     everybody = isinstance(who, Mention) and who.pronoun in {"both", "all"}
-    return who if isinstance(who, Mention) and everybody and _is_comma(opens) else None
+    opened = everybody and value_at(chunks, m - 1) == ","
+    return who if isinstance(who, Mention) and opened else None
 
 
 def _possessor(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
     """``the ego's speed of 100 km/h``, ``speed of the ego: 100 km/h``, ``ego speed 100 km/h``."""
     for m in range(k - 1, max(-1, k - _FARTHEST), -1):
-        chunk, before = chunks[m], chunks[m - 1] if m else None
-        rated = isinstance(chunk, Thing) and _rates(chunk, tokens)
+        chunk, before = chunks[m], chunk_at(chunks, m - 1)
         if isinstance(chunk, Thing) and chunk.owner is not None:
             return chunk.owner
-        if rated and isinstance(before, Mention) and before.prep is None:
+        if _rates(chunk, tokens) and isinstance(before, Mention) and before.prep is None:
             return before
-        if isinstance(chunk, Word) and chunk.value == "genitive":
+        if is_word(chunk, "genitive"):
             return before if isinstance(before, Mention) and before.possessor else None
         if isinstance(chunk, Mention):
             return chunk if m > 1 and _of_a_rate(chunks[m - 2 : m], tokens) else None
@@ -66,12 +61,11 @@ def _possessor(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | No
 
 def _of_a_rate(chunks: list[Chunk], tokens: list[Token]) -> bool:
     rate, of = chunks
-    named = isinstance(rate, Thing) and _rates(rate, tokens)
-    return named and isinstance(of, Word) and of.value == "of"
+    return _rates(rate, tokens) and is_word(of, "of")
 
 
-def _rates(thing: Thing, tokens: list[Token]) -> bool:
-    return tokens[thing.j - 1].low in word_list("rates")
+def _rates(chunk: Chunk, tokens: list[Token]) -> bool:
+    return isinstance(chunk, Thing) and tokens[chunk.j - 1].low in word_list("rates")
 
 
 def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
@@ -95,37 +89,31 @@ def _bracketed(chunks: list[Chunk], k: int) -> Mention | None:
 
 def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:
     """``lets a car from the left at 50 km/h pass``: the car's."""
-    who, off, side, at = (chunks[k - n] if k >= n else None for n in (4, 3, 2, 1))
+    who, off, side, at = (chunk_at(chunks, k - n) for n in (4, 3, 2, 1))
     placed = isinstance(side, Place) and side.kind in {"side", "direction"}
-    preps = [w.value for w in (off, at) if isinstance(w, Word) and w.cat == "prep"]
-    named = placed and len(preps) > 1 and preps[0] == "from" and isinstance(who, Mention)
-    if not named or not isinstance(who, Mention) or who.possessor or who.pronoun is not None:
+    if not (placed and is_word(off, "from") and isinstance(at, Word) and at.cat == "prep"):
+        return None
+    if not isinstance(who, Mention) or who.possessor or who.pronoun is not None:
         return None  # "rides across it from the left at 15 km/h"
     return who if any(p.target is side for p in who.pps) else None
 
 
 def _fronted(chunks: list[Chunk], k: int) -> Mention | None:
     """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
-    start = k
-    while start and getattr(chunks[start - 1], "value", "") not in {".", ";"}:
-        start -= 1
-    opening = chunks[start:k]
+    ends = [m for m in range(k) if getattr(chunks[m], "value", "") in {".", ";"}]
+    opening = chunks[ends[-1] + 1 if ends else 0 : k]
     at = opening[0] if opening and all(isinstance(c, Word) for c in opening) else None
-    who = next((c for c in chunks[k + 1 : k + 3] if not _is_comma(c)), None)
+    who = next((c for c in chunks[k + 1 : k + 3] if not is_word(c, ",")), None)
     led = isinstance(at, Word) and at.cat == "prep"
     return who if led and isinstance(who, Mention) and not who.possessor else None
 
 
-def _is_comma(chunk: Chunk | None) -> bool:
-    return isinstance(chunk, Word) and chunk.value == ","
-
-
 def _told_of(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None:
     """``50 km/h is the speed of the ego``."""
-    is_, rate, of, who = (*chunks[k + 1 : k + 5], *[None] * 4)[:4]
-    linked = isinstance(is_, Word) and is_.cat == "aux"
-    named = rate is not None and of is not None and _of_a_rate([rate, of], tokens)
-    return who if linked and named and isinstance(who, Mention) else None
+    is_, who = chunk_at(chunks, k + 1), chunk_at(chunks, k + 4)
+    if not isinstance(who, Mention) or not _of_a_rate(chunks[k + 2 : k + 4], tokens):
+        return None
+    return who if isinstance(is_, Word) and is_.cat == "aux" else None
 
 
 def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | None:
@@ -133,14 +121,11 @@ def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | Non
 
     Who waits has no speed, and who sets off has none yet.
     """
-    who, at = (chunks[m] if m >= 0 else None for m in (k - 2, k - 1))
+    who, at = (chunk_at(chunks, m) for m in (k - 2, k - 1))
     said = isinstance(at, Word) and at.cat == "prep"
     if not said or not isinstance(who, Mention) or who.possessor:
         return None
     waits = who.prep is not None and any(e.name in {"wait", "yield"} for e in holders)
-    front = any(
-        e.name in _FROM_REST and p.value == "ahead" and p.target is who
-        for e in holders
-        for p in e.pps
-    )
+    starts = [p for e in holders if e.name in _FROM_REST for p in e.pps]
+    front = any(p.value == "ahead" and p.target is who for p in starts)
     return who if waits or front else None

@@ -4,51 +4,42 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import chunk_at, is_word
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""
 
 
-def apposed_to(chunks: list[Chunk], k: int, state: State) -> Mention | None:
+def apposed_to(state: State) -> Mention | None:
     """``vehicle 1, a sedan, was …``: the second only describes the first.
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of the second noun.
-        state: what the clause reader remembers.
 
     Returns:
         Whom it describes; None if it is somebody else.
     """
-    if _names_before(chunks, k, state) and isinstance(state.anchor, Mention):
+    if _names_before(state) and isinstance(state.anchor, Mention):
         return state.anchor
     who = state.candidate
-    waiting = who is not None and (state.anchor is who or _places(state.anchor, who))
+    # "the car behind it, a taxi, …": "it" only says which car
+    waiting = who is not None and (
+        state.anchor is who or any(p.target is state.anchor for p in who.pps)
+    )
     if not waiting or state.between != {","} or state.candidate_done:
         return None
-    following = chunks[k + 1 : k + 3]
-    comma = bool(following) and isinstance(following[0], Word) and following[0].value == ","
-    if not comma and _described_role(chunks, k, state):
-        return who
-    if not comma or len(following) < 2:
-        return None
-    after = following[1]
-    verb = isinstance(after, Event) and after.form != "ing"
-    return who if verb or (isinstance(after, Word) and after.cat == "aux") else None
+    if is_word(state.at(1), ","):
+        described = _predicate_opens(state.at(2))
+    else:
+        described = _described_role(state)
+    return who if described else None
 
 
-def _places(anchor: object, who: Mention) -> bool:
-    """``the car behind it, a taxi, …``: "it" only says which car."""
-    return any(p.target is anchor for p in who.pps)
+def _predicate_opens(chunk: Chunk | None) -> bool:
+    """Whether the verb of a clause, or its auxiliary, stands there."""
+    verb = isinstance(chunk, Event) and chunk.form != "ing"
+    return verb or (isinstance(chunk, Word) and chunk.cat == "aux")
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:
-    """``from the north and the east``: the preposition counts for both.
-
-    Args:
-        noun: the noun just read.
-        state: what the clause reader remembers.
-    """
+    """``from the north and the east``: the preposition counts for both."""
     last = state.last_prep
     if last is None or not (isinstance(noun, Place) and noun.kind == "side"):
         return False
@@ -64,100 +55,75 @@ def also_from(noun: NounPhrase, state: State) -> bool:
     return True
 
 
-def bracketed(chunks: list[Chunk], k: int) -> bool:
-    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before.
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of the noun in brackets.
-    """
-    around = [*chunks[max(0, k - 1) : k], *chunks[k + 1 : k + 2]]
-    return [c.value for c in around if isinstance(c, Word)] == ["(", ")"]
+def bracketed(state: State) -> bool:
+    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before."""
+    return is_word(state.at(-1), "(") and is_word(state.at(1), ")")
 
 
-def _names_before(chunks: list[Chunk], k: int, state: State) -> bool:
+def _names_before(state: State) -> bool:
     """``struck V2, an oncoming pickup.``: a noun without a name after one with a name."""
-    here, before = chunks[k], state.anchor
+    here, before = state.at(0), state.anchor
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
-    named = (before.label or "").startswith("#") and not (here.label or "").startswith("#")
-    following = chunks[k + 1] if k + 1 < len(chunks) else None
+    following = state.at(1)
     listed = isinstance(following, Word) and following.cat == "conj"
-    indefinite = any(m.value == "indef" for m in here.mods)
     acts = isinstance(following, Event) and following.form != "ing"
-    return named and indefinite and not listed and not acts
+    named = before.is_named and not here.is_named
+    return named and here.has("det", "indef") and not (listed or acts)
 
 
-def partitive_before(k: int, chunks: list[Chunk]) -> Mention | None:
-    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are.
-
-    Args:
-        k: index of the noun.
-        chunks: the chunks of the text.
-    """
-    if k < 3:
-        return None
-    part, of, whole = chunks[k - 3 : k]
-    if not isinstance(part, Mention) or not isinstance(of, Word) or of.value != "of":
+def partitive_before(state: State) -> Mention | None:
+    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are."""
+    part, of, whole = (state.at(n) for n in (-3, -2, -1))
+    if not isinstance(part, Mention) or not is_word(of, "of"):
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"
     return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
 
 
-def _described_role(chunks: list[Chunk], k: int, state: State) -> bool:
+def _described_role(state: State) -> bool:
     """``the driver, a man from Leeds, lost …``: a noun and its phrases between two commas."""
-    role, noun = state.candidate, chunks[k]
+    role, noun = state.candidate, state.at(0)
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
-    bare = noun.mods[0].value == "indef" or noun.is_ego
-    after = chunks[k + 1 : k + 9]
-    ends = next((m for m, c in enumerate(after) if isinstance(c, Word) and c.value == ","), None)
-    if not bare or ends is None or ends + 1 >= len(after):
+    after = state.after(8)
+    end = next((m for m, c in enumerate(after) if is_word(c, ",")), None)
+    if end is None or not (noun.opened_by("indef") or noun.is_ego):
         return False
-    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:ends])
-    verb = after[ends + 1]
-    finite = isinstance(verb, Event) and verb.form != "ing" and not verb.nominal
-    return not joined and (finite or (isinstance(verb, Word) and verb.cat == "aux"))
+    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:end])
+    verb = chunk_at(after, end + 1)
+    doing = isinstance(verb, Event) and verb.nominal
+    return not joined and not doing and _predicate_opens(verb)
 
 
-def relative_noun(chunks: list[Chunk], k: int) -> Mention | None:
+def relative_noun(state: State) -> Mention | None:
     """``struck vehicle 2, which was a taxi``: the noun says what vehicle 2 is.
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of the noun.
 
     Returns:
         Whom it describes, if it does.
     """
-    noun = chunks[k]
-    before = [c for c in chunks[max(0, k - 4) : k] if getattr(c, "value", "") != ","]
+    noun = state.at(0)
+    before = [c for c in state.before(4) if getattr(c, "value", "") != ","]
     if len(before) < _RELATIVE or not isinstance(noun, Mention) or not noun.mods:
         return None
     who, joint, copula = before[-_RELATIVE:]
     relative = isinstance(joint, Word) and joint.cat == "rel"
     said = isinstance(copula, Word) and (copula.cat, copula.value) == ("aux", "be")
-    single = noun.mods[0].value == "indef" or noun.is_ego
+    single = noun.opened_by("indef") or noun.is_ego
     return who if relative and said and single and isinstance(who, Mention) else None
 
 
-def further_ones(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``two cars coming from the left and one from the right``: three cars, not two.
-
-    Args:
-        mention: the noun.
-        k: index of the noun.
-        chunks: the chunks of the text.
-        state: what the clause reader remembers.
-    """
+def further_ones(mention: Mention, state: State) -> bool:
+    """``two cars coming from the left and one from the right``: three cars, not two."""
     if mention.pronoun not in {"one", "count"} or not {"and"} <= state.between <= {"and", "conj"}:
         return False
-    before, following = state.anchor, chunks[k + 1] if k + 1 < len(chunks) else None
-    participle = isinstance(before, Event) and before.form == "ing" and len(before.subject) == 1
-    who = before.subject[0] if isinstance(before, Event) and participle else before
+    who, following = state.anchor, state.at(1)
+    participle = isinstance(who, Event) and who.form == "ing"
+    if isinstance(who, Event) and participle and len(who.subject) == 1:
+        who = who.subject[0]
     number = who.mod("num") if isinstance(who, Mention) and who.heads else None
     if number is None or number.data["number"] < 2:
         return False
     again = isinstance(following, Event) and following.form == "ing" and participle
-    off = isinstance(following, Word) and following.value == "from"
+    off = is_word(following, "from")
     return again or (off and state.last_prep is not None and state.last_prep.value == "from")

@@ -2,47 +2,42 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Event, Mention, Word
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import is_word
 
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
 _REACH = 4
 
 
-def opens(mention: Mention, k: int, chunks: list[Chunk], state: State) -> bool:
+def opens(mention: Mention, state: State) -> bool:
     """Whether a noun begins a clause that says what is done to the noun before it.
 
     Args:
         mention: who does it ("the ego").
-        k: its index among the chunks.
-        chunks: the chunks of the text.
         state: what the clause reader remembers; it keeps both nouns.
     """
-    before = chunks[max(0, k - 3) : k]
-    marked = bool(before) and isinstance(before[-1], Word) and before[-1].cat == "rel"
-    if marked:
-        before.pop()
-        if before and isinstance(before[-1], Word) and before[-1].value == ",":
-            before.pop()
-    about = before[-1] if before else None
+    that = state.at(-1)
+    marked = isinstance(that, Word) and that.cat == "rel"
+    about = state.at(-1 - marked)
+    if marked and is_word(about, ","):
+        about = state.at(-3)
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.waiting and not state.between
     told = mention.pronoun is not None or any("speaks" in h.data for h in mention.heads)
-    touching = before[-1:] == [chunks[k - 1]] and told
-    if not (marked or waits or touching) or not _acts(k, chunks):
+    if not (marked or waits or told) or not _acts(state):
         return False
     state.relative = (mention, about)
     return True
 
 
-def _acts(k: int, chunks: list[Chunk]) -> bool:
+def _acts(state: State) -> bool:
     """Whether a verb follows that wants an object and does not get one."""
-    for m, chunk in enumerate(chunks[k + 1 : k + 1 + _REACH], start=k + 1):
+    for n, chunk in enumerate(state.after(_REACH), start=1):
         if isinstance(chunk, Event):
-            after = chunks[m + 1] if m + 1 < len(chunks) else None
-            free = not isinstance(after, Mention)
+            free = not isinstance(state.at(n + 1), Mention)
             return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
         if not isinstance(chunk, Word) or chunk.cat not in {"aux", "manner", "neg"}:
             return False
@@ -62,17 +57,12 @@ def close(event: Event, state: State) -> bool:
     event.negated = any(word.startswith("neg:") for word in state.between)
     state.relative = None
     state.events.append(event)
-    state.anchor, state.between, state.last_pp = about, set(), None
+    state.stand_at(about)
     return True
 
 
 def aside(event: Event, events: list[Event]) -> bool:
-    """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about.
-
-    Args:
-        event: an event.
-        events: all events of the text.
-    """
+    """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about."""
     return event.embedded and any(
         e.finite and e.subject and not e.embedded and e.sentence == event.sentence and e.i < event.i
         for e in events

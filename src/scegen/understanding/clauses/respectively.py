@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import groupby
 
-from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.chunks import Event, Mention, Prep
 from scegen.understanding.words.quantities import Quantity
 from scegen.understanding.words.terms import Term
 
@@ -19,10 +19,6 @@ def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
     Nobody drives north and east at once: as many ways as participants are one for each, in
     order, whether "respectively" is said or not. With it, the same holds for speeds and for
     verbs ("stop and turn left, respectively").
-
-    Args:
-        events: the events of a text, mentions resolved.
-        terms: its terms.
     """
     marks = [t.i for t in terms if t.value == "respectively"]
     found: list[Event] = []
@@ -39,22 +35,22 @@ def _members(event: Event) -> list[Mention]:
 
 
 def _apart(event: Event, respectively: bool) -> list[Event]:
-    count = sum([len(m.entities) for m in event.subject])
+    count = len(event.doers)
     if count < 2 or event.alternative is not None:
         return [event]
-    shares = [s for s in (_ways(event, cat, count) for cat in _SHARED) if s]
-    speeds = _speeds(event, count) if respectively else []
+    shares = [_ways(event, cat, count) for cat in _SHARED]
+    shares = [s for s in (*shares, _speeds(event, count) if respectively else []) if s]
     sides = _sides(event, count)
-    if not (shares or speeds or sides):
+    if not (shares or sides):
         return [event]
-    gone = {m.i for share in (*shares, speeds) for m in share}
+    gone = {m.i for share in shares for m in share}
     mods = [m for m in event.mods if m.i not in gone]
     pps = [p for p in event.pps if p not in sides]
     return [
         replace(
             event,
             subject=[who],
-            mods=[*mods, *(share[k] for share in (*shares, speeds) if share)],
+            mods=[*mods, *(share[k] for share in shares)],
             pps=[*pps, *sides[k : k + 1]],
         )
         for k, who in enumerate(_members(event))
@@ -69,15 +65,11 @@ def _ways(event: Event, cat: str, count: int) -> list[Term]:
 
 def _sides(event: Event, count: int) -> list[Prep]:
     """``approach from the north and from the east``: phrases of one kind, one for each."""
-    for _, group in groupby(event.pps, key=lambda p: p.value):
-        sides = [p for p in group if _side(p)]
-        if len(sides) == count:
+    for word, group in groupby(event.pps, key=lambda p: p.value):
+        sides = [p for p in group if p.place is not None]
+        if word in {"from", "to"} and len(sides) == count:
             return sides
     return []
-
-
-def _side(prep: Prep) -> bool:
-    return prep.value in {"from", "to"} and isinstance(prep.target, Place)
 
 
 def _speeds(event: Event, count: int) -> list[Term]:
@@ -102,14 +94,8 @@ def _verbs(events: list[Event], mark: int) -> None:
     if not before:
         return
     last = before[-1]
-    alike = [e for e in before if e.sentence == last.sentence and _same(e, last)]
+    alike = [e for e in before if e.sentence == last.sentence and e.doers == last.doers]
     members = _members(last)
     if len(alike) == len(members) > 1:
         for event, who in zip(alike, members, strict=True):
             event.subject = [who]
-
-
-def _same(one: Event, other: Event) -> bool:
-    return [e for m in one.subject for e in m.entities] == [
-        e for m in other.subject for e in m.entities
-    ]

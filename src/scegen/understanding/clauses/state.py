@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep
+from scegen.understanding.phrases.lookahead import chunk_at, finite_follows
 from scegen.understanding.words.terms import Term
 
 
@@ -13,6 +14,8 @@ class State:
     """What the reader remembers within a sentence.
 
     Attributes:
+        chunks: the chunks of the text.
+        k: index of the chunk that is read.
         candidate: the mention that waits for, or has got, the verb of its clause.
         candidate_done: the candidate has a finite verb.
         main: subject of the last finite verb, kept over sentence ends for fragments.
@@ -37,6 +40,8 @@ class State:
         relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
+    chunks: list[Chunk]
+    k: int = 0
     candidate: Mention | None = None
     candidate_done: bool = False
     main: list[Mention] = field(default_factory=list)
@@ -60,10 +65,35 @@ class State:
     being: Mention | None = None
     dependent: bool = False
 
+    def at(self, n: int) -> Chunk | None:
+        """The chunk so many after the one that is read, or before it."""
+        return chunk_at(self.chunks, self.k + n)
+
+    def before(self, n: int) -> list[Chunk]:
+        """So many chunks right before the one that is read."""
+        return self.chunks[max(0, self.k - n) : self.k]
+
+    def after(self, n: int) -> list[Chunk]:
+        """So many chunks right after the one that is read."""
+        return self.chunks[self.k + 1 : self.k + 1 + n]
+
+    @property
+    def verb_follows(self) -> bool:
+        """Whether a verb of its own comes after what is read."""
+        return finite_follows(self.chunks, self.k)
+
     @property
     def waiting(self) -> Mention | None:
         """The candidate, as long as it has no verb of its own."""
         return self.candidate if not self.candidate_done else None
+
+    def awaits(self, *words: str) -> bool:
+        """Whether one of these prepositions waits for its target."""
+        return self.prep is not None and self.prep.value in words
+
+    def stand_at(self, phrase: Mention | NounPhrase | Event) -> None:
+        """A phrase becomes the anchor; no words have come since."""
+        self.anchor, self.between, self.last_pp = phrase, set(), None
 
     @property
     def last(self) -> Event | None:

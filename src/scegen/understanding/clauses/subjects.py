@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase
+from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -43,12 +43,15 @@ def _link(event: Event, state: State) -> None:
     if event.nominal:
         nominal(event, state)
         return
-    to = state.prep is not None and state.prep.value == "to" and event.form == "base"
     helped = auxiliary(state)
-    let = granting(event, state)
-    if to or let is not None:
-        infinitive(event, state, None if to else let)
-    elif state.prep is not None and (event.form == "ing" or _without_ability(state)):
+    if state.awaits("to") and event.form == "base":
+        infinitive(event, state)
+    elif (let := granting(event, state)) is not None:
+        infinitive(event, state, let)
+    elif state.prep is not None and (
+        event.form == "ing"
+        or (state.prep.value == "without" and {"aux:can", "aux:have"} & state.between)
+    ):  # "without being able to stop", "without having braked"
         gerund(event, state)
     else:
         event.finite = event.form in {"s", "ed", "base"} or helped
@@ -75,18 +78,8 @@ def _link(event: Event, state: State) -> None:
         state.candidate_done = state.candidate_done or not waits
 
 
-def _without_ability(state: State) -> bool:
-    """``without being able to stop``, ``without having braked``."""
-    helped = {"aux:can", "aux:have"} & state.between
-    return state.prep is not None and state.prep.value == "without" and bool(helped)
-
-
 def before_by(event: Event) -> None:
-    """``…, obstructed by a van``: a participle with "by" after it is passive.
-
-    Args:
-        event: the verb form right before "by".
-    """
+    """``…, obstructed by a van``: a participle with "by" after it is passive."""
     crossed = event.name == "cross" and event.object is not None and not event.subject
     if event.form == "ed" and not event.nominal and (crossed or event.name in PASSIVE):
         event.passive = True
@@ -94,16 +87,15 @@ def before_by(event: Event) -> None:
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
-    parts = state.topic if isinstance(state.topic, NounPhrase) else None
-    if parts is not None and event.name == "collide" and "aux:be" not in state.between:
-        own = any(m.cat == "possessive" and m.value == "its" for m in parts.mods)
-        event.subject = [parts.owner] if parts.owner is not None else state.main if own else []
-        state.topic = None
-        return  # "the front of the van struck …", "its front struck …"
+    topic, state.topic = state.topic, None
     passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
-    if passive and "aux:be" in state.between:
-        event.passive, event.object = event.name in PASSIVE, state.topic
-    state.topic = None
+    if "aux:be" in state.between:
+        if passive:
+            event.passive, event.object = event.name in PASSIVE, topic
+    elif topic is not None and event.name == "collide":
+        its = state.main if topic.has("possessive", "its") else []
+        # "the front of the van struck …", "its front struck …"
+        event.subject = [topic.owner] if topic.owner is not None else its
 
 
 def _blocked(event: Event, state: State) -> bool:
@@ -122,7 +114,7 @@ def _clause(event: Event, state: State) -> None:
     between = state.between
     event.embedded = "rel" in between or state.where
     event.supplement = {"rel", ","} <= between
-    noun = noun_described(event, state) if event.reduced else None
+    noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:
         event.subject, event.finite = chain(noun), False
         return
@@ -169,12 +161,12 @@ def _antecedent(state: State) -> Mention:
     In "the car ahead of us, which" it is the car.
     """
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
-    return next((m for m in nouns if not (_landmark(m) or m.aside)), nouns[0])
+    return next((m for m in nouns if not ((_told(m) and m.is_landmark) or m.aside)), nouns[0])
 
 
-def _landmark(mention: Mention) -> bool:
-    told = mention.pronoun in _ITS or any("me" in head.data for head in mention.heads)
-    return told and mention.prep is not None and mention.prep.cat == "locus"
+def _told(mention: Mention) -> bool:
+    """Whether one knows already who that is: "it", "them", "me"."""
+    return mention.pronoun in _ITS or mention.is_me
 
 
 def _subjectless(event: Event, state: State) -> None:
@@ -212,16 +204,12 @@ def _after_comma(event: Event, state: State) -> None:
 
 def _on_foot(event: Event, state: State) -> Mention | None:
     """``a child …, running``: who is on foot."""
-    on_foot = [m for m in state.mentions if m.head is not None and m.head.value == "pedestrian"]
+    on_foot = [m for m in state.mentions if m.is_person]
     return on_foot[-1] if event.name == "walk" and on_foot else None
 
 
 def main_in_sentence(state: State) -> list[Mention]:
-    """Who acts in the last main clause of the sentence.
-
-    Args:
-        state: what the clause reader remembers.
-    """
+    """Who acts in the last main clause of the sentence."""
     finite = [e for e in state.events if e.finite and e.subject]
     finite = [e for e in finite if not e.embedded] or finite  # "hits a man who walks, killing …"
     if finite:
@@ -229,35 +217,21 @@ def main_in_sentence(state: State) -> list[Mention]:
     return next((e.subject for e in reversed(state.events) if e.subject), [])
 
 
-def noun_described(event: Event, state: State) -> Mention | None:
-    """``hidden by two cars parked there``: the noun in a phrase that a participle is said of.
-
-    Args:
-        event: the participle.
-        state: what the clause reader remembers.
-    """
+def _noun_described(event: Event, state: State) -> Mention | None:
+    """``hidden by two cars parked there``: the noun in a phrase that a participle is said of."""
     noun = state.last_pp or state.anchor
     if not isinstance(noun, Mention) or noun.prep is None or noun.j != event.i:
         return None
     return noun if event.form == "ed" and event.name in _DESCRIBING else None
 
 
-def only_describes(event: Event, k: int, chunks: list[Chunk], state: State) -> bool:
-    """``hidden behind a van runs out``, ``by two cars parked there``: no clause of its own.
-
-    Args:
-        event: the verb form.
-        k: its index among the chunks.
-        chunks: the chunks of the text.
-        state: what the clause reader remembers.
-    """
-    noun = noun_described(event, state)
-    if noun is not None:
-        by = noun.prep is not None and noun.prep.value == "by"
-        if by or state.candidate_done or state.fronted:
-            return True
+def only_describes(event: Event, state: State) -> bool:
+    """``hidden behind a van runs out``, ``by two cars parked there``: no clause of its own."""
+    noun = _noun_described(event, state)
+    if noun and (noun.stands_after("by") or state.candidate_done or state.fronted):
+        return True
     described = state.anchor is state.candidate or noun is not None
-    return described and main_verb_follows(chunks, k)
+    return described and main_verb_follows(state.chunks, state.k)
 
 
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
@@ -266,19 +240,16 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         return
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
-    last = state.last
-    within = anchor.prep is not None and anchor.prep.value == "in" and anchor.head is not None
-    if last and within and anchor.head and "mass" in anchor.head.data and event.form == "ing":
+    last, told = state.last, _told(anchor)
+    done_to = last if last is not None and last.object is anchor else None
+    if done_to is not None and done_to.name in {"cause", "prevent"}:
+        depend(event, done_to, "ing")
+    within = anchor.stands_after("in") and anchor.is_mass
+    if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
-        return
-    if last is not None and last.object is anchor and last.name in {"cause", "prevent"}:
-        depend(event, last, "ing")
-    told = anchor.pronoun in _ITS or any("me" in h.data for h in anchor.heads)
-    if _landmark(anchor) and not event.finite and state.candidate is not None:
+    elif told and anchor.is_landmark and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
-        return
-    done_to = last is not None and last.object is anchor and last.name not in _SHOWN
-    if last is not None and done_to and told and not event.finite:
-        event.subject = last.subject  # "nearly hit me coming from the right"
-        return
-    event.subject = chain(anchor)
+    elif done_to is not None and done_to.name not in _SHOWN and told and not event.finite:
+        event.subject = done_to.subject  # "nearly hit me coming from the right"
+    else:
+        event.subject = chain(anchor)

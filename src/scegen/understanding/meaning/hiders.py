@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.chunks import Chunk, Event, Thing, Word
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.terms import Term
 
 _HIDING = frozenset({"behind", "between"})
@@ -16,17 +16,17 @@ _LONGEST = 5
 def name_hiders(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks, with unknown nouns after "behind" and "hidden by" as things."""
     found: list[Chunk] = []
-    k = 0
-    while k < len(chunks):
-        found.append(chunks[k])
-        end = _end(chunks, k + 1) if _hides(chunks, k) else None
-        if end is not None:
-            words = chunks[k + 1 : end]
-            first, last = words[0], words[-1]
-            mods = [w.term for w in words[:-1] if isinstance(w, Word)]
+    end = 0
+    for k, chunk in enumerate(chunks):
+        if k < end:
+            continue
+        found.append(chunk)
+        end = _end(chunks, k + 1) if _hides(chunks, k) else 0
+        if end:
+            *before, last = chunks[k + 1 : end]
+            mods = [w.term for w in before if isinstance(w, Word)]
             head = Term("thing", "object", last.i, last.j)
-            found.append(Thing(first.i, last.j, mods, head, kind="object"))
-        k = end if end is not None else k + 1
+            found.append(Thing(chunks[k + 1].i, last.j, mods, head, kind="object"))
     return found
 
 
@@ -42,11 +42,11 @@ def _hides(chunks: list[Chunk], k: int) -> bool:
     return word.value == "by" and hidden
 
 
-def _end(chunks: list[Chunk], k: int) -> int | None:
-    """Where a noun with an article ends whose last word is in no lexicon."""
-    opener = chunks[k] if k < len(chunks) else None
+def _end(chunks: list[Chunk], k: int) -> int:
+    """Where a noun with an article ends whose last word is in no lexicon; 0 if none begins."""
+    opener = chunk_at(chunks, k)
     if not isinstance(opener, Word) or opener.cat not in _OPENERS:
-        return None
+        return 0
     m = k + 1
     while m < len(chunks) and m - k < _LONGEST:
         chunk = chunks[m]
@@ -54,10 +54,10 @@ def _end(chunks: list[Chunk], k: int) -> int | None:
         if not (noun_like or (isinstance(chunk, Word) and chunk.cat in _DESCRIBING)):
             break
         m += 1
-    last, after = chunks[m - 1], chunks[m] if m < len(chunks) else None
+    last, after = chunks[m - 1], chunk_at(chunks, m)
     named = m > k + 1 and (isinstance(last, Event) or getattr(last, "cat", "") == "unknown")
     ends = after is None or (
         isinstance(after, Word) and (after.cat in _ENDS or after.value in BOUNDARIES)
     )
     verb = isinstance(after, Event) and after.form in {"s", "ed", "ing"}
-    return m if named and (ends or verb) and not isinstance(after, Mention) else None
+    return m if named and (ends or verb) else 0

@@ -9,7 +9,7 @@ from scegen.scenario.vocabulary import AtLight, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, value_at
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 
@@ -47,11 +47,11 @@ def read_lights(clauses: list[Clause], chunks: list[Chunk], context: Context) ->
     """
     lights = list(_lights(clauses, chunks, context))
     changes = [light.change for light in lights if light.change is not None]
-    against = [light for light in lights if light.colour is AtLight.RED]
-    against = [light for light in against if _runs(light, clauses, context)]
+    red = [light for light in lights if light.colour is AtLight.RED]
+    run = [light for light in red if _runs(light, clauses, context)]
     for clause in [c for c in clauses if c not in changes]:
         say("movements.past_a_light", clause, context)
-    for light in [light for light in lights if light not in against]:
+    for light in [light for light in lights if light not in run]:
         if light.change is not None:
             _answer(light, light.change, clauses, context)
         elif light.colour is not AtLight.RED:
@@ -68,14 +68,13 @@ def _lights(clauses: list[Clause], chunks: list[Chunk], context: Context) -> Ite
         told = [c for c in clauses if any(p is place for p in c.places())]
         change = next((c for c in told if _changes(c)), None)
         faced = [e for c in told if c.event.name == "encounter" for e in c.actors]
+        whose = _for(chunks, k, context) or _owner(place)
         if change is not None:
-            whose = change.actors or _for(chunks, k, context) or _owner(place)
-            yield _Light(place, colour, whose, change)
+            yield _Light(place, colour, change.actors or whose, change)
         elif faced and colour is AtLight.RED:
             yield _Light(place, colour, faced, None)
         elif not any(c.actors for c in told):
-            whose = _for(chunks, k, context) or _owner(place) or _before(chunks[:k])
-            yield _Light(place, colour, whose, None)
+            yield _Light(place, colour, whose or _before(chunks[:k]), None)
 
 
 def _colour(thing: object, context: Context) -> AtLight | None:
@@ -98,8 +97,8 @@ def _owner(place: Place) -> list[Entity]:
 
 def _for(chunks: list[Chunk], k: int, context: Context) -> list[Entity]:
     """``red for the ego``; ``for the cross street``: for those who come from the side."""
-    marker, noun = [*chunks[k + 1 : k + 3], None, None][:2]
-    if not (isinstance(marker, Word) and marker.value == "for"):
+    noun = chunk_at(chunks, k + 2)
+    if value_at(chunks, k + 1) != "for":
         return []
     if isinstance(noun, Mention) and noun.entities:
         return list(noun.entities)
@@ -131,7 +130,7 @@ def _runs(light: _Light, clauses: list[Clause], context: Context) -> bool:
     if found is None and not light.whose:
         found = _in_spite(at, [c for c in driven if _goes(c)], context)
     if found is not None:
-        words = Basis(min(found.event.i, at), max(found.event.j, light.place.j))
+        words = _joined(found.event, light.place)
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, words, found.drivers)
     return found is not None
 
@@ -171,15 +170,15 @@ def _answer(light: _Light, change: Clause, clauses: list[Clause], context: Conte
         meets = _meets(colour, clause, _link(clause, change, context))
         if meets is not None:
             for entity in clause.actors:
-                _note(entity, meets, _joined(change, clause), context)
+                _note(entity, meets, _joined(event, clause.event), context)
             return
     for entity in light.whose if colour is AtLight.GREEN else []:
         _note(entity, AtLight.WAITS if entity.held else AtLight.GREEN, change.words, context)
-    coming = [c for c in clauses if c.event.name == "approach" and not c.event.negated]
-    for clause in coming if colour is AtLight.RED else []:  # who keeps the rules stops there
-        if clause.event.sentence == event.sentence and _link(clause, change, context) != "after":
+    here = [c for c in clauses if c.event.sentence == event.sentence and not c.event.negated]
+    for clause in here if colour is AtLight.RED else []:  # who keeps the rules stops there
+        if clause.event.name == "approach" and _link(clause, change, context) != "after":
             for entity in clause.drivers:
-                _note(entity, AtLight.STOPS, _joined(change, clause), context)
+                _note(entity, AtLight.STOPS, _joined(event, clause.event), context)
 
 
 def _link(clause: Clause, change: Clause, context: Context) -> str | None:
@@ -201,8 +200,8 @@ def _meets(colour: AtLight, clause: Clause, link: str | None) -> AtLight | None:
     return AtLight.RED if link == "after" else AtLight.AMBER
 
 
-def _joined(one: Clause, two: Clause) -> Basis:
-    return Basis(min(one.event.i, two.event.i), max(one.event.j, two.event.j))
+def _joined(one: Event, two: Event | Place) -> Basis:
+    return Basis(min(one.i, two.i), max(one.j, two.j))
 
 
 def _note(entity: Entity, light: AtLight, basis: Basis, context: Context) -> None:
@@ -232,6 +231,6 @@ def _report(
         if place is None or any(b.i is not None and b.i <= event.i < (b.j or 0) for b in told):
             continue
         if clause in changes:
-            draft.note(min(event.i, place.i), max(event.j, place.j), _TURNS)
+            draft.note_at(_joined(event, place), _TURNS)
         elif _colour(place, context) is AtLight.AMBER and clause.actors:
             draft.note(place.i, place.j, _AMBER)

@@ -47,13 +47,15 @@ class Manners:
         """``a slow van``, ``a parked car``, ``a truck at 80 km/h``."""
         drivers = [e for e in entities if e.moving_vehicle]
         kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
-        if kind is HazardKind.SLOW_DRIVING:  # the ego under test may drive as slowly as it likes
+        measured = "quantity" in term.data
+        slow = kind is HazardKind.SLOW_DRIVING
+        if slow:  # the ego under test may drive as slowly as it likes
             drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
-        own = all(e.ego for e in drivers) and "quantity" in term.data  # "I was only doing 25 km/h"
+        own = slow and measured and all(e.ego for e in drivers)  # "I was only doing 25 km/h"
         if kind is not None and drivers:
-            if not (own and kind is HazardKind.SLOW_DRIVING):
+            if not own:
                 self._draft.hazard(kind, Basis(term.i, term.j), drivers)
-            if "quantity" in term.data:
+            if measured:
                 self._quantity(replace(term, cat="quantity", value="speed"), drivers)
         elif term.cat == "manner" and term.value == "close":
             follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
@@ -88,10 +90,9 @@ class Manners:
         travels = event.name in _TRAVEL
         for term in event.mods:
             if term.cat == "quantity":
-                after = any(
-                    p.value == "ahead" and p.target is not None and p.target.j + 1 == term.i
-                    for p in event.pps
-                )  # "runs across in front of the ego at 50 km/h"
+                ahead_of = [p.target for p in event.pps if p.value == "ahead"]
+                # "runs across in front of the ego at 50 km/h"
+                after = any(t is not None and t.j + 1 == term.i for t in ahead_of)
                 self._quantity(term, clause.actors, event.name, others=after)
             elif term.cat == "compass":
                 placing.heading(term, clause.actors)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
-from scegen.understanding.clauses import bearing
+from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
+from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing, rows, standing
@@ -76,20 +76,7 @@ class Interpreter:
         Returns:
             What happens, in the order of the text.
         """
-        self._of_verbs = {
-            id(p)
-            for e in events
-            for p in e.pps
-            if (_from_behind(p) and (_goes_into(e, p.on_mention) or _is_hit(e, p.on_mention)))
-            or (
-                p.on_mention is e.object
-                and (
-                    _starts(e, p)
-                    or (e.name in _BESIDE and bearing.is_side(p) and not _met_there(p))
-                    or bearing.own_lane(e, p)
-                )
-            )
-        }
+        self._of_verbs = {id(p) for e in events for p in e.pps if _is_of_the_verb(p, e)}
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
@@ -131,14 +118,14 @@ class Interpreter:
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
         }  # "kicks a ball"
         acting = {id(m) for e in events for m in e.subject if e.name not in {"hide", "collide"}}
-        for chunk in chunks:
+        for k, chunk in enumerate(chunks):
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk)
                 if id(chunk) not in acting:
                     standing.jam(chunk, self._context)
                     say("nouns.idle", clause_of_noun(chunk), self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
-                read_thing(chunk, chunks, self._draft)
+                read_thing(chunk, k, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
                 self._context.barred |= chunk.kind in {"object", "obstacle"}
 
@@ -146,10 +133,10 @@ class Interpreter:
         placing.adjectives(mention, self._context)
         clause = clause_of_noun(mention)
         say("nouns.noun", clause, self._context)
-        sides = [p for p in mention.pps if p.value in {"from", "in"} and bearing.is_side(p)]
+        sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
         for prep in mention.pps:
             if id(prep) in self._of_verbs:
-                continue  # "approaches the ego from the left": not the ego comes from there
+                continue
             if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
                 self._spread(prep, mention.entities)
                 continue
@@ -191,12 +178,12 @@ class Interpreter:
         ends = event.name == "move" and event.lemma in word_list("ending_up")
         met = clause.targets or driven_up_to(clause, self._context)
         for prep in event.pps if not ends else []:
+            basis = Basis(prep.word.i, prep.word.j)
             if from_everywhere(prep):
                 self._spread(prep, clause.actors)
             elif _from_behind(prep) and event.name in _UNDERWAY and met:
-                self._context.ahead(met[:1], clause.actors, Basis(prep.word.i, prep.word.j))
+                self._context.ahead(met[:1], clause.actors, basis)
             elif _from_behind(prep) and not met and _is_hit(event, prep.on_mention):
-                basis = Basis(prep.word.i, prep.word.j)
                 for entity in (e for e in clause.actors if not e.ego):
                     self._draft.place(entity, None, {Approach.AHEAD}, basis)
             elif prep.on_mention is None or _starts(event, prep):
@@ -216,12 +203,21 @@ class Interpreter:
                 self._draft.place(entity, None, {_PAIR[number]}, basis)
 
 
+def _is_of_the_verb(prep: Prep, event: Event) -> bool:
+    """``approaches the ego from the left``: not the ego comes from there."""
+    who = prep.on_mention
+    if _from_behind(prep) and (_goes_into(event, who) or _is_hit(event, who)):
+        return True
+    beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
+    of_verb = beside or _starts(event, prep) or own_lane(event, prep)
+    return who is event.object and of_verb
+
+
 def _met_there(prep: Prep) -> bool:
     """``hits a cyclist on its right``: where one is who was not told of before."""
-    who, side = prep.on_mention, prep.target
-    new = who is not None and any((m.cat, m.value) == ("det", "indef") for m in who.mods)
-    its = isinstance(side, Place) and side.head is None and side.mod("possessive") is not None
-    return new and its
+    who, side = prep.on_mention, prep.place
+    new = who is not None and who.has("det", "indef")
+    return new and side is not None and side.head is None and side.has("possessive")
 
 
 def _from_behind(prep: Prep) -> bool:

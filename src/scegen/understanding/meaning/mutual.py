@@ -28,12 +28,7 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
 
 
 def face_each_other(draft: Draft, ego: Entity) -> None:
-    """``from opposite directions``: each comes towards the others, the ego among them.
-
-    Args:
-        draft: the scenario in the making.
-        ego: its ego.
-    """
+    """``from opposite directions``: each comes towards the others, the ego among them."""
     for entity in draft.entities:
         if entity is not ego and ego.index in entity.opposed:
             allow(entity, {Approach.OPPOSITE}, entity.approach_basis or entity.basis)

@@ -9,12 +9,7 @@ from scegen.understanding.words.terms import Term
 
 
 def read_calls(terms: list[Term], draft: Draft) -> None:
-    """Put on call whose siren or blue lights are on: the emergency vehicle named last before.
-
-    Args:
-        terms: the terms of the text.
-        draft: the scenario in the making, everybody known.
-    """
+    """Put on call whose siren or blue lights are on: the emergency vehicle named last before."""
     able = [e for e in draft.entities if e.kind is ParticipantKind.EMERGENCY_VEHICLE]
     for k, term in enumerate(terms):
         if "on_call" not in term.data or absent.negated(terms, k) or not able:

@@ -22,7 +22,7 @@ def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> N
         return
     who = _who(at, chunks)
     for event in events:
-        drivers = [e for m in event.subject for e in m.entities if e.moving_vehicle]
+        drivers = [e for e in event.doers if e.moving_vehicle]
         goes = event.finite and event.name in _GOING and not (event.negated or event.modal)
         if who and goes and drivers and not any(e in who for e in drivers):
             basis = Basis(event.i, event.j)

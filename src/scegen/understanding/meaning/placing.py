@@ -18,7 +18,7 @@ from scegen.understanding.words.terms import Term
 def _in_line(prep: Prep, entities: list[Entity], event: Event) -> bool:
     """``enters the roundabout behind a car``: as it follows that one, which is not in it yet."""
     after = event.name in {"enter", "turn"} and prep.value == "behind"
-    led = prep.target.entities if isinstance(prep.target, Mention) else []
+    led = prep.who.entities if prep.who is not None else []
     comes = any("opposite" in e.dirs for e in (*entities, *led))
     return after and not comes and not any(e.circulates for e in led)
 
@@ -26,31 +26,20 @@ def _in_line(prep: Prep, entities: list[Entity], event: Event) -> bool:
 def _ends_there(event: Event, prep: Prep) -> bool:
     """``sweeps left in front of the bus``: where it gets to."""
     turns = any(d.value in SIDES for d in event.dirs)
-    onto = any(
-        p.value in {"to", "into"} and isinstance(p.target, Place) and p.target.kind == "lane"
-        for p in event.pps
-    )
-    afoot = isinstance(prep.target, Mention) and not any(e.is_vehicle for e in prep.target.entities)
-    backs_out = event.name == "reverse" and any(
-        isinstance(p.target, Place) and p.target.kind in {"parking", "access"} for p in event.pps
-    )
-    if prep.value == "ahead" and backs_out:
-        return True  # "a car comes the other way; the ego goes in front of it"
-    if afoot and (event.name, prep.value) == ("stop", "ahead"):
-        return True  # "stops 1 m in front of her"
+    places = [(p.value, p.place.kind) for p in event.pps if p.place is not None]
+    onto = any(word in {"to", "into"} and kind == "lane" for word, kind in places)
+    # "a car comes the other way; the ego backs out in front of it"
+    out = event.name == "reverse" and any(kind in {"parking", "access"} for _, kind in places)
+    afoot = prep.who is not None and not any(e.is_vehicle for e in prep.who.entities)
+    halts = afoot and event.name == "stop"  # "stops 1 m in front of her"
     past = prep.value == "behind" and event.name in {"pass", "cross"}  # "passes behind the ego"
-    return past or ((turns or onto) and prep.value == "ahead")
+    return past or ((turns or onto or out or halts) and prep.value == "ahead")
 
 
 def _same_way(prep: Prep) -> bool:
     """``in the same direction as the ego``."""
-    place = prep.target
-    return isinstance(place, Place) and place.kind == "direction" and "same" in place.dirs
-
-
-def _past_the_parked(approaches: set[Approach], entities: list[Entity]) -> bool:
-    """``1 m beside the parked cars``: they have no lane of their own."""
-    return approaches == {Approach.ADJACENT} and any(e.parked for e in entities)
+    place = prep.place
+    return place is not None and place.kind == "direction" and "same" in place.dirs
 
 
 def adjectives(mention: Mention, context: Context) -> None:
@@ -61,10 +50,8 @@ def adjectives(mention: Mention, context: Context) -> None:
         if approaches and term is not None:
             context.draft.place(entity, None, set(approaches), Basis(term.i, term.j))
     for mod in mention.mods:
-        for entity in mention.entities if "bound" in mod.data else []:
-            entity.bound = True
         if mod.cat == "compass":
-            _head(mention.entities, mod.value, Basis(mod.i, mod.j))
+            heading(mod, mention.entities)
 
 
 def phrase(prep: Prep, entities: list[Entity], event: Event | None, context: Context) -> None:
@@ -91,7 +78,7 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
     if isinstance(target, Thing | Place):
         return
     if prep.value == "between":
-        by = prep.target.entities if isinstance(prep.target, Mention) else []
+        by = prep.who.entities if prep.who is not None else []
         for entity in entities if len(by) == 1 and by[0].ego else []:
             context.draft.place(entity, None, {Approach.ADJACENT}, basis)
         return  # "between the ego and the kerb"
@@ -105,39 +92,31 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
         return
     comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
     approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
-    reference: Entity | None = None
-    if isinstance(target, Mention):
-        if not target.entities:
-            return
-        reference = target.entities[0]
-    if _past_the_parked(approaches, [*entities, *([reference] if reference else [])]):
+    seen_from = target.entities if isinstance(target, Mention) else []
+    reference = seen_from[0] if seen_from else None
+    if isinstance(target, Mention) and reference is None:
         return
+    if approaches == {Approach.ADJACENT} and any(e.parked for e in (*entities, *seen_from[:1])):
+        return  # "1 m beside the parked cars": they have no lane of their own
     same = event is not None and any(_same_way(p) for p in event.pps)
     for entity in entities:
         if entity.is_vehicle or prep.value != "ahead" or same:
             context.draft.place(entity, reference, approaches, basis)
-    further = target.entities[1:] if isinstance(target, Mention) else []
-    for other in further if len(entities) == 1 else []:
+    for other in seen_from[1:] if len(entities) == 1 else []:
         context.draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
 
 
 def _behind_the_ego(prep: Prep, entities: list[Entity], basis: Basis, context: Context) -> None:
     """``crosses behind the ego``: on foot, that is where they are."""
-    ego = prep.target if prep.value == "behind" else None
-    seen = isinstance(ego, Mention) and any(e.ego for e in ego.entities)
-    for entity in entities if seen else []:
+    whom = prep.who.entities if prep.value == "behind" and prep.who is not None else []
+    for entity in entities if any(e.ego for e in whom) else []:
         if not entity.is_vehicle:
             context.draft.place(entity, None, {Approach.BEHIND}, basis)
 
 
-def _head(entities: list[Entity], heading: str, basis: Basis) -> None:
-    for entity in entities:
-        if entity.heading is None:
-            entity.heading, entity.heading_basis = heading, basis
-
-
 def heading(term: Term, entities: list[Entity]) -> None:
-    """``travelling northbound``."""
-    _head(entities, term.value, Basis(term.i, term.j))
-    for entity in entities if "bound" in term.data else []:
-        entity.bound = True
+    """``travelling northbound``, ``a northbound truck``."""
+    for entity in entities:
+        entity.bound = entity.bound or "bound" in term.data
+        if entity.heading is None:
+            entity.heading, entity.heading_basis = term.value, Basis(term.i, term.j)

@@ -20,13 +20,8 @@ def mark_answers(events: list[Event]) -> None:
 
 def mark_late(events: list[Event], context: Context) -> None:
     """``failed to stop and hit it from behind``: for the one in front, not for a sign."""
-    standing = {
-        e.index
-        for event in events
-        if event.name in {"stop", "wait", "park"} and not event.negated and event.finite
-        for m in event.subject
-        for e in m.entities
-    }
+    stopped = [e for e in events if e.name in {"stop", "wait", "park"} and e.finite]
+    standing = {who.index for event in stopped if not event.negated for who in event.doers}
     hits = [e for e in events if e.name == "collide"]
     rear_ends = [e for e in hits if into_rear(e, context)]
     stood = [e for e in hits if _into_one_of(e, standing)]

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at
 
 _IN_THE_WAY = 9
 _CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk", "middle"})
@@ -16,11 +17,12 @@ _ENDS = frozenset({"punct", "conj", "locus"})
 _FOR_IT = frozenset({"avoid", "brake", "hard_brake", "stop", "slow", "swerve"})
 
 
-def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
+def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
     """What a thing on or beside the road means.
 
     Args:
         thing: the thing.
+        k: its index among the chunks.
         chunks: the chunks of the text, mentions resolved.
         draft: the scenario in the making.
     """
@@ -28,25 +30,26 @@ def read_thing(thing: Thing, chunks: list[Chunk], draft: Draft) -> None:
     possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
     chased = draft.tokens[max(thing.i - 1, 0)].low == "after"
     none = any((m.cat, m.value) == ("det", "negative") for m in thing.mods)
-    none = none or (thing.prep is not None and thing.prep.value == "without")
+    none = none or (thing.stands_after("without"))
     if none or chased or _bursts(thing, draft):
         return  # "no obstruction"; "a child runs after a ball": where it goes, not where it lies
     lost = possessed and _comes_off(thing, draft)
-    if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, chunks)):
+    if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, k, chunks)):
         return  # "its tyre bursts", "a man with a dog": a part of somebody
-    if thing.kind == "obstacle" or (thing.kind == "object" and _in_the_way(thing, chunks, draft)):
+    if thing.kind == "obstacle" or (
+        thing.kind == "object" and _in_the_way(thing, k, chunks, draft)
+    ):
         draft.hazard(HazardKind.OBSTACLE, basis, [])
         draft.lying.append(thing)
     elif thing.kind == "object":
         towed = (thing.head.data.get("thing") if thing.head else None) == "trailer"
         draft.note(thing.i, thing.j, _TOWED if towed else _BESIDE)
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
-        draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(thing, chunks))
+        draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(k, chunks))
 
 
-def _in_the_way(thing: Thing, chunks: list[Chunk], draft: Draft) -> bool:
+def _in_the_way(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool:
     """``a wall stands in the ego's lane``, ``a bin on the road``, ``brakes for a caravan``."""
-    k = next(k for k, c in enumerate(chunks) if c is thing)
     if thing.prep is None or thing.prep.value == "for":
         before = [c for c in chunks[max(0, k - 2) : k] if isinstance(c, Event)][-1:]
         if before and not before[0].nominal and before[0].name in _FOR_IT | {"tow"}:
@@ -78,22 +81,16 @@ def _comes_off(thing: Thing, draft: Draft) -> bool:
     return bool(word_list("falling") & set(words) or word_list("shedding") & set(before))
 
 
-def _carried(thing: Thing, chunks: list[Chunk]) -> bool:
+def _carried(thing: Thing, k: int, chunks: list[Chunk]) -> bool:
     """Whether it is with somebody on foot."""
-    k = next(k for k, c in enumerate(chunks) if c is thing)
-    who = chunks[k - 2] if k > 1 else None
-    along = thing.prep is not None and thing.prep.value == "with"
+    who = chunk_at(chunks, k - 2)
+    along = thing.stands_after("with")
     if along and thing.head is not None and "part" in thing.head.data:
         return True  # "parked with a flat tyre"
     return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
 
 
-def _owing_to(thing: Thing, chunks: list[Chunk]) -> list[Entity]:
+def _owing_to(k: int, chunks: list[Chunk]) -> list[Entity]:
     """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
-    position = next(k for k, c in enumerate(chunks) if c is thing)
-    for chunk in chunks[position + 1 : position + 4]:
-        if isinstance(chunk, Mention):
-            prep = chunk.prep
-            causal = prep is not None and prep.value in {"due", "by"}
-            return [e for e in chunk.entities if causal]
-    return []
+    who = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Mention)), None)
+    return who.entities if who is not None and who.stands_after("due", "by") else []

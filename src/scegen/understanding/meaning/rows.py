@@ -25,7 +25,7 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
             members = [e for m in chain(chunk) for e in m.entities]
             _behind_each_other(chunk.mods, members, draft)
     for event in events:
-        _behind_each_other(event.mods, [e for m in event.subject for e in m.entities], draft)
+        _behind_each_other(event.mods, event.doers, draft)
     _queue_of_the_numbered(chunks, events, draft)
 
 

@@ -24,12 +24,7 @@ _STARTING = frozenset({"accelerate", "leave", "move", "light", "try"})
 
 
 def note_braking(events: list[Event], context: Context) -> None:
-    """``brakes hard; once it stands …``: it does not stand from the start.
-
-    Args:
-        events: of the text, in its order.
-        context: the scenario in the making.
-    """
+    """``brakes hard; once it stands …``: it does not stand from the start."""
     for event in events:
         told = event.finite and not (event.perfect or event.negated or event.modal)
         slows = event.name in _SLOWING and not _stands(event, context)
@@ -42,7 +37,7 @@ def _stand_in_the_way(clause: Clause) -> None:
     places = [*clause.places(), clause.event.object]
     road = any(isinstance(p, Place) and p.kind in _IN_LANE for p in places)
     idle = [e for e in clause.actors if e.is_vehicle and not (e.ego or e.maneuvers)]
-    _stand_in_the_lane([e for e in idle if road and e.sets_off < 0], clause)
+    _stand_in_the_lane([e for e in idle if road and e.sets_off < 0], clause.words)
 
 
 def _comes_to_rest(entities: list[Entity], basis: Basis) -> list[Entity]:
@@ -59,22 +54,22 @@ def stand(clause: Clause, context: Context) -> None:
     stays = _never_moves(event, context)
     if event.modal or event.nominal or (event.negated and not stays) or _until(event, context):
         return
+    vehicles = [e for e in clause.actors if e.is_vehicle]
     if event.name in _STARTING and (_from_rest(event, context) or _first_goes(clause, context)):
-        _until_it_goes(clause)
+        _until_it_goes(vehicles, clause)
         return
-    lemma = event.lemma
     if event.name == "block":
         _stand_in_the_way(clause)
         return
     behind = _queues(event, context)
     stands = stays or bool(behind) or _stands(event, context)
-    _stand_in_the_lane(behind, clause)
+    _stand_in_the_lane(behind, clause.words)
     places = [p for p in clause.places() if p.prep is None or p.prep.value != "with"]  # its lights
     in_lane = any(p.kind in _IN_LANE for p in places)
-    in_lane = in_lane and lemma not in word_list("standing")
+    in_lane = in_lane and event.lemma not in word_list("standing")
     waiting = event.name == "wait" and (event.premod_of is not None or in_lane)
     if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
-        _stand_in_the_lane([e for e in clause.actors if e.is_vehicle and e.sets_off < 0], clause)
+        _stand_in_the_lane([e for e in vehicles if e.sets_off < 0], clause.words)
         return
     if any(p.kind in _LINES for p in places) and _waits_there(event, context):
         for entity in clause.actors:
@@ -86,7 +81,7 @@ def stand(clause: Clause, context: Context) -> None:
         _beside_the_lanes(actors, clause, context)
     if any(p.kind in _HELD for p in places) and not _lasting(event, context):
         return
-    _stand_in_the_lane(actors, clause)
+    _stand_in_the_lane(actors, clause.words)
     for entity in actors:
         walks = not entity.is_vehicle and not entity.parked
         if walks and Maneuver.CROSS not in entity.maneuvers:
@@ -95,12 +90,13 @@ def stand(clause: Clause, context: Context) -> None:
 
 def _beside_the_lanes(actors: list[Entity], clause: Clause, context: Context) -> None:
     """``stands on the shoulder``, ``… and pulls out``: parked, all the time or at first."""
-    others = [e for e in actors if e.is_vehicle and not e.ego]
-    beside = [e for e in others if e.sets_off < clause.event.i]
-    for entity in beside:
-        entity.parked, entity.parked_basis = True, clause.words
-    for entity in [e for e in others if e not in beside]:
-        entity.was_parked, entity.pulls_out = entity.was_parked or clause.words, True
+    beside: list[Entity] = []
+    for entity in [e for e in actors if e.is_vehicle and not e.ego]:
+        if entity.sets_off < clause.event.i:
+            beside.append(entity)
+            entity.parked, entity.parked_basis = True, clause.words
+        else:
+            entity.was_parked, entity.pulls_out = entity.was_parked or clause.words, True
     context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
         d for d in context.draft.dangers
         if d.kind not in _IN_THE_WAY or not d.by or not all(e in beside for e in d.by)
@@ -109,30 +105,28 @@ def _beside_the_lanes(actors: list[Entity], clause: Clause, context: Context) ->
 
 def _lasting(event: Event, context: Context) -> bool:
     """``stands at red the entire time``: it never goes on."""
-    after = " ".join(t.low for t in context.tokens[event.j : event.j + _FROM_REACH])
-    return any(f" {words} " in f" {after} " for words in word_list("all_the_time"))
-
-
-def _until_it_goes(clause: Clause) -> None:
-    for entity in [e for e in clause.actors if e.is_vehicle]:
-        entity.sets_off = max(entity.sets_off, clause.event.i)
-        _stand_in_the_lane([entity], clause)
+    after = f" {' '.join(_words_after(event, context))} "
+    return any(f" {words} " in after for words in word_list("all_the_time"))
 
 
 def _stands(event: Event, context: Context) -> bool:
     at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
-    return at_rest or (event.name == "stop" and _over(event, context))
+    return at_rest or _over(event, context)
 
 
 def _queues(event: Event, context: Context) -> list[Entity]:
     """``waits behind a car``: who stands there, too, where no junction tells for what."""
-    behind = [p.target for p in event.pps if (p.value, p.outer) == ("behind", None)]
     waits = event.name == "wait" and event.object is None and not event.negated
-    after = context.tokens[event.j : event.j + _FROM_REACH]
-    waits = waits and not any(t.low in word_list("waiting_for") for t in after)
-    whom = [e for m in behind if isinstance(m, Mention) for e in m.entities]
-    there = waits and not context.junction.crossing
-    return [e for e in whom if there and e.is_vehicle and not e.ego]
+    if not waits or context.junction.crossing:
+        return []
+    if word_list("waiting_for") & {*_words_after(event, context)}:
+        return []
+    whom = [p.who for p in event.pps if (p.value, p.outer) == ("behind", None)]
+    return [e for m in whom if m is not None for e in m.entities if e.is_vehicle and not e.ego]
+
+
+def _words_after(event: Event, context: Context) -> list[str]:
+    return [t.low for t in context.tokens[event.j : event.j + _FROM_REACH]]
 
 
 def _never_moves(event: Event, context: Context) -> bool:
@@ -145,7 +139,7 @@ def _never_moves(event: Event, context: Context) -> bool:
 
 def _from_rest(event: Event, context: Context) -> bool:
     """``accelerates from standstill``: it stands until then."""
-    after = [t.low for t in context.tokens[event.j : event.j + _FROM_REACH]]
+    after = _words_after(event, context)
     at = after.index("from") if "from" in after else len(after)
     return bool(set(after[at + 1 : at + 3]) & word_list("at_rest"))
 
@@ -168,19 +162,23 @@ def _waits_there(event: Event, context: Context) -> bool:
     """
     waits = event.name == "wait" and event.link is None
     if any(isinstance(p.target, Place) and p.target.kind == "signal" for p in event.pps):
-        return waits or (event.name == "stop" and _over(event, context))
-    whom = any(p.value == "for" and isinstance(p.target, Mention) for p in event.pps)
+        return waits or _over(event, context)
     after = context.tokens[event.j : event.j + _FROM_REACH]
+    whom = any(p.value == "for" and isinstance(p.target, Mention) for p in event.pps)
     return waits and not (whom or any(t.low in word_list("until") for t in after))
 
 
-def _stand_in_the_lane(entities: list[Entity], clause: Clause) -> None:
-    for entity in entities:
-        if entity.parked:
-            continue
-        entity.stands = entity.stands or clause.words
+def _until_it_goes(vehicles: list[Entity], clause: Clause) -> None:
+    for entity in vehicles:
+        entity.sets_off = max(entity.sets_off, clause.event.i)
+    _stand_in_the_lane(vehicles, clause.words)
+
+
+def _stand_in_the_lane(entities: list[Entity], basis: Basis) -> None:
+    for entity in [e for e in entities if not e.parked]:
+        entity.stands = entity.stands or basis
         if entity.ego and entity.speed is None:
-            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), clause.words
+            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), basis
 
 
 def jam(mention: Mention, context: Context) -> None:
@@ -191,13 +189,7 @@ def jam(mention: Mention, context: Context) -> None:
 
 
 def state(term: Term, entities: list[Entity], context: Context) -> None:
-    """``a stationary car``, ``a parked van``: in the lane, or beside it.
-
-    Args:
-        term: the word for the state.
-        entities: whom it describes.
-        context: the scenario in the making.
-    """
+    """``a stationary car``, ``a parked van``: in the lane, or beside it."""
     basis = Basis(term.i, term.j)
     if term.value == "stationary":
         entities = _comes_to_rest(entities, basis)
@@ -221,8 +213,7 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
 
 def _until(event: Event, context: Context) -> bool:
     """``brakes until it stands``, ``once it has stopped``: not before."""
-    before = context.tokens[max(0, event.i - _REACH) : event.i]
-    if any(t.low in word_list("until") for t in before):
+    if word_list("until") & _words_before(event, context):
         return True
     who = min((m.i for m in event.subject), default=0)
     opened = context.tokens[who - 1].low if who else ""
@@ -231,8 +222,14 @@ def _until(event: Event, context: Context) -> bool:
 
 def _over(event: Event, context: Context) -> bool:
     """``has stopped``, ``is stopped``: before it begins."""
+    if event.name != "stop":
+        return False
     if event.perfect:
         return event.form in {"ed", "base"}  # "has come to a stop"
-    before = {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}
     now = not context.told_in_the_past and not event.mods
-    return event.form == "ed" and (event.reduced or now or bool(before & word_list("since")))
+    since = bool(word_list("since") & _words_before(event, context))
+    return event.form == "ed" and (event.reduced or now or since)
+
+
+def _words_before(event: Event, context: Context) -> set[str]:
+    return {t.low for t in context.tokens[max(0, event.i - _REACH) : event.i]}

@@ -32,6 +32,11 @@ def value_at(chunks: list[Chunk], k: int) -> str:
     return chunks[k].value if 0 <= k < len(chunks) else ""
 
 
+def is_word(chunk: Chunk | None, value: str) -> bool:
+    """Whether a chunk is a mere word of that value."""
+    return chunk is not None and chunk.value == value
+
+
 def ends(chunk: Chunk | None) -> bool:
     """Whether a sentence or a title ends here, as before and behind the text."""
     return chunk is None or chunk.value in BOUNDARIES

@@ -19,12 +19,12 @@ def open_from_inside(events: list[Event], tokens: list[Token]) -> None:
     """
     for event in events:
         around = _around(event, tokens)
-        people = [m for m in event.subject if any(h.value in _PEOPLE for h in m.heads)]
+        people = [m for m in event.subject if is_somebody(m)]
         if around is None or not people or len(people) < len(event.subject):
             continue
         event.name, event.object = "door", None
         event.pps = [p for p in event.pps if p.target is not around]
-        if any(m.cat == "possessive" for m in around.mods):
+        if around.has("possessive"):
             around.same_as, people[-1].drives = people[-1], True
             continue  # "his van": he stands for it
         event.subject = [around]
@@ -35,18 +35,26 @@ def open_from_inside(events: list[Event], tokens: list[Token]) -> None:
         _on_a_side(event)
 
 
+def is_somebody(mention: Mention) -> bool:
+    """Whether a noun names somebody, and no vehicle ("a driver", "a woman")."""
+    return any(h.value in _PEOPLE for h in mention.heads)
+
+
 def _on_a_side(event: Event) -> None:
     """``on the traffic side``: the side of the vehicle, not of the road."""
-    on = [p for p in event.pps if getattr(p.target, "kind", "") == "side"]
+    on = [p for p in event.pps if p.names("side")]
     for who in event.subject:
-        on += [
-            p for p in who.pps if any("of_body" in m.data for m in getattr(p.target, "mods", ()))
-        ]
-        who.pps = [p for p in who.pps if p not in on]
+        of_body = [p for p in who.pps if p.place is not None and _of_body(p.place)]
+        who.pps = [p for p in who.pps if p not in of_body]
+        on += of_body
     event.pps = [p for p in event.pps if p not in on]
-    places = [p.target for p in on if isinstance(p.target, Place)]
+    places = [p.place for p in on if p.place is not None]
     event.mods += [m for place in places for m in place.mods if m.cat == "dir"]
     event.j = max([event.j, *(place.j for place in places)])
+
+
+def _of_body(place: Place) -> bool:
+    return any("of_body" in m.data for m in place.mods)
 
 
 def _around(event: Event, tokens: list[Token]) -> Mention | None:

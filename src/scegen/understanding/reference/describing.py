@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.alighting import open_from_inside
+from scegen.understanding.reference.alighting import is_somebody, open_from_inside
 from scegen.understanding.reference.reference import is_pronoun, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -23,9 +23,9 @@ _AGAIN = (
     frozenset({"cut_in", "lane_change", "merge", "return"}),
 )
 """What a second clause may tell of another time, so that its subject is the same."""
-_CYCLING = frozenset({"cycle", "pedal"})
 _DRIVEN = ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
 _OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
+_SIGNS = frozenset({"signal", "stop_sign", "yield_sign"})
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 
@@ -42,11 +42,11 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _people_in_traffic(chunks, events)
     _aside(chunks, events)
     _chases(events)
-    _own_vehicles(events, tokens)
+    _own_vehicles(events)
     _vehicles_of_parties(chunks)
-    _drivers(events, tokens)
+    _drivers(events)
     _ridden(chunks, tokens)
-    _left_standing(events, tokens)
+    _left_standing(events)
     _done_already(events, tokens)
 
 
@@ -78,7 +78,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
-    turns = turns or ((_person(mention) or vague) and _in_traffic(event, tokens))
+    turns = turns or ((_person(mention) or vague) and _in_traffic(event))
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns
@@ -89,15 +89,17 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.stands = mention.stands or (at_rest and not event.negated)
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
-    acted_on = event.object
-    pronoun = isinstance(acted_on, Mention) and acted_on.pronoun in {"it", "him", "they"}
     told = close or (event.embedded and event.finite)  # "the car that has been tailgating it"
-    mention.besides = mention.besides or (told and pronoun)
-    _by_word(mention, tokens[event.i])
+    mention.besides = mention.besides or (told and is_pronoun(event.object))
+    if event.lemma in word_list("pedalling") and mention.heads:
+        mention.goes_by = ParticipantKind.BICYCLE  # "the claimant was cycling"
+    elif event.lemma in word_list("walking") and any("driver" in h.data for h in mention.heads):
+        mention.goes_by = ParticipantKind.PEDESTRIAN  # "the insured walked": no driver
     if event.passive:
         return  # "the car is hit by a van from the right": the van comes from there
-    mention.sides |= _sides([p for p in event.pps if p.value == "from"])
-    if any(p.value == "from" and isinstance(p.target, Place) for p in event.pps):
+    whence = [p for p in event.pps if p.value == "from" and p.place is not None]
+    mention.sides |= _sides(whence)
+    if whence:
         mention.elsewhere = mention.pronoun is None
 
 
@@ -109,52 +111,34 @@ def _person(mention: Mention) -> bool:
 
 def _sides(pps: list[Prep]) -> frozenset[str]:
     """``the one from the left``, ``comes from the right``, ``in the left lane``."""
-    places = [p.target for p in pps if p.value in {"from", "in"}]
-    named = [p for p in places if isinstance(p, Place) and (p.owner is None or p.owner.is_ego)]
+    places = [p.place for p in pps if p.value in {"from", "in"} and p.place is not None]
+    named = [p for p in places if p.owner is None or p.owner.is_ego]
     return frozenset(d for p in named for d in p.dirs if d in {"left", "right", "opposite"})
 
 
 def _breaks_a_rule(event: Event) -> bool:
     """``runs the light``, ``blows through a stop sign``."""
     places = [event.object, *(p.target for p in event.pps if p.value == "in")]
-    kinds = {p.kind for p in places if isinstance(p, Place) and not _for_walkers(p)}
-    return event.name in {"breach", "dash", "walk"} and bool(
-        kinds & {"signal", "stop_sign", "yield_sign"}
-    )
+    signs = [p for p in places if isinstance(p, Place) and p.kind in _SIGNS]
+    for_drivers = [p for p in signs if p.head is None or "walk" not in p.head.data]  # no red man
+    return event.name in {"breach", "dash", "walk"} and bool(for_drivers)
 
 
-def _by_word(mention: Mention, word: Token) -> None:
-    """``the claimant was cycling``, ``the insured walked``: people who are no drivers."""
-    base = word.forms[-1][0]
-    walks = base in word_list("walking") and any("driver" in h.data for h in mention.heads)
-    if base in _CYCLING and mention.heads:
-        mention.goes_by = ParticipantKind.BICYCLE
-    elif walks:
-        mention.goes_by = ParticipantKind.PEDESTRIAN
-
-
-def _own_vehicles(events: list[Event], tokens: list[Token]) -> None:
+def _own_vehicles(events: list[Event]) -> None:
     """``a woman backs her van out``, ``a man riding a moped``: they stand for what they drive."""
     for event in events:
         what = event.object
         if event.name == "lose_control":
-            of_what = [p.target for p in event.pps if p.value == "of"]
-            what = next((t for t in of_what if isinstance(t, Mention)), None)
+            what = next((p.who for p in event.pps if p.value == "of" and p.who is not None), None)
         if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
             continue
         who = event.subject[-1]
-        whose = what.mods[0] if what.mods else None
-        own = whose is not None and whose.cat == "possessive" and whose.value == "its"
-        operates = tokens[event.i].forms[-1][0] in word_list("operating")
-        driven = operates and (_is_person(who) or tells(who))
-        driven = driven or (event.name == "reverse" and _is_person(who))  # "a man backs a van out"
-        if what.heads and not what.label and (own or driven):
+        operates = event.lemma in word_list("operating")
+        driven = operates and (is_somebody(who) or tells(who))
+        driven = driven or (event.name == "reverse" and is_somebody(who))  # "a man backs a van out"
+        if what.heads and not what.label and (what.opened_by("its") or driven):
             what.same_as = who
             who.drives = True
-
-
-def _is_person(mention: Mention) -> bool:
-    return any(h.value in {"driver", "pedestrian", "rider"} for h in mention.heads)
 
 
 def _chases(events: list[Event]) -> None:
@@ -165,28 +149,27 @@ def _chases(events: list[Event]) -> None:
             event.name = "cross" if afoot and not event.passive else "follow"
 
 
-def _left_standing(events: list[Event], tokens: list[Token]) -> None:
+def _left_standing(events: list[Event]) -> None:
     """``somebody has left a van on the bend``: a parked van, and nobody about."""
     for event in events:
         what, who = event.object, event.subject[-1] if event.subject else None
-        put = tokens[event.i].forms[-1][0] in {"leave", "park", "dump", "abandon"}
+        put = event.lemma in {"leave", "park", "dump", "abandon"} and not event.passive
         if not put or who is None or not isinstance(what, Mention) or not _vehicle(what):
             continue
-        if who.head is not None and who.head.value == "pedestrian" and not event.passive:
+        if who.is_person:
             who.negated = True
             what.same_as = None
             what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
 
 
-def _vehicle(noun: object) -> bool:
+def _vehicle(noun: Mention) -> bool:
     """Whether a noun names one vehicle."""
-    single = isinstance(noun, Mention) and noun.pronoun is None and noun.owner is None
-    head = noun.head if isinstance(noun, Mention) and single else None
+    head = noun.head if noun.pronoun is None and noun.owner is None else None
     return head is not None and head.value in _BY_TRADE and head.form != "s"
 
 
 def _on_foot(event: Event) -> bool:
-    against = any(p.value == "into" and isinstance(p.target, Mention) for p in event.pps)
+    against = any(p.value == "into" and p.who is not None for p in event.pps)
     return event.name in {"cross", "walk", "appear"} and not against
 
 
@@ -199,8 +182,7 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
             told = chunk.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
             chunk.negated = chunk.negated or not told
         if isinstance(chunk, Mention) and id(chunk) not in walking:
-            wrong = any(m.cat == "manner" and m.value == "wrong_way" for m in chunk.mods)
-            chunk.drives = chunk.drives or wrong or _along(chunk)
+            chunk.drives = chunk.drives or chunk.has("manner", "wrong_way") or _along(chunk)
 
 
 def _aboard(mention: Mention) -> bool:
@@ -213,45 +195,31 @@ def _along(mention: Mention) -> bool:
     head = mention.head
     if head is None:
         return False
-    definite = bool(mention.mods) and (mention.mods[0].cat, mention.mods[0].value) == ("det", "def")
+    definite = mention.opened_by("def")
     known = definite or "vague" in head.data or head.form == "s"
     if definite and "opposite" in mention.dirs:
         return True  # "the bloke opposite"
     for prep in mention.pps if known else []:
-        lane = isinstance(prep.target, Place) and prep.target.kind == "lane"
-        if lane and (prep.value == "in" and isinstance(prep.target, Place) and prep.target.dirs):
+        place, by = prep.place, prep.who
+        if place is not None and place.kind == "lane" and prep.value == "in" and place.dirs:
             return True
-        seen = prep.target is None or (
-            isinstance(prep.target, Mention)
-            and (prep.target.pronoun is not None or prep.target.is_ego)
-        )
+        seen = prep.target is None or (by is not None and (by.pronoun is not None or by.is_ego))
         come_from = prep.outer == "from"  # "hits the boy from behind"
         if prep.word.cat == "locus" and prep.value in _ALONG and seen and not come_from:
             return True
     return False
 
 
-def _in_traffic(event: Event, tokens: list[Token]) -> bool:
-    """``the man coming the other way``, ``she turns into her drive``: only drivers do so.
-
-    Args:
-        event: what somebody does.
-        tokens: the tokens of the text.
-    """
+def _in_traffic(event: Event) -> bool:
+    """``the man coming the other way``, ``she turns into her drive``: only drivers do so."""
     if event.name == "move":
         return any(d.value == "opposite" for d in event.dirs)
     goals: list[object] = [p.target for p in event.pps if p.value in {"into", "in"}]
-    if event.name == "enter" and tokens[event.i].forms[-1][0] in word_list("steering"):
+    if event.name == "enter" and event.lemma in word_list("steering"):
         goals.append(event.object)
     goes_in = any(isinstance(g, Place) and g.kind in _OFF_THE_ROAD for g in goals)
-    return (
-        event.name in {"turn", "sharp_turn", "pull_over", "enter"} and not event.nominal and goes_in
-    )
-
-
-def _for_walkers(place: Place) -> bool:
-    """``the red man``: a light for people on foot."""
-    return place.head is not None and "walk" in place.head.data
+    goes_in = goes_in and event.name in {"turn", "sharp_turn", "pull_over", "enter"}
+    return goes_in and not event.nominal
 
 
 def _aside(chunks: list[Chunk], events: list[Event]) -> None:
@@ -270,40 +238,32 @@ def _aside(chunks: list[Chunk], events: list[Event]) -> None:
                 hurt.negated = not (hurt.pps or afoot or any(i > event.i for i in referred))
 
 
-def _drivers(events: list[Event], tokens: list[Token]) -> None:
+def _drivers(events: list[Event]) -> None:
     """``a van driven by a student``: the student drives it."""
     for event in events:
-        if tokens[event.i].forms[-1][0] not in word_list("operating") or event.form != "ed":
-            continue
-        for prep in event.pps if event.subject else []:
-            if prep.value == "by" and isinstance(prep.target, Mention) and _is_person(prep.target):
-                prep.target.same_as = event.subject[-1]
+        driven = event.lemma in word_list("operating") and event.form == "ed"
+        for prep in event.pps if driven and event.subject else []:
+            if prep.value == "by" and prep.who is not None and is_somebody(prep.who):
+                prep.who.same_as = event.subject[-1]
 
 
 def _vehicles_of_parties(chunks: list[Chunk]) -> None:
     """``the insured's van``, ``driver 2's car``: its owner stands for it."""
     for chunk in chunks:
         owner = chunk.owner if isinstance(chunk, Mention) else None
-        if owner is None or not isinstance(chunk, Mention) or not chunk.heads:
-            continue
-        drives = any("driver" in h.data for h in owner.heads)
-        if drives and not _is_person(chunk):
+        drives = owner is not None and any("driver" in h.data for h in owner.heads)
+        if drives and isinstance(chunk, Mention) and chunk.heads and not is_somebody(chunk):
             chunk.same_as = owner
 
 
 def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
     """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
-    tellers = [c for c in chunks if isinstance(c, Mention) and tells(c)]
-    for teller in tellers:
-        for prep in teller.pps:
-            if tokens[prep.word.i].low in word_list("aboard"):
-                _stands_for(teller, prep.target)
-
-
-def _stands_for(who: Mention, what: object) -> None:
-    if isinstance(what, Mention) and _vehicle(what) and what.same_as is None and what is not who:
-        what.same_as = who
-        who.drives = True
+    for teller in [c for c in chunks if isinstance(c, Mention) and tells(c)]:
+        aboard = [p.who for p in teller.pps if tokens[p.word.i].low in word_list("aboard")]
+        for what in aboard:
+            if what is not None and what.same_as is None and _vehicle(what):
+                what.same_as = teller
+                teller.drives = True
 
 
 def _takes_a_turn(event: Event) -> bool:

@@ -21,9 +21,9 @@ from scegen.understanding.reference.groups import (
     opened,
     vehicle_around,
 )
-from scegen.understanding.reference.known import Known
+from scegen.understanding.reference.known import known
 from scegen.understanding.reference.mention_words import Reading, mine, read_mention, states_of
-from scegen.understanding.reference.pronouns import Pronouns, picked
+from scegen.understanding.reference.pronouns import of_pronoun, picked
 from scegen.understanding.reference.ranks import with_the_ranked
 from scegen.understanding.reference.reference import (
     is_pronoun,
@@ -50,18 +50,15 @@ class Discourse:
     """
 
     def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
-        self._draft = draft
         self.tokens = tokens
         self._arms = arms
         self._own = [k for k, token in enumerate(tokens) if token.low in {"my", "our"}]
         self._roster = Roster(draft, tokens)
-        self._pronouns = Pronouns(draft, self._roster, tokens)
-        self._known = Known(self._roster)
 
     @property
     def entities(self) -> list[Entity]:
         """Everybody known so far."""
-        return self._draft.entities
+        return self._roster.entities
 
     def resolve(
         self,
@@ -86,7 +83,7 @@ class Discourse:
         if mention.same_as is not None:
             same = mention.same_as  # "riding a moped, I …": whom comes later
             mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
-            refine(mention, self._draft)
+            refine(mention, self._roster.draft)
             if mention.pronoun is not None:
                 self._roster.spoken_of(mention.entities, subject=subject, settled=settled)
             return mention.entities
@@ -95,18 +92,16 @@ class Discourse:
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if located or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if (known := self._of_two(mention) or self._at_the_wheel(mention)) != []:
-            found = known
+        if two := self._of_two(mention) or self._at_the_wheel(mention):
+            found = two
         elif mention.pronoun is not None:
-            found = self._we(mention) or self._pronouns.resolve(mention, exclude)
+            found = self._we(mention) or of_pronoun(self._roster, mention, exclude)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
-            one = of_both(reading, loci_of(mention), self._roster.groups, self._draft.entities)
+            one = of_both(reading, loci_of(mention), self._roster)
             found = one or self._noun(reading, mention, exclude)
         found = self._share(mention, found)
         mention.entities = list(found)
-        if mention.landmark:
-            self._roster.landmark = list(found)
         for entity in found:
             entity.loci |= loci_of(mention)
             entity.sides |= mention.sides
@@ -116,11 +111,11 @@ class Discourse:
 
     def _of_two(self, mention: Mention) -> list[Entity]:
         """``both vehicles``, ``the two``: of two who are known already."""
-        if len(self._draft.entities) != _A_PAIR:
+        if len(self.entities) != _A_PAIR:
             return []
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
-        cars = all(e.kind is ParticipantKind.CAR for e in self._draft.entities)
+        cars = all(e.kind is ParticipantKind.CAR for e in self.entities)
         named = words in word_list("two_of_them") or (cars and words in word_list("two_cars"))
         meant = self._roster.together([]) if named else []
         return meant if len(meant) == _A_PAIR else []
@@ -128,8 +123,9 @@ class Discourse:
     def _at_the_wheel(self, mention: Mention) -> list[Entity]:
         """``the ego's driver``: the ego."""
         owner, head = mention.owner, mention.head
-        drives = owner is not None and head is not None and head.value == "driver"
-        return list(owner.entities) if drives and owner is not None else []
+        if owner is None or head is None or head.value != "driver":
+            return []
+        return list(owner.entities)
 
     def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
         """``half of them``: so many, no matter which; ``some of them`` says not how many."""
@@ -140,17 +136,16 @@ class Discourse:
         count = len(whole) * share
         if not count or count != int(count):
             instead = "how many of them is not said; what they do is left out"
-            self._draft.note(mention.i, mention.j, instead)
+            self._roster.draft.note(mention.i, mention.j, instead)
             return []
         return picked([e for e in whole if not e.claimed][: int(count)])
 
     def _their_own_queue(self, mention: Mention) -> bool:
         """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
-        mass = bool(mention.head and mention.head.data.get("mass"))
-        within = mention.prep is not None and mention.prep.value == "in"
-        end = mention.prep is not None and mention.prep.value == "of" and bool(self._roster.groups)
-        several = max(len(self._roster.subject), len(self._draft.entities)) > 1
-        return mass and ((within and several) or end)
+        several = max(len(self._roster.subject), len(self.entities)) > 1
+        within = mention.stands_after("in") and several
+        end = mention.stands_after("of") and bool(self._roster.groups)
+        return mention.is_mass and (within or end)
 
     def _a_measure(self, mention: Mention) -> bool:
         """``and one of 12 m/s``."""
@@ -180,29 +175,25 @@ class Discourse:
             if tells(mention) or mine(mention, reading.kind):
                 return [the_teller(self._roster, reading.kind, basis)]
             return [the_ego(self._roster, reading.kind, basis)]
-        of_whom = next((p.target for p in mention.pps if p.value == "of"), None)
-        if reading.driver and isinstance(of_whom, Mention):
+        of_whom = next((p.who for p in mention.pps if p.value == "of"), None)
+        if reading.driver and of_whom is not None:
             return self.resolve(of_whom, subject=False, exclude=[])
-        parked = opened(reading, mention, self._draft.entities)
-        if parked:
+        if parked := opened(reading, mention, self.entities):
             return parked
-        inside = vehicle_around(reading, mention)
-        if inside is not None:
+        if (inside := vehicle_around(reading, mention)) is not None:
             return self.resolve(inside, subject=False, exclude=[])
         if kin(reading, mention):
-            strangers = [e for e in self._draft.entities if not e.named_by & reading.called]
+            strangers = [e for e in self.entities if not e.named_by & reading.called]
             exclude = [*exclude, *strangers]  # "a man with his son"
-        known = self._known.find(reading, mention, exclude)
-        if known:
-            self._roster.enrich(known, reading)
-            return known
+        if meant := known(self._roster, reading, mention, exclude):
+            self._roster.enrich(meant, reading)
+            return meant
         reading = replace(reading, count=reading.count - (mention.ranked is not None))
         found = with_the_ranked(mention, self._roster.introduce(reading, basis))
-        opened_by = [(m.cat, m.value) for m in mention.mods[:1]]
         numbered = mention.mod("num") is not None and not reading.parked
         numbered = numbered and reading.kind is ParticipantKind.CAR
         numbered = numbered and not (reading.dirs or mention.pps or mention.prep is not None)
-        both = opened_by == [("quant", "both")] or (opened_by == [("det", "def")] and numbered)
+        both = mention.opened_by("both") or (mention.opened_by("def") and numbered)
         if both and len(found) == _A_PAIR:
             self._roster.groups[-1].both = True
         return found
@@ -217,19 +208,9 @@ class Discourse:
         self._roster.teller, self._roster.apart = kind or ParticipantKind.CAR, apart and bool(kind)
 
     def tells(self, i: int, j: int) -> bool:
-        """Whether words name the one who tells it ("on my side of the road").
-
-        Args:
-            i: index of the first token of the words.
-            j: index after the last one.
-        """
+        """Whether words name the one who tells it ("on my side of the road")."""
         return any(i <= k < j for k in self._own)
 
     def observer(self, i: int, j: int) -> Entity:
-        """``our lane``: whoever tells it takes part.
-
-        Args:
-            i: index of the first token of the words.
-            j: index after the last one.
-        """
+        """``our lane``: whoever tells it takes part."""
         return the_teller(self._roster, ParticipantKind.CAR, Basis(i, j))

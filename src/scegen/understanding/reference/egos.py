@@ -9,7 +9,7 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.reference.groups import Group, in_list
 from scegen.understanding.reference.mention_words import Reading
-from scegen.understanding.reference.roster import Roster
+from scegen.understanding.reference.roster import Roster, claimed
 from scegen.understanding.words.ordinals import POSITIONS
 
 _REST = 12
@@ -30,9 +30,8 @@ def the_ego(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
         kind: what it drives, if it is new and does not say itself what it goes by.
         basis: the words for it.
     """
-    known = next((e for e in roster.draft.entities if e.ego), None)
     told = kind is ParticipantKind.CAR and not roster.apart
-    return known or _take(roster.new(roster.teller if told else kind, basis))
+    return roster.draft.ego or _take(roster.new(roster.teller if told else kind, basis))
 
 
 def the_teller(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
@@ -43,32 +42,27 @@ def the_teller(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
         kind: what it drives, if it is new and does not say itself what it goes by.
         basis: the words for it.
     """
-    if not roster.apart:
-        ego = the_ego(roster, kind, basis)
-        ego.named_by.add("speaks")
-        return ego
-    known = next((e for e in roster.draft.entities if "speaks" in e.named_by), None)
-    teller = known or roster.new(roster.teller, basis)
-    teller.claimed = True
+    if roster.apart:
+        known = next((e for e in roster.entities if "speaks" in e.named_by), None)
+        teller = known or roster.new(roster.teller, basis)
+        teller.claimed = True
+    else:
+        teller = the_ego(roster, kind, basis)
     teller.named_by.add("speaks")
     return teller
 
 
 def last_is_ego(roster: Roster, mention: Mention) -> None:
     """``three cars: the first …, the second …, and the ego``: the one that is left."""
-    if any(e.ego for e in roster.draft.entities):
+    if roster.draft.ego is not None:
         return
     for group in reversed(roster.groups):
         counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
         counted = counted or _of_two(roster, group, mention)
-        listed = (
-            group is roster.groups[-1]
-            and bool(group.free)
-            and in_list(roster.groups, roster.tokens, mention)
-        )
-        last = group.free[0] if counted or listed else None
-        if last is not None and last.kind is ParticipantKind.CAR and not last.parked:
-            _take(last)
+        listed = group is roster.groups[-1] and in_list(roster.groups, roster.tokens, mention)
+        for last in group.free[:1] if counted or listed else []:
+            if last.kind is ParticipantKind.CAR and not last.parked:
+                _take(last)
 
 
 def ego_by_order(roster: Roster, mention: Mention) -> None:
@@ -79,7 +73,7 @@ def ego_by_order(roster: Roster, mention: Mention) -> None:
     told = words[1 + (words[1:2] == ["the"]) :] if said else words
     alone = said or len(words) < 2 or after[1].kind == "punct"
     position = POSITIONS.get(told[0]) if told and alone else None
-    if position is None or any(e.ego for e in roster.draft.entities) or not roster.groups:
+    if position is None or roster.draft.ego is not None or not roster.groups:
         return
     members = roster.groups[-1].members
     if not -len(members) <= position < len(members) or roster.groups[-1].vague:
@@ -97,42 +91,33 @@ def _of_two(roster: Roster, group: Group, mention: Mention) -> bool:
     return pair and any(a == "the" and b == "other" for a, b in pairwise(after))
 
 
-def of_both(
-    reading: Reading, loci: set[str], groups: list[Group], entities: list[Entity]
-) -> list[Entity]:
+def of_both(reading: Reading, loci: set[str], roster: Roster) -> list[Entity]:
     """``both vehicles go straight, the adversary from the left``: one of them, one the ego.
 
     Args:
         reading: what the words of a role ("the ego", "the adversary") say.
         loci: where words after the noun put it.
-        groups: those named together so far.
-        entities: everybody so far.
+        roster: who is known.
     """
-    ego = next((e for e in entities if e.ego), None)
+    ego = roster.draft.ego
     places = reading.dirs | loci
     placed = bool(places) and places <= {"ahead", "behind"} and reading.det == "def"
-    if reading.plural:
+    if reading.plural or not (reading.ego or placed or "adversary" in reading.labels):
         return []
-    if not (reading.ego or placed or "adversary" in reading.labels):
-        return []
-    for group in groups:
+    for group in roster.groups:
         taken = [e for e in group.members if e.claimed and e is not ego]
         left = [e for e in group.members if e not in taken]
         if not group.both or (ego is not None and ego not in group.members):
             continue
         if len(taken) == 1 and ego is None and not any("adversary" in e.labels for e in taken):
-            left[0].ego, left[0].claimed = reading.ego, True
-            left[0].named_by |= {"ego"} if reading.ego else set()
-            return left  # "the follower hits the leader": of both, the one who is left
+            # "the follower hits the leader": of both, the one who is left
+            return [_take(left[0])] if reading.ego else claimed(left)
         if taken:
             continue
         own = ego or group.members[0]
         if placed and ego is None and not reading.ego:
-            group.members[-1].claimed = True  # "both cars are fast; the leader brakes"
-            return [group.members[-1]]
+            return claimed(group.members[-1:])  # "both cars are fast; the leader brakes"
         own.ego = True
         own.named_by.add("ego")
-        chosen = own if reading.ego else next(e for e in group.members if e is not own)
-        chosen.claimed = True
-        return [chosen]
+        return claimed([e for e in group.members if (e is own) is reading.ego][:1])
     return []

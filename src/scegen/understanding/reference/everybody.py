@@ -5,12 +5,12 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.draft import Draft, Entity
+from scegen.understanding.reference.mention_words import KINDS
 
 _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
                    "inert", "leave", "swerve", "lane_change", "accelerate",
                    "reverse"})  # fmt: skip
 """What is told of everybody when nobody does it."""
-_KINDS = {kind.value: kind for kind in ParticipantKind}
 
 
 def deny_of_everybody(events: list[Event]) -> None:
@@ -30,13 +30,8 @@ def deny_of_everybody(events: list[Event]) -> None:
 
 
 def everybody(mention: Mention, draft: Draft) -> list[Entity]:
-    """Of whom "no driver", "no car" or "nobody" is said.
-
-    Args:
-        mention: the subject.
-        draft: the scenario in the making.
-    """
-    kinds = [_KINDS[h.value] for h in mention.heads if h.value in _KINDS]
+    """Of whom "no driver", "no car" or "nobody" is said."""
+    kinds = [KINDS[h.value] for h in mention.heads if h.value in KINDS]
     movers = [e for e in draft.entities if e.moving_vehicle]
     if not kinds or kinds == [ParticipantKind.CAR]:
         return movers

@@ -4,16 +4,11 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.tokens import Token
 
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
 _NEAR = 2
-
-
-def _is_view(chunk: Chunk) -> bool:
-    """``the view of oncoming traffic``."""
-    return isinstance(chunk, Thing) and chunk.kind == "view"
 
 
 def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -44,10 +39,11 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         chunk.negated = chunk.negated or _fits(chunk, chunk.prep, tokens)
         several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
-        anybody = "mass" in chunk.head.data or (several and lit)
+        anybody = chunk.is_mass or (several and lit)
+        seen = chunk_at(chunks, k - 2)  # "the view of oncoming traffic"
         met_head_on = "opposite" in chunk.dirs and chunk.prep.value == "against"
         purpose = (chunk.prep.value in {"for", "against"} and not met_head_on) or (
-            chunk.prep.value == "of" and any(_is_view(c) for c in chunks[max(0, k - 2) : k])
+            chunk.prep.value == "of" and isinstance(seen, Thing) and seen.kind == "view"
         )
         chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
 
@@ -63,7 +59,7 @@ def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:
 def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
     opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
-    if not opens or mention.head is None or "mass" not in mention.head.data or mention.dirs:
+    if not opens or not mention.is_mass or mention.dirs:
         return False
     for chunk in chunks[k + 1 :]:
         if isinstance(chunk, Event | Mention):

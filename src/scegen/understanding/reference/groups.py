@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Entity
 from scegen.understanding.reference.mention_words import KINDS, Reading
 from scegen.understanding.words.tokens import Token
-
-_MOTOR = frozenset(ParticipantKind) - ON_FOOT
 
 
 @dataclass(slots=True)
@@ -33,13 +31,7 @@ class Group:
 
 
 def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[Entity]:
-    """``parked cars … a driver opens his door``: the driver stands for one of them.
-
-    Args:
-        reading: what the words say.
-        mention: who opens a door.
-        entities: everybody so far.
-    """
+    """``parked cars … a driver opens his door``: the driver stands for one of them."""
     aboard = mention.head is not None and bool(mention.head.data.get("aboard"))
     if not mention.seated or not (reading.driver or aboard):
         return []
@@ -53,21 +45,15 @@ def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
         return None
     for prep in mention.pps:
         target = prep.target
-        if prep.value == "in" and isinstance(target, Mention) and target.heads:
-            kinds = [KINDS.get(h.value) for h in target.heads]
-            if any(kind in _MOTOR for kind in kinds if kind is not None):
+        if prep.value == "in" and isinstance(target, Mention):
+            kinds = [KINDS[h.value] for h in target.heads if h.value in KINDS]
+            if set(kinds) - ON_FOOT:
                 return target
     return None
 
 
 def in_list(groups: list[Group], tokens: list[Token], mention: Mention) -> bool:
-    """Whether a colon after a group opens the list in which somebody is named.
-
-    Args:
-        groups: the groups so far.
-        tokens: the tokens of the text.
-        mention: somebody.
-    """
+    """Whether a colon after a group opens the list in which somebody is named."""
     if not groups or groups[-1].vague:
         return False
     said = groups[-1].members[-1].basis.j or 0

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
@@ -20,169 +18,165 @@ _LOOKS_WITHIN = 3
 _ALONG = {"front": "ahead", "rear": "behind"}
 
 
-@dataclass(frozen=True, slots=True)
-class Known:
-    """Looks up whom a noun means.
+def known(
+    roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
+) -> list[Entity]:
+    """Whom a noun means of those who are known; empty if it is somebody new."""
+    det = reading.det
+    if looker := _looks_on(roster, reading, mention):
+        return looker
+    names = {label for label in reading.labels if label.startswith("#")}
+    if names:
+        same = [e for e in roster.entities if names & e.labels][:1]
+        return same or roster.named(reading, names, exclude)
+    counted = roster.by_order(reading, mention)
+    if counted is not None:
+        return counted
+    included = roster.included(reading, mention)
+    if included or mention.listed:
+        return included or roster.claim(1, exclude, reading)
+    if reading.plural and det == "other":
+        if mention.mod("num") is not None:
+            return roster.claim(reading.count, exclude, reading)
+        rest = [e for g in roster.groups[-1:] for e in g.members if e not in exclude]
+        if rest and all(roster.compatible(e, reading) for e in rest):
+            return rest  # "three other cars …; one of the other cars"
+    if reading.plural:
+        return _several(roster, reading, mention)
+    if det == "other":
+        return _other(roster, reading, mention, exclude)
+    if det in {"another", "ordinal"}:
+        return _another(roster, reading, exclude)
+    if det in {"one", "indef"}:
+        return _member(roster, reading, mention, exclude)
+    return _definite(roster, reading, mention, exclude)
 
-    Attributes:
-        roster: who is known, and who was spoken of last.
-    """
 
-    roster: Roster
+def _looks_on(roster: Roster, reading: Reading, mention: Mention) -> list[Entity]:
+    """``as seen by the driver``, ``from the point of view of a driver who looks forward``."""
+    before = [t.low for t in roster.tokens[max(0, mention.i - 2) : mention.i]]
+    seen_by = before[-1:] == ["by"] and reading.det == "def"
+    view = before[-1:] == ["of"] and before[0] in word_list("views_of")
+    after = [t.low for t in roster.tokens[mention.j : mention.j + _LOOKS_WITHIN]]
+    forward = bool({"forward", "forwards"} & {*after})  # "a driver who faces forward"
+    drive = [e for e in roster.entities if e.is_vehicle]
+    if forward and len(drive) > 1:
+        drive = [e for e in drive if e.ego]
+    alone = len(drive) == 1 and reading.driver and not reading.labels
+    return drive if alone and (seen_by or view or forward) else []
 
-    def find(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """Whom a noun means of those who are known; empty if it is somebody new.
 
-        Args:
-            reading: what its words say.
-            mention: the noun.
-            exclude: participants that it cannot mean.
-        """
-        det = reading.det
-        if looker := self._looks_on(reading, mention):
-            return looker
-        names = {label for label in reading.labels if label.startswith("#")}
-        if names:
-            known = [e for e in self.roster.draft.entities if names & e.labels][:1]
-            return known or self.roster.named(reading, names, exclude)
-        counted = self.roster.by_order(reading, mention)
-        if counted is not None:
-            return counted
-        included = self.roster.included(reading, mention)
-        if included or mention.listed:
-            return included or self.roster.claim(1, exclude, reading)
-        if reading.plural and det == "other":
-            if mention.mod("num") is not None:
-                return self.roster.claim(reading.count, exclude, reading)
-            rest = [e for g in self.roster.groups[-1:] for e in g.members if e not in exclude]
-            if rest and all(self.roster.compatible(e, reading) for e in rest):
-                return rest  # "three other cars …; one of the other cars"
-        if reading.plural:
-            return self._several(reading, mention)
-        if det == "other":
-            return self._other(reading, mention, exclude)
-        if det in {"another", "ordinal"}:
-            return self._another(reading, exclude)
-        if det in {"one", "indef"}:
-            return self._member(reading, mention, exclude)
-        return self._definite(reading, mention, exclude)
+def _other(
+    roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
+) -> list[Entity]:
+    """``the other car``: the only one beside the ego, or beside who was just spoken of."""
+    if not roster.entities:
+        the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+        return []  # other than mine
+    if free := roster.claim(1, exclude, reading):
+        return free
+    others = [e for e in _compatible(roster, reading) if not (e.ego or e.still or e in exclude)]
+    rest = [e for e in others if e not in roster.subject]
+    return next((found for found in (others, rest) if len(found) == 1), [])
 
-    def _looks_on(self, reading: Reading, mention: Mention) -> list[Entity]:
-        """``as seen by the driver``, ``from the point of view of a driver who looks forward``."""
-        before = [t.low for t in self.roster.tokens[max(0, mention.i - 2) : mention.i]]
-        seen_by = before[-1:] == ["by"] and reading.det == "def"
-        view = before[-1:] == ["of"] and before[0] in word_list("views_of")
-        after = [t.low for t in self.roster.tokens[mention.j : mention.j + _LOOKS_WITHIN]]
-        forward = bool({"forward", "forwards"} & {*after})  # "a driver who faces forward"
-        drive = [e for e in self.roster.draft.entities if e.is_vehicle]
-        if forward and len(drive) > 1:
-            drive = [e for e in drive if e.ego]
-        alone = len(drive) == 1 and reading.driver and not reading.labels
-        return drive if alone and (seen_by or view or forward) else []
 
-    def _other(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """``the other car``: the only one beside the ego, or beside who was just spoken of."""
-        if not self.roster.draft.entities:
-            the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
-            return []  # other than mine
-        if claimed := self.roster.claim(1, exclude, reading):
-            return claimed
-        others = [e for e in self._compatible(reading) if not (e.ego or e.still or e in exclude)]
-        rest = [e for e in others if e not in self.roster.subject]
-        return next((found for found in (others, rest) if len(found) == 1), [])
+def _compatible(roster: Roster, reading: Reading) -> list[Entity]:
+    return [e for e in roster.entities if roster.compatible(e, reading)]
 
-    def _compatible(self, reading: Reading) -> list[Entity]:
-        return [e for e in self.roster.draft.entities if self.roster.compatible(e, reading)]
 
-    def _several(self, reading: Reading, mention: Mention) -> list[Entity]:
-        quantity = mention.mod("quant")
-        if quantity is not None and quantity.value == "all":
-            everybody = self._compatible(reading)
-            counted = mention.mod("num") is None or len(everybody) == reading.count
-            return everybody if len(everybody) > 1 and counted else []
-        if reading.det != "def" and reading.count != DEFAULT_COUNT:
-            return []
-        both = not reading.vague and reading.det in {"bare", "def"}
-        if reading.det != "def" and not (both and not reading.dirs):
-            return []
-        for group in reversed(self.roster.groups):
-            counted = reading.det == "bare" and not reading.vague
-            if counted and (group.settled or len(group.members) != reading.count):
-                continue
-            if all(self.roster.compatible(e, reading) for e in group.members):
-                return list(group.members)
-        fitting = self._compatible(reading)
-        pair = mention.mod("num") is None or reading.count == _A_PAIR
-        if reading.det == "def" and pair and len(fitting) == 1 and not fitting[0].ego:
-            moving = not (reading.dirs or reading.parked or fitting[0].parked)
-            if moving and not any(e.ego for e in self.roster.draft.entities):
-                return [
-                    *fitting,
-                    the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j)),
-                ]  # "between the vehicles"
-        if reading.det == "bare" and not reading.vague:
-            return []
-        return fitting if len(fitting) > 1 else []
-
-    def _another(self, reading: Reading, exclude: list[Entity]) -> list[Entity]:
-        """A further one: of a group that is being picked apart, else somebody new."""
-        for group in reversed(self.roster.groups):
-            started = len(group.free) < len(group.members)
-            if (started or group.vague) and self.roster.agree(group, reading):
-                return self.roster.claim(1, exclude, reading)
+def _several(roster: Roster, reading: Reading, mention: Mention) -> list[Entity]:
+    quantity = mention.mod("quant")
+    if quantity is not None and quantity.value == "all":
+        everybody = _compatible(roster, reading)
+        counted = mention.mod("num") is None or len(everybody) == reading.count
+        return everybody if len(everybody) > 1 and counted else []
+    if reading.det != "def" and reading.count != DEFAULT_COUNT:
         return []
-
-    def _member(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """``including one vehicle``, and any single one where only "traffic" was named."""
-        within = mention.prep is not None and mention.prep.value == "with"
-        for group in reversed(self.roster.groups):
-            if not (within or group.vague or reading.det == "one"):
-                continue
-            if not self.roster.agree(group, reading) or (group.settled and not within):
-                continue
-            claimed = self.roster.claim(1, exclude, reading)
-            if claimed:
-                return claimed
+    both = not reading.vague and reading.det in {"bare", "def"}
+    if reading.det != "def" and not (both and not reading.dirs):
         return []
+    for group in reversed(roster.groups):
+        counted = reading.det == "bare" and not reading.vague
+        if counted and (group.settled or len(group.members) != reading.count):
+            continue
+        if all(roster.compatible(e, reading) for e in group.members):
+            return list(group.members)
+    fitting = _compatible(roster, reading)
+    pair = mention.mod("num") is None or reading.count == _A_PAIR
+    if reading.det == "def" and pair and len(fitting) == 1 and not fitting[0].ego:
+        moving = not (reading.dirs or reading.parked or fitting[0].parked)
+        if moving and roster.draft.ego is None:  # "between the vehicles"
+            ego = the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+            return [*fitting, ego]
+    if reading.det == "bare" and not reading.vague:
+        return []
+    return fitting if len(fitting) > 1 else []
 
-    def _definite(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        alike = [e for e in reversed(self.roster.recent) if self.roster.compatible(e, reading)]
-        options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
-        which = [p for p in mention.pps if not p.predicate]
-        loci = loci_of(mention)
-        told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
-        if not (told or mention.narrowed or (which and not as_the_ego_sees(mention))):
-            options = options or self.roster.cast(reading, loci)
-        if reading.dirs:
-            options = [e for e in options if _from_there(e, reading)]
-        options = [e for e in options if not (loci and e.loci) or loci & e.loci]
-        elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
-        options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
-        options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
-        options = [e for e in options if loci & e.loci] or options  # who is known to be there
-        if loci & {"ahead", "behind"}:  # "a car stands at the line; the car behind hits it"
-            options = [e for e in options if e.ego or e.loci or e not in self.roster.subject]
-        others = [e for e in options if not e.ego]
-        others = [e for e in others if e.named_by & reading.called] or others
-        others = [e for e in others if e.named_by & states_of(mention)] or others
-        done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
-        placed = which or mention.elsewhere or mention.narrowed or done
-        restricted = reading.dirs or reading.labels or placed
-        only = [e for e in self.roster.draft.entities if e.is_vehicle]
-        own = all(p.value == "to" for p in which) and not (mention.narrowed or loci)
-        own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
-        ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
-        car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
-        own = own and ego not in exclude and "target" not in " ".join(reading.called)
-        alone = len(only) == 1 and ego is not None and not elsewhere(reading, mention, ego)
-        if own and car and alone and ego is not None and reading.det == "def":
-            return [ego]  # "the ego reverses; a child stands behind the car"
-        rest = [e for e in self.roster.draft.entities if not e.ego]
-        if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
-            return rest  # "a pedestrian target walks …; the target is hit"
-        if others or reading.det == "bare" or restricted:
-            return others[:1]
-        return options[:1]
+
+def _another(roster: Roster, reading: Reading, exclude: list[Entity]) -> list[Entity]:
+    """A further one: of a group that is being picked apart, else somebody new."""
+    for group in reversed(roster.groups):
+        started = len(group.free) < len(group.members)
+        if (started or group.vague) and roster.agree(group, reading):
+            return roster.claim(1, exclude, reading)
+    return []
+
+
+def _member(
+    roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
+) -> list[Entity]:
+    """``including one vehicle``, and any single one where only "traffic" was named."""
+    within = mention.stands_after("with")
+    for group in reversed(roster.groups):
+        if not (within or group.vague or reading.det == "one"):
+            continue
+        if not roster.agree(group, reading) or (group.settled and not within):
+            continue
+        if free := roster.claim(1, exclude, reading):
+            return free
+    return []
+
+
+def _definite(
+    roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
+) -> list[Entity]:
+    alike = [e for e in reversed(roster.recent) if roster.compatible(e, reading)]
+    options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
+    which = [p for p in mention.pps if not p.predicate]
+    loci = loci_of(mention)
+    told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
+    if not (told or mention.narrowed or (which and not as_the_ego_sees(mention))):
+        options = options or roster.cast(reading, loci)
+    if reading.dirs:
+        options = [e for e in options if _from_there(e, reading)]
+    options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+    elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
+    options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
+    options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
+    options = [e for e in options if loci & e.loci] or options  # who is known to be there
+    if loci & {"ahead", "behind"}:  # "a car stands at the line; the car behind hits it"
+        options = [e for e in options if e.ego or e.loci or e not in roster.subject]
+    others = [e for e in options if not e.ego]
+    others = [e for e in others if e.named_by & reading.called] or others
+    others = [e for e in others if e.named_by & states_of(mention)] or others
+    done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
+    placed = which or mention.elsewhere or mention.narrowed or done
+    restricted = reading.dirs or reading.labels or placed
+    only = [e for e in roster.entities if e.is_vehicle]
+    own = all(p.value == "to" for p in which) and not (mention.narrowed or loci)
+    own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
+    ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
+    car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
+    own = own and ego not in exclude and "target" not in " ".join(reading.called)
+    alone = len(only) == 1 and ego is not None and not elsewhere(reading, mention, ego)
+    if own and car and alone and ego is not None and reading.det == "def":
+        return [ego]  # "the ego reverses; a child stands behind the car"
+    rest = [e for e in roster.entities if not e.ego]
+    if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
+        return rest  # "a pedestrian target walks …; the target is hit"
+    if others or reading.det == "bare" or restricted:
+        return others[:1]
+    return options[:1]
 
 
 def _from_there(entity: Entity, reading: Reading) -> bool:

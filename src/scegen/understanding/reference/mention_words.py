@@ -35,13 +35,7 @@ class Reading:
 
 
 def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Reading:
-    """What the words of a mention say.
-
-    Args:
-        mention: a mention with a noun.
-        tokens: the tokens of the text.
-        arms: number of arms if its members come "from all directions".
-    """
+    """What the words of a mention say."""
     heads = mention.heads
     kinds: list[ParticipantKind] = [KINDS[h.value] for h in heads if h.value in KINDS]
     words = [tokens[h.j - 1] for h in heads]
@@ -69,11 +63,10 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     if det and det.cat == "possessive":
         det_value = "def"
     labels = {h.data["label"] for h in heads if "label" in h.data}
-    labels |= {m.value for m in mention.mods if m.cat == "label" and m.value == "adversary"}
+    labels |= {"adversary"} if mention.has("label", "adversary") else set()
     labels |= {tokens[m.i].low for m in mention.mods if m.cat == "label" and m.value == "colour"}
-    if any(m.cat == "label" and m.value in {"second", "third"} for m in mention.mods):
+    if mention.has("label", "second", "third"):
         det_value = "ordinal"
-    parked = any(m.cat == "state" and m.value == "parked" for m in mention.mods)
     return Reading(
         kind=kind,
         generic=not specific and (last.forms[-1][0] in word_list("generic_words") or not kinds),
@@ -83,7 +76,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         vague=vague,
         labels=labels | ({_name(mention.label, kind)} if mention.label else set()),
         dirs=set(mention.dirs),
-        parked=parked,
+        parked=mention.has("state", "parked"),
         ego=any(h.data.get("ego") for h in heads) or mine(mention, kind),
         driver=driver and not kinds,
         reason=reason,
@@ -92,27 +85,16 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
 
 
 def states_of(mention: Mention) -> set[str]:
-    """``a van stands there … the stationary van``: in what state it is said to be.
-
-    Args:
-        mention: a mention and what is said of it.
-    """
+    """``a van stands there … the stationary van``: in what state it is said to be."""
     told = {m.value for m in mention.mods if m.cat == "state"}
     return told | ({"stationary"} if mention.stands else set())
 
 
 def mine(mention: Mention, kind: ParticipantKind) -> bool:
-    """``my bike``, ``our old lorry``: whoever tells it drives it.
-
-    Args:
-        mention: a mention with a noun.
-        kind: what the noun names.
-    """
-    first = mention.mods[0] if mention.mods else None
-    mine = first is not None and (first.cat, first.value) == ("possessive", "first_person")
+    """``my bike``, ``our old lorry``: whoever tells it drives it."""
     named = mention.head is not None and mention.head.value in KINDS
-    person = mention.head is not None and mention.head.value == "pedestrian"  # "my neighbour"
-    return mine and named and not person and kind not in ON_FOOT
+    vehicle = named and not mention.is_person and kind not in ON_FOOT  # not "my neighbour"
+    return vehicle and mention.opened_by("first_person")
 
 
 def _name(label: str, kind: ParticipantKind) -> str:
@@ -126,7 +108,7 @@ def _count(
     mention: Mention, tokens: list[Token], plural: bool, arms: int | None
 ) -> tuple[int, bool, str | None]:
     number = mention.mod("num")
-    if arms is not None and not plural and mention.heads and mention.heads[0].value != "ego":
+    if arms is not None and not plural and mention.heads[0].value != "ego":
         return arms, False, f"one from each of the {arms} directions"
     if number is not None and number.data["number"] >= 1 and (plural or not mention.mod("det")):
         return int(min(number.data["number"], 10**6)), False, None
@@ -142,14 +124,12 @@ def _count(
         return count, True, f"'{word}' is read as {count}"
     if quant is not None and quant.value == "both" and plural:
         return DEFAULT_COUNT, False, None
-    if "several" in mention.heads[-1].data:
-        return int(mention.heads[-1].data["several"]), False, None
-    head = mention.heads[-1].data if mention.heads else {}
-    if not plural and "count" in head:
-        return int(head["count"]), False, None  # "an old couple"
+    head = mention.heads[-1].data
+    if "several" in head:
+        return int(head["several"]), False, None
     if not plural:
-        return 1, False, None
-    if mention.heads and "mass" in mention.heads[-1].data and "opposite" in mention.dirs:
+        return int(head.get("count", 1)), False, None  # "an old couple"
+    if "mass" in head and "opposite" in mention.dirs:
         return 1, True, "no number is given; one of the oncoming traffic is enough"
     return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"
 
@@ -163,12 +143,7 @@ def _shares_noun(mention: Mention) -> bool:
 
 
 def called(mention: Mention, tokens: list[Token]) -> set[str]:
-    """The nouns of a mention that say more than "vehicle" or "person".
-
-    Args:
-        mention: a mention with nouns.
-        tokens: the tokens of the text.
-    """
+    """The nouns of a mention that say more than "vehicle" or "person"."""
     nouns = {base_words(tokens, head.i, head.j) for head in mention.heads}
     brands = {f"brand:{base_words(tokens, h.i, h.j)}" for h in mention.heads if h.data.get("brand")}
     return (nouns | brands) - word_list("everybody")

@@ -2,221 +2,184 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import loci_of
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.everybody import everybody
-from scegen.understanding.reference.roster import Roster
+from scegen.understanding.reference.roster import Roster, claimed
 from scegen.understanding.words.ordinals import POSITIONS
-from scegen.understanding.words.tokens import Token
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
 _TWO = 2
 
 
-@dataclass(frozen=True, slots=True)
-class Pronouns:
-    """Looks up whom a pronoun means.
+def of_pronoun(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+    """The participants that a pronoun refers to."""
+    which = mention.pronoun
+    basis = Basis(mention.i, mention.j)
+    if which == "everybody":
+        return everybody(mention, roster.draft)
+    if which in {"it", "him"}:
+        return _single(roster, mention, exclude)
+    if which == "they" and not mention.walks and all(e.ego for e in roster.entities):
+        drives = mention.drives and _word(roster, mention) == "they"
+        return _new_driver(roster, mention) if drives else roster.together([])
+    if which in {"they", "both", "all", "neither"}:
+        return _together(roster, mention, exclude)
+    if which == "other":
+        rest = roster.claim(1, exclude) or roster.rest(exclude)
+        return rest or [roster.new(ParticipantKind.CAR, basis)]
+    if which == "ordinal" and (found := _ordinal(roster, mention)):
+        return found
+    if which == "another" or (which == "ordinal" and mention.opened_by("indef")):
+        return roster.further(exclude, basis)
+    return _counted(roster, mention, exclude, basis)
 
-    Attributes:
-        draft: where participants are kept.
-        roster: who is known, and who was spoken of last.
-        tokens: the tokens of the text.
+
+def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+    """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
+    if mention.pronoun == "both" and [e.ego for e in roster.entities] == [False]:
+        the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+    meant = roster.together(exclude)
+    number = mention.mod("num")
+    if number is not None and int(number.data["number"]) != len(meant):
+        people = [e for e in everybody(mention, roster.draft) if e not in exclude]
+        return people if len(people) == int(number.data["number"]) else meant
+    opens = mention.i == 0 or roster.tokens[mention.i - 1].kind == "punct"
+    if opens and _word(roster, mention) == "all" and len(meant) == _TWO:
+        return everybody(mention, roster.draft)  # of two one would say "both"
+    return meant
+
+
+def _word(roster: Roster, mention: Mention) -> str:
+    return roster.tokens[mention.i].low
+
+
+def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+    subject, recent = roster.subject, roster.recent
+    word = _word(roster, mention)
+    afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
+    if word == "it" and mention.walks and not mention.drives and afoot:
+        return afoot[-1:]  # "two cars hide a child; it walks out"
+    if word == "it":
+        recent = [e for e in recent if e.is_vehicle] or recent
+    others = [e for e in recent if "speaks" not in e.named_by]
+    if others and word != "that":  # whoever tells it is no "it", and no "he"
+        recent = others
+        subject = [e for e in subject if "speaks" not in e.named_by]
+    if word == "it" and len(subject) > 1:
+        others = [e for e in recent if e not in subject]  # "two cars pass; it turns"
+        told = roster.before if len(roster.before) == 1 else recent
+        recent = others or told  # "a car cuts in while both drive …; it brakes"
+    options = subject if len(subject) == 1 and word != "that" else recent[-1:]
+    options = _persons(roster, mention, [e for e in recent if e not in exclude], options)
+    if word == "it" and any(_person(roster, e) for e in options):
+        order = roster.recent
+        since = order[order.index(options[0]) + 1 :]
+        others = [e for e in since if not _person(roster, e) and e not in exclude]
+        # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
+        options = [e for e in others if mention.drives or not e.still][-1:] or options
+    if word in {"he", "she"} and all("speaks" in e.named_by for e in roster.entities):
+        return _new_driver(roster, mention)  # not the one who tells it
+    if mention.stood and not any(e.still for e in options):
+        standing = [e for e in recent if e.still and e not in exclude]
+        options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
+    elif mention.drives and any(e.parked for e in options):
+        driving = [e for e in recent if e.moving_vehicle and e not in exclude]
+        options = driving[-1:] or options  # "a van is parked in its lane; it has to swerve"
+    before = roster.before if len(roster.before) == 1 else []
+    left = [e for e in (*before, *reversed(recent)) if e not in exclude]
+    return [e for e in options if e not in exclude] or left[:1]
+
+
+def _persons(
+    roster: Roster, mention: Mention, known: list[Entity], options: list[Entity]
+) -> list[Entity]:
+    """``he``, ``she``: somebody on foot or on two wheels before any vehicle.
+
+    "The ego hits a cyclist; he rides …"; "a van had hidden her, and the ego hit her".
     """
+    if _word(roster, mention) not in word_list("persons"):
+        return options
+    people = [e for e in known if _person(roster, e)]
+    if mention.walks and not mention.drives:
+        people = [e for e in people if not e.is_vehicle] or people
+    told = [e for e in options if e in people]
+    return told or people[-1:] or options
 
-    draft: Draft
-    roster: Roster
-    tokens: list[Token]
 
-    def resolve(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """The participants that a pronoun refers to.
+def _person(roster: Roster, entity: Entity) -> bool:
+    """Whether a word for a person named them: "he" or "she" would mean them."""
+    last = roster.tokens[(entity.basis.j or 1) - 1].low if entity.basis.i is not None else ""
+    return not entity.is_vehicle or last.endswith(_PERSONS)
 
-        Args:
-            mention: the pronoun.
-            exclude: participants that it cannot mean.
-        """
-        which = mention.pronoun
-        basis = Basis(mention.i, mention.j)
-        if which == "everybody":
-            return everybody(mention, self.draft)
-        if which in {"it", "him"}:
-            return self._single(mention, exclude)
-        if which == "they" and not mention.walks and all(e.ego for e in self.draft.entities):
-            return self._new_driver(mention)
-        if which in {"they", "both", "all", "neither"}:
-            return self._together(mention, exclude)
-        if which == "other":
-            rest = self.roster.claim(1, exclude) or self.roster.rest(exclude)
-            return rest or [self.roster.new(ParticipantKind.CAR, basis)]
-        if which == "ordinal":
-            found = self._ordinal(mention)
-            if found:
-                return found
-            if mention.mods and mention.mods[0].value == "indef":
-                return self.roster.further(exclude, basis)
-        if which == "another":
-            return self.roster.further(exclude, basis)
-        return self._counted(mention, exclude, basis)
 
-    def _together(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
-        one = len(self.draft.entities) == 1 and not self.draft.entities[0].ego
-        if mention.pronoun == "both" and one:
-            the_ego(self.roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
-        meant = self.roster.together(exclude)
-        number = mention.mod("num")
-        if number is not None and int(number.data["number"]) != len(meant):
-            people = [e for e in everybody(mention, self.draft) if e not in exclude]
-            return people if len(people) == int(number.data["number"]) else meant
-        opens = mention.i == 0 or self.tokens[mention.i - 1].kind == "punct"
-        if opens and self.tokens[mention.i].low == "all" and len(meant) == _TWO:
-            return everybody(mention, self.draft)  # of two one would say "both"
-        return meant
+def _new_driver(roster: Roster, mention: Mention) -> list[Entity]:
+    """``they pulled out in front of me``: somebody who drives, not named before."""
+    return [roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
-    def _single(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        subject, recent = self.roster.subject, self.roster.recent
-        word = self.tokens[mention.i].low
-        afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
-        if word == "it" and mention.walks and not mention.drives and afoot:
-            return afoot[-1:]  # "two cars hide a child; it walks out"
-        if word == "it":
-            recent = [e for e in recent if e.is_vehicle] or recent
-        others = [e for e in recent if "speaks" not in e.named_by]
-        if others and word != "that":  # whoever tells it is no "it", and no "he"
-            recent = others
-            subject = [e for e in subject if "speaks" not in e.named_by]
-        if word == "it" and len(subject) > 1:
-            others = [e for e in recent if e not in subject]  # "two cars pass; it turns"
-            told = self.roster.before if len(self.roster.before) == 1 else recent
-            recent = others or told  # "a car cuts in while both drive …; it brakes"
-        options = subject if len(subject) == 1 and word != "that" else recent[-1:]
-        options = self._persons(mention, [e for e in recent if e not in exclude], options)
-        if self.tokens[mention.i].low == "it" and any(map(self._person, options)):
-            order = self.roster.recent
-            since = order[order.index(options[0]) + 1 :] if options[0] in order else []
-            others = [e for e in since if not self._person(e) and e not in exclude]
-            # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
-            options = [e for e in others if mention.drives or not e.still][-1:] or options
-        if word in {"he", "she"} and all("speaks" in e.named_by for e in self.draft.entities):
-            return self._somebody(mention, exclude, subject)
-        if mention.stood and not any(e.still for e in options):
-            standing = [e for e in recent if e.still and e not in exclude]
-            options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
-        elif mention.drives and any(e.parked for e in options):
-            driving = [e for e in recent if e.moving_vehicle and e not in exclude]
-            options = driving[-1:] or options  # "a van is parked in its lane; it has to swerve"
-        before = self.roster.before if len(self.roster.before) == 1 else []
-        left = [e for e in (*before, *reversed(recent)) if e not in exclude]
-        return [e for e in options if e not in exclude] or left[:1]
 
-    def _persons(
-        self, mention: Mention, known: list[Entity], options: list[Entity]
-    ) -> list[Entity]:
-        """``he``, ``she``: somebody on foot or on two wheels before any vehicle.
+def _ordinal(roster: Roster, mention: Mention) -> list[Entity]:
+    position = POSITIONS[mention.label or "first"]
+    vehicles = [e for e in roster.entities if e.moving_vehicle and not e.ego]
+    named = vehicles or roster.entities
+    group = roster.groups[-1].members if roster.groups else named
+    if position < 0 or mention.label == "former":
+        two = roster.recent if len(roster.recent) > 1 else group
+        group = list(two[-2:]) if position == 0 or not roster.pair else roster.pair
+        roster.pair = group if position == 0 else []
+        position %= max(len(group), 1)
+    return claimed(group[position : position + 1])
 
-        "The ego hits a cyclist; he rides …"; "a van had hidden her, and the ego hit her".
-        """
-        if self.tokens[mention.i].low not in word_list("persons"):
-            return options
-        people = [e for e in known if self._person(e)]
-        if mention.walks and not mention.drives:
-            people = [e for e in people if not e.is_vehicle] or people
-        told = [e for e in options if e in people]
-        return told or people[-1:] or options
 
-    def _person(self, entity: Entity) -> bool:
-        """Whether a word for a person named them: "he" or "she" would mean them."""
-        last = self.tokens[(entity.basis.j or 1) - 1].low if entity.basis.i is not None else ""
-        return not entity.is_vehicle or last.endswith(_PERSONS)
+def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
+    which = mention.pronoun
+    if mention.whole is not None and mention.whole.entities:  # "one of the cars": no truck
+        whole = mention.whole.entities
+        exclude = [*exclude, *(e for e in roster.entities if e not in whole)]
+    named = [e for e in roster.recent if mention.sides & e.sides and e not in exclude]
+    if named and which == "one" and mention.opened_by("def"):
+        return named[-1:]  # "the one from the left"
+    if which == "one" and (known := _known_one(roster, mention, exclude)):
+        return known
+    number = mention.mod("num") if which in {"count", "others", "further"} else None
+    if which == "others" and number is None:
+        opened = [g for g in roster.groups if 0 < len(g.free) < len(g.members)]
+        return picked(opened[-1].free) if opened else []
+    count = int(number.data["number"]) if number is not None else 1
+    free = roster.claim(count, exclude) if which != "further" else []
+    if which in {"others", "further"} and not free:
+        alike = [e.kind for e in roster.recent if e.is_vehicle and which == "further"]
+        kind = (alike or [ParticipantKind.CAR])[-1]
+        return [roster.new(kind, basis) for _ in range(min(count, _MOST))]
+    if free or which == "count":
+        return picked(free) if which in {"one", "count"} and not mention.sides else free
+    new = which != "one" or bool(roster.recent)
+    kinds = {e.kind for e in roster.entities if not e.ego}
+    afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
+    kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
+    return [roster.new(kind, basis)] if new else []
 
-    def _new_driver(self, mention: Mention) -> list[Entity]:
-        """``they pulled out in front of me``: somebody who drives, not named before."""
-        if self.tokens[mention.i].low != "they" or not mention.drives:
-            return self.roster.together([])
-        return [self.roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
-    def _somebody(
-        self, mention: Mention, exclude: list[Entity], subject: list[Entity]
-    ) -> list[Entity]:
-        """``he``, ``she``: not the one who tells it; where nobody else is known, somebody new."""
-        others = [e for e in self.roster.recent if not e.ego and e not in exclude and not e.parked]
-        told = self._persons(mention, others, [e for e in subject if e in others])
-        if told or others:
-            return told[:1] or others[-1:]
-        if self.tokens[mention.i].low == "him":
-            return []
-        kind = ParticipantKind.CAR
-        return [self.roster.new(kind, Basis(mention.i, mention.j))]
-
-    def _ordinal(self, mention: Mention) -> list[Entity]:
-        position = POSITIONS[mention.label or "first"]
-        vehicles = [e for e in self.draft.entities if e.moving_vehicle and not e.ego]
-        everybody = vehicles or self.draft.entities
-        group = self.roster.groups[-1].members if self.roster.groups else everybody
-        if position < 0 or mention.label == "former":
-            two = self.roster.recent if len(self.roster.recent) > 1 else group
-            group = list(two[-2:]) if position == 0 or not self.roster.pair else self.roster.pair
-            self.roster.pair = group if position == 0 else []
-            position %= max(len(group), 1)
-        if position >= len(group):
-            return []
-        group[position].claimed = True
-        return [group[position]]
-
-    def _counted(self, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
-        which = mention.pronoun
-        if mention.whole is not None and mention.whole.entities:  # "one of the cars": no truck
-            whole = mention.whole.entities
-            exclude = [*exclude, *(e for e in self.draft.entities if e not in whole)]
-        count = 1
-        named = [e for e in self.roster.recent if mention.sides & e.sides and e not in exclude]
-        if named and which == "one" and mention.mods and mention.mods[0].value == "def":
-            return named[-1:]  # "the one from the left"
-        if which == "one" and (known := self._known_one(mention, exclude)):
-            return known
-        number = mention.mod("num") if which in {"count", "others", "further"} else None
-        if which == "others" and number is None:
-            opened = [g for g in self.roster.groups if 0 < len(g.free) < len(g.members)]
-            return picked(opened[-1].free) if opened else []
-        count = int(number.data["number"]) if number is not None else 1
-        claimed = self.roster.claim(count, exclude) if which != "further" else []
-        if which in {"others", "further"} and not claimed:
-            alike = [e.kind for e in self.roster.recent if e.is_vehicle and which == "further"]
-            kind = (alike or [ParticipantKind.CAR])[-1]
-            return [self.roster.new(kind, basis) for _ in range(min(count, _MOST))]
-        if claimed or which == "count":
-            return picked(claimed) if which in {"one", "count"} and not mention.sides else claimed
-        new = which != "one" or bool(self.roster.recent)
-        kinds = {e.kind for e in self.draft.entities if not e.ego}
-        afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
-        kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
-        return [self.roster.new(kind, basis)] if new else []
-
-    def _known_one(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """``the one in front``, ``this one``: of those who are known."""
-        if not mention.mods or mention.mods[0].value != "def":
-            return []
-        others = [e for e in self.roster.recent if e.is_vehicle and not e.ego and e not in exclude]
-        if self.tokens[mention.i].low in word_list("pointing"):
-            return others[-1:]
-        there = loci_of(mention)
-        placed = [e for e in others if e.loci & there]
-        alone = bool(there) and len(others) == 1 and not others[0].loci
-        return placed[-1:] or (others if alone else [])
+def _known_one(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+    """``the one in front``, ``this one``: of those who are known."""
+    if not mention.opened_by("def"):
+        return []
+    others = [e for e in roster.recent if e.is_vehicle and not e.ego and e not in exclude]
+    if _word(roster, mention) in word_list("pointing"):
+        return others[-1:]
+    there = loci_of(mention)
+    placed = [e for e in others if e.loci & there]
+    alone = bool(there) and len(others) == 1 and not others[0].loci
+    return placed[-1:] or (others if alone else [])
 
 
 def picked(entities: list[Entity]) -> list[Entity]:
-    """Some of several alike, no matter which.
-
-    Args:
-        entities: who stands for them.
-    """
+    """Some of several alike, no matter which."""
     for entity in entities:
-        entity.some = entity.claimed = True
-    return entities
+        entity.some = True
+    return claimed(entities)

@@ -12,11 +12,6 @@ def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``the ego is fifth in a row of eight cars``: one of the eight, with four in front of it.
 
     The same is said by "the last of three cars", "the last in a platoon of three cars".
-
-    Args:
-        chunks: the chunks of the text.
-        events: its events.
-        tokens: its tokens.
     """
     named = [c for c in chunks if isinstance(c, Mention)]
     for k, (place, prep, row) in enumerate(zip(chunks, chunks[1:], chunks[2:], strict=False)):

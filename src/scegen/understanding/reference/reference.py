@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.reference.mention_words import Reading, read_mention
 
-_MOTOR = frozenset(ParticipantKind) - ON_FOOT
 _DENSITY = frozenset({"manner", "inert", "unknown", "noted"})
 """Classes of words that say how dense traffic is."""
 
@@ -21,72 +20,53 @@ def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
     prep = mention.prep.value if mention.prep is not None else ""
     first = [m.value for m in mention.mods[:1]]
-    several = mention.head is not None and (
-        mention.head.form == "s" or bool(mention.head.data.get("mass"))
-    )
+    several = mention.is_mass or (mention.head is not None and mention.head.form == "s")
     if prep == "without" and (first in (["indef"], ["other"]) or (not first and several)):
         return True  # "without any target", "without other cars", "free of traffic"
-    mass = bool(mention.head and mention.head.data.get("mass")) and all(
+    mass = mention.is_mass and all(
         m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
     )
     if mass and prep in {"in", "of", "for"}:
         return True
     gathered = bool(mention.mods) and mention.mods[0].cat in {"det", "quant"}
     gathered = gathered and mention.mods[0].j - mention.mods[0].i > 1
-    if gathered and prep == "with" and mention.head and "mass" in mention.head.data:
+    if gathered and prep == "with" and mention.is_mass:
         return True  # "travels with the flow of traffic"
     place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
     return place or mention.negated or mention.pronoun in {"reflexive", "nobody"}
 
 
 def kin(reading: Reading, mention: Mention) -> bool:
-    """``her daughter``, ``his two children``: nobody who was called otherwise.
-
-    Args:
-        reading: what the words of the mention say.
-        mention: the mention.
-    """
-    whose = mention.mods[0] if mention.mods else None
+    """``her daughter``, ``his two children``: nobody who was called otherwise."""
     people = reading.kind in ON_FOOT and not reading.driver
-    return people and whose is not None and (whose.cat, whose.value) == ("possessive", "its")
+    return people and mention.opened_by("its")
 
 
 def tells(mention: Mention) -> bool:
     """Whether it is the one who tells it ("I", "we")."""
-    return any("speaks" in h.data or "me" in h.data for h in mention.heads)
+    return mention.is_me or any("speaks" in h.data for h in mention.heads)
 
 
 def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
-    """``lead car brakes; car on the left``: a bare noun with a place of its own is another one.
-
-    Args:
-        reading: what the words of the mention say.
-        mention: the mention.
-        entity: somebody known.
-    """
+    """``lead car brakes; car on the left``: a bare noun with a place of its own is another one."""
     if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
-    if entity.ego and any((m.cat, m.value) == ("verb", "approach") for m in mention.mods):
+    if entity.ego and mention.has("verb", "approach"):
         return True  # "the ego turns; the approaching car …": it comes towards the ego
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
     return bare and bool(mention.pps) and bool(entity.dirs)
 
 
 def refine(mention: Mention, draft: Draft) -> None:
-    """``vehicle 1, a pickup truck, …``: the apposition says what kind it is, or that it is the ego.
-
-    Args:
-        mention: the apposition, resolved.
-        draft: the scenario in the making.
-    """
+    """``vehicle 1, a pickup truck, …``: it says what kind that is, or that it is the ego."""
     if not mention.heads:
         return
     reading = read_mention(mention, draft.tokens, None)
     afoot = any("afoot" in h.data for h in mention.heads)
-    known = any(e.ego for e in draft.entities)
+    ego = draft.ego
     for entity in mention.entities:
-        if not reading.generic and (reading.kind in _MOTOR or afoot):
+        if not reading.generic and (reading.kind not in ON_FOOT or afoot):
             entity.kind, entity.basis = reading.kind, Basis(mention.i, mention.j)
-        entity.ego = entity.ego or (reading.ego and not known)
+        entity.ego = entity.ego or (reading.ego and ego is None)
         entity.labels |= reading.labels
         entity.named_by |= reading.called

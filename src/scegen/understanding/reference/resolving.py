@@ -6,22 +6,25 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
 from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.ranks import rank
+from scegen.understanding.reference.reference import is_pronoun
 from scegen.understanding.reference.tellers import is_apart, teller_goes_by
 from scegen.understanding.words.tokens import Token
 
 _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
-_BACK = frozenset({"it", "him", "they"})
+_BACKWARDS = {"ahead": "behind", "behind": "ahead"}
+_BEHIND = ("locus", "behind", None, None)
 _COMING_OUT = frozenset({"cross", "appear", "pull_out"})
 
 
@@ -66,37 +69,28 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
     mentions = [c for c in chunks if isinstance(c, Mention)]
     for event in events:
         _done_to(event, mentions, found)
-        if event.name == "approach" or any(isinstance(p.target, Mention) for p in _to(event)):
+        if event.name == "approach" or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
         if _comes_out(event):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
         _going_elsewhere(event, events, found)
-        _beside_another(event, found)
+        for place in (p.place for p in event.pps):
+            if place is not None and place.beside is not None:
+                # "drives in the lane to the left of it": "it" is somebody else
+                found.unlike[id(place.beside)] += event.subject
     for mention in mentions:
         for prep in mention.pps:
-            by = prep.target
-            if isinstance(by, Mention) and prep.word.cat == "locus":
-                found.unlike[id(by)].append(mention)  # "a bus behind it"
-            elif isinstance(by, Place) and (whose := by.beside or by.owner) is not None:
+            if prep.who is not None and prep.word.cat == "locus":
+                found.unlike[id(prep.who)].append(mention)  # "a bus behind it"
+            elif prep.place and (whose := prep.place.beside or prep.place.owner) is not None:
                 found.unlike[id(whose)].append(mention)  # "two vans on either side of it"
     return found
-
-
-def _to(event: Event) -> list[Prep]:
-    return [p for p in event.pps if p.value == "to"]
-
-
-def _beside_another(event: Event, found: _Bonds) -> None:
-    """``drives in the lane to the left of it``: "it" is somebody else."""
-    for place in (p.target for p in event.pps):
-        if isinstance(place, Place) and place.beside is not None:
-            found.unlike[id(place.beside)] += event.subject
 
 
 def _going_elsewhere(event: Event, events: list[Event], found: _Bonds) -> None:
     """``a car going straight on hits the ego as it turns left``: "it" is not that car."""
     ways = {d.value for d in event.dirs} & _WAYS
-    it = [m for m in event.subject if _is_it(m)]
+    it = [m for m in event.subject if is_it(m)]
     here = [e for e in events if e.sentence == event.sentence and e.i < event.i]
     hits = any(e.name == "collide" for e in here)
     for other in here if ways and it and hits else []:
@@ -121,20 +115,20 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
             found.unlike[id(part.owner)] += event.subject  # "a van hits its rear": not the van's
     _not_by_itself(event, found)
     for prep in event.pps:
-        by = prep.target
-        if (prep.word.cat, prep.value, prep.outer) == ("locus", "behind", None):
-            found.follows[id(by)] += [event] if prep.on_mention is None else []
-        if not isinstance(by, Mention) or prep.on_mention not in (None, *event.subject):
+        by = prep.who
+        if (prep.word.cat, prep.value, prep.outer, prep.on_mention) == _BEHIND:
+            found.follows[id(by)].append(event)
+        if by is None or prep.on_mention not in (None, *event.subject):
             continue
-        if _is_it(by) or _definite(by) or prep.value == "between":
+        known_already = bool(by.heads) and by.has("det", "def")  # "behind the broken-down car"
+        if is_it(by) or known_already or prep.value == "between":
             for beside in (by, *(m for m in mentions if m.joined is by)):
                 found.unlike[id(beside)] += event.subject  # "between the ego and the van ahead"
 
 
 def _comes_out(event: Event) -> bool:
     """Whether somebody comes into view: on foot, or by a verb that says so."""
-    afoot = any(m.head is not None and m.head.value == "pedestrian" for m in event.subject)
-    return afoot or event.name in _COMING_OUT
+    return event.name in _COMING_OUT or any(m.is_person for m in event.subject)
 
 
 def _not_by_itself(event: Event, found: _Bonds) -> None:
@@ -148,13 +142,7 @@ def _not_by_itself(event: Event, found: _Bonds) -> None:
 
 
 def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
-    """Finds out whom every mention refers to, in the order of the text.
-
-    Args:
-        chunks: the chunks of the text.
-        events: its events.
-        discourse: the participants so far.
-    """
+    """Finds out whom every mention refers to, in the order of the text."""
     describe(chunks, events, discourse.tokens)
     discourse.told_by(teller_goes_by(chunks, events, discourse.tokens), apart=is_apart(chunks))
     mark_generic(chunks, events, discourse.tokens)
@@ -171,7 +159,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         if chunk.partitive and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
             continue
-        if chunk.pronoun in _BACK and _named_later(chunk, chunks):
+        if is_pronoun(chunk) and _named_later(chunk, chunks):
             early.append(chunk)
             continue
         _resolve(chunk, discourse, bonds)
@@ -209,7 +197,7 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
     found = {
         id(chunk)
         for before, chunk in pairwise(chunks)
-        if isinstance(before, Word) and before.value == "thereis" and isinstance(chunk, Mention)
+        if is_word(before, "thereis") and isinstance(chunk, Mention)
         if not any(m.cat == "state" for m in chunk.mods)
     }
     opens: Mention | None = None
@@ -231,7 +219,7 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
 
 def _told_by_somebody(chunk: Chunk, discourse: Discourse) -> None:
     """``in our lane``, ``sits on my bumper``: whoever tells it takes part."""
-    if isinstance(chunk, Place | Thing) and any(m.value == "first_person" for m in chunk.mods):
+    if isinstance(chunk, Place | Thing) and chunk.has("possessive", "first_person"):
         discourse.observer(chunk.i, chunk.j)
     if not isinstance(chunk, Word | Event) or not discourse.tells(chunk.i, chunk.j):
         return
@@ -267,17 +255,13 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
     if mention.joined is not None and mention.pronoun is None:
         unlike.append(mention.joined)  # "a van and the van behind": two
     exclude = [e for m in unlike for e in m.entities]
-    if any(m.is_ego for m in unlike):
-        exclude += [e for e in discourse.entities if e.ego]
-    stands = any(e.parked for e in discourse.entities)
-    if id(mention) in bonds.passed and mention.pronoun == "it" and stands:
-        exclude += [e for e in discourse.entities if not e.parked]  # "drives around it"
-    if (
-        id(mention) in bonds.hiding
-        and _is_it(mention)
-        and not all(e.ego for e in discourse.entities)
-    ):
-        exclude += [e for e in discourse.entities if e.ego]  # who looks on hides nobody from itself
+    known = discourse.entities
+    egos = [e for e in known if e.ego]
+    hides = id(mention) in bonds.hiding and is_it(mention) and len(egos) < len(known)
+    if hides or any(m.is_ego for m in unlike):
+        exclude += egos  # who looks on hides nobody from itself
+    if id(mention) in bonds.passed and mention.pronoun == "it" and any(e.parked for e in known):
+        exclude += [e for e in known if not e.parked]  # "drives around it"
     discourse.resolve(
         mention,
         subject=id(mention) in bonds.subjects,
@@ -285,49 +269,27 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
         sides=bonds.everywhere.get(id(mention)),
         settled=id(mention) in bonds.settled,
     )
-    for placed in unlike:
-        _seen_from_the_ego(mention, placed)
-    for event in bonds.follows[id(mention)]:
-        _in_front_of_the_ego(mention, event)
-    for entity in mention.entities if id(mention) in bonds.nearing else []:
-        entity.nears = not entity.ego
+    loci = _seen_from_the_ego(mention, unlike, bonds.follows[id(mention)])
+    for entity in mention.entities:
+        entity.loci |= loci
+        entity.nears = not entity.ego if id(mention) in bonds.nearing else entity.nears
 
 
-def _in_front_of_the_ego(mention: Mention, event: Event) -> None:
-    """``the ego follows a car``, ``drives behind a car``: that is "the car ahead"."""
-    egos = [e for m in event.subject for e in m.entities if e.ego]
-    if egos and not event.passive and not event.negated:
-        for entity in mention.entities:
-            entity.loci.add("ahead")
-
-
-def _seen_from_the_ego(mention: Mention, described: Mention) -> None:
-    """``I am behind a lorry``: the lorry is not "the car behind me"."""
-    if not any(e.ego for e in described.entities):
-        return
-    for prep in described.pps:
-        if prep.target is mention and prep.value in {"ahead", "behind"}:
-            side = "behind" if prep.value == "ahead" else "ahead"
-            for entity in mention.entities:
-                entity.loci.add(side)
+def _seen_from_the_ego(mention: Mention, placed: list[Mention], events: list[Event]) -> set[str]:
+    """``I am behind a lorry``, ``the ego follows a car``: that is "the car ahead"."""
+    told = [e for e in events if not (e.passive or e.negated)]
+    loci = {"ahead" for event in told for who in event.doers if who.ego}
+    phrases = [p for m in placed if any(e.ego for e in m.entities) for p in m.pps]
+    places = [p.value for p in phrases if p.target is mention]
+    return loci | {_BACKWARDS[word] for word in places if word in _BACKWARDS}
 
 
 def _on_no_road(owner: Mention) -> bool:
     """``the neighbour's van``: the van takes part, the neighbour does not."""
-    head = owner.head
-    return head is not None and head.value == "pedestrian" and "afoot" not in head.data
+    return owner.is_person and not any("afoot" in h.data for h in owner.heads[-1:])
 
 
 def _settled(events: list[Event]) -> set[int]:
     """Mentions of whom the text says which way they go."""
     going = [e for e in events if e.finite and any(d.value in _WAYS for d in e.dirs)]
     return {id(m) for e in going for m in e.subject}
-
-
-def _definite(mention: Mention) -> bool:
-    """``behind the broken-down car``: one that is known, so not who stops behind it."""
-    return bool(mention.heads) and any((m.cat, m.value) == ("det", "def") for m in mention.mods)
-
-
-def _is_it(target: object) -> bool:
-    return isinstance(target, Mention) and target.pronoun in {"it", "him"}

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
+from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.groups import Group, in_list
@@ -13,7 +15,6 @@ from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.tokens import Token
 
-_MOTOR = frozenset(ParticipantKind) - ON_FOOT
 _RIDDEN = ParticipantKind.MOTORCYCLE
 
 
@@ -28,7 +29,6 @@ class Roster:
         recent: everybody, the one spoken of last at the end.
         subject: who acted last.
         before: who acted before them.
-        landmark: who others were placed by last.
         pair: the two of whom one was called "the former".
         teller: what the one who tells it goes by.
         apart: that one is not the ego.
@@ -40,7 +40,6 @@ class Roster:
     recent: list[Entity] = field(default_factory=list)
     subject: list[Entity] = field(default_factory=list)
     before: list[Entity] = field(default_factory=list)
-    landmark: list[Entity] = field(default_factory=list)
     pair: list[Entity] = field(default_factory=list)
     teller: ParticipantKind = ParticipantKind.CAR
     apart: bool = False
@@ -64,6 +63,11 @@ class Roster:
                 self.before = self.subject
             self.subject = found
 
+    @property
+    def entities(self) -> list[Entity]:
+        """Everybody known so far."""
+        return self.draft.entities
+
     def new(self, kind: ParticipantKind, basis: Basis) -> Entity:
         """A new participant."""
         return self.draft.add(kind, basis)
@@ -72,119 +76,81 @@ class Roster:
         self, count: int, exclude: list[Entity], reading: Reading | None = None
     ) -> list[Entity]:
         """Members of an earlier group that nobody has picked out yet."""
-        for group in reversed(self.groups):
-            free = [e for e in group.free if e not in exclude and self.fits(e, reading)]
-            if len(free) >= count:
-                for entity in free[:count]:
-                    entity.claimed = True
-                return free[:count]
-        return []
+        return _pick(count, self.groups, lambda e: e not in exclude and self.fits(e, reading))
 
     def rest(self, exclude: list[Entity]) -> list[Entity]:
         """The one vehicle besides those just spoken of, if only one is left."""
         out = {e.index for e in (*exclude, *self.subject)}
-        rest = [e for e in self.draft.entities if e.index not in out and e.is_vehicle]
+        rest = [e for e in self.entities if e.index not in out and e.is_vehicle]
         return rest if len(rest) == 1 else []
 
     def together(self, exclude: list[Entity]) -> list[Entity]:
         """The last group, or the last two."""
         if self.groups and len(self.groups[-1].members) > 1:
             return list(self.groups[-1].members)
-        return [e for e in self.draft.entities if e not in exclude][-2:]
+        return [e for e in self.entities if e not in exclude][-2:]
 
     def further(self, exclude: list[Entity], basis: Basis) -> list[Entity]:
         """``another``, ``a third one``: of a group that is being picked apart, else a new one."""
-        if any(group.vague or len(group.free) < len(group.members) for group in self.groups):
-            claimed = self.claim(1, exclude)
-            if claimed:
-                return claimed
-        afoot = len(self.subject) == 1 and self.subject[0] is self.draft.entities[-1]
+        apart = any(group.vague or len(group.free) < len(group.members) for group in self.groups)
+        if apart and (free := self.claim(1, exclude)):
+            return free
+        afoot = len(self.subject) == 1 and self.subject[0] is self.entities[-1]
         alike = [e.kind for e in self.recent if e.is_vehicle or (afoot and e in self.subject)]
         return [self.new((alike or [ParticipantKind.CAR])[-1], basis)]
 
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
-        for group in reversed(self.groups):
-            nameless = [
-                e
-                for e in group.free
-                if e not in exclude
-                and self.fits(e, reading)
-                and not any(n.startswith("#") for n in e.labels)
-            ]
-            if nameless:
-                nameless[0].claimed = True
-                nameless[0].labels |= names
-                return nameless[:1]
-        return []
+        named = [e for e in self.entities if any(n.startswith("#") for n in e.labels)]
+        found = self.claim(1, [*exclude, *named], reading)
+        for entity in found:
+            entity.labels |= names
+        return found
 
     def included(self, reading: Reading, mention: Mention) -> list[Entity]:
         """``five vehicles, including a bus and two trucks``: members get their kind."""
-        head = mention
-        while head.joined is not None and head.joined is not head:
-            head = head.joined
-        word = head.prep
-        listed = word is not None and self.tokens[word.i].low in word_list("including")
-        listed = listed or mention.listed
-        listed = listed or (head.i > 0 and self.tokens[head.i - 1].low == ":")
-        listed = listed or self._after_colon(reading, mention)
+        head = chain(mention)[0]
+        before = self.tokens[head.prep.i if head.prep is not None else max(0, head.i - 1)].low
+        listed = mention.listed or before == ":" or before in word_list("including")
+        if not listed and reading.det in {"indef", "one", "bare"}:
+            # "three vehicles meet: a bus turns, a taxi waits …": each is one of the three
+            listed = in_list(self.groups, self.tokens, mention)
         if not listed or reading.generic:
             return []
-        for group in reversed(self.groups):
-            free = [e for e in group.free if e.kind is ParticipantKind.CAR]
-            if len(free) >= reading.count and not group.specific:
-                for entity in free[: reading.count]:
-                    entity.kind, entity.claimed = reading.kind, True
-                    entity.basis, entity.counted = Basis(mention.i, mention.j), None
-                return free[: reading.count]
-        return []
-
-    def _after_colon(self, reading: Reading, mention: Mention) -> bool:
-        """``three vehicles meet: a bus turns, a taxi waits …``: each is one of the three."""
-        return reading.det in {"indef", "one", "bare"} and in_list(
-            self.groups, self.tokens, mention
-        )
+        of_any_kind = [g for g in self.groups if not g.specific]
+        found = _pick(reading.count, of_any_kind, lambda e: e.kind is ParticipantKind.CAR)
+        for entity in found:
+            entity.kind = reading.kind
+            entity.basis, entity.counted = Basis(mention.i, mention.j), None
+        return found
 
     def by_order(self, reading: Reading, mention: Mention) -> list[Entity] | None:
         """``the first car``, ``the second truck``: by the order in which they came up.
-
-        Args:
-            reading: what the words of the mention say.
-            mention: the mention.
 
         Returns:
             Whom it means; None if it says nothing of an order.
         """
         which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
-        leads = mention.head is not None and self.draft.tokens[mention.head.i].low == "leader"
+        leads = mention.head is not None and self.tokens[mention.head.i].low == "leader"
         if leads and self.groups and all(e.is_vehicle for e in self.groups[-1].members):
             which = which or "first"  # "three cars in a platoon; the leader brakes"
         if which is None or reading.det not in {"def", "ordinal"} or reading.plural:
             return None
-        if mention.mods[0].value != "def":
+        if not mention.opened_by("def"):
             return None
         for group in reversed(self.groups):
             alike = [e for e in group.members if leads or self.compatible(e, reading)]
             if len(alike) > abs(POSITIONS[which]):
-                return self._claimed(alike[POSITIONS[which]])
-        alike = [e for e in self.draft.entities if self.compatible(e, reading)]
-        alike = [e for e in alike if not e.ego]
-        if not alike:
-            return None
-        known = alike[POSITIONS[which] :][:1] if POSITIONS[which] < len(alike) else []
-        return self._claimed(known[0]) if known else []
-
-    def _claimed(self, entity: Entity) -> list[Entity]:
-        """Picks somebody out of a group."""
-        entity.claimed = True
-        return [entity]
+                return claimed([alike[POSITIONS[which]]])
+        alike = [e for e in self.entities if self.compatible(e, reading) and not e.ego]
+        return claimed(alike[POSITIONS[which] :][:1]) if alike else None
 
     def fits(self, entity: Entity, reading: Reading | None) -> bool:
         """Whether a member of a group can be meant."""
         if reading is None:
             return True
         generic = reading.generic or reading.driver
-        same = entity.kind is reading.kind or (generic and entity.kind in _MOTOR)
+        same = entity.kind is reading.kind or (generic and entity.is_vehicle)
         return same and entity.parked == reading.parked
 
     def agree(self, group: Group, reading: Reading) -> bool:
@@ -195,7 +161,7 @@ class Roster:
         """Whether the words of a mention can stand for a known participant."""
         if reading.driver or reading.generic:
             rides = entity.kind is ParticipantKind.BICYCLE and not reading.plural
-            kind = entity.kind in _MOTOR and (not rides or reading.kind is _RIDDEN)
+            kind = entity.is_vehicle and (not rides or reading.kind is _RIDDEN)
         else:
             kind = entity.kind is reading.kind or self._motorbike(entity, reading)
             kind = kind or _shortened(entity, reading)
@@ -208,7 +174,7 @@ class Roster:
     def _motorbike(self, entity: Entity, reading: Reading) -> bool:
         """``a motorcyclist … the bike``: where no bicycle is about, the motorcycle."""
         named = reading.called == {"bike"} and reading.det == "def"
-        kinds = {e.kind for e in self.draft.entities}
+        kinds = {e.kind for e in self.entities}
         return named and entity.kind is _RIDDEN and ParticipantKind.BICYCLE not in kinds
 
     def cast(self, reading: Reading, loci: set[str]) -> list[Entity]:
@@ -218,10 +184,10 @@ class Roster:
             reading: what the words say.
             loci: where these words put it, as the ego sees it.
         """
-        named = any("adversary" in e.labels for e in self.draft.entities)
+        named = any("adversary" in e.labels for e in self.entities)
         if named or reading.plural or reading.labels != {"adversary"}:
             return []
-        others = [e for e in self.draft.entities if not (e.ego or e.parked)]
+        others = [e for e in self.entities if not (e.ego or e.parked)]
         alike = [e for e in others if e.kind is reading.kind and e.dirs == reading.dirs]
         one = len(alike) == 1 and reading.det == "def"
         return alike if one and (not loci or loci & alike[0].loci) else []
@@ -253,6 +219,22 @@ class Roster:
                 Group(found, reading.vague, set(reading.dirs), specific=not reading.generic)
             )
         return found
+
+
+def claimed(entities: list[Entity]) -> list[Entity]:
+    """Those whom a mention picks out of all that are known: no later one does."""
+    for entity in entities:
+        entity.claimed = True
+    return entities
+
+
+def _pick(count: int, groups: list[Group], may: Callable[[Entity], bool]) -> list[Entity]:
+    """So many members that are free, of the last group that has as many who may be meant."""
+    for group in reversed(groups):
+        free = [e for e in group.free if may(e)]
+        if len(free) >= count:
+            return claimed(free[:count])
+    return []
 
 
 def _shortened(entity: Entity, reading: Reading) -> bool:

@@ -38,7 +38,8 @@ def teller_goes_by(
     my_car = any(m.is_ego and tokens[m.i].low in _MY for m in mentions)
     if my_car or any(e.drives for e in own):
         return None
-    own_bike = any(mine(m, ParticipantKind.BICYCLE) and _is_bicycle(m) for m in mentions)
+    bikes = [m for m in mentions if any(h.value == "bicycle" for h in m.heads)]
+    own_bike = any(mine(m, ParticipantKind.BICYCLE) for m in bikes)
     ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
     if own_bike or any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden)):
         return ParticipantKind.BICYCLE
@@ -48,23 +49,14 @@ def teller_goes_by(
     return ParticipantKind.PEDESTRIAN if afoot else None
 
 
-def _is_bicycle(mention: Mention) -> bool:
-    return any(h.value == "bicycle" for h in mention.heads)
-
-
 def _us(mention: Mention) -> bool:
     return tells(mention) or (mention.whole is not None and tells(mention.whole))
 
 
-def _lemma(event: Event, words: str) -> bool:
-    return event.lemma in word_list(words)
-
-
 def _cycles(event: Event) -> bool:
     """``I was cycling``; ``I rode out of an alley``, where nothing else is ridden."""
-    return _lemma(event, "pedalling") or (
-        event.lemma == "ride" and not isinstance(event.object, Mention)
-    )
+    rides = event.lemma == "ride" and not isinstance(event.object, Mention)
+    return rides or event.lemma in word_list("pedalling")
 
 
 def _rides(tokens: list[Token], *, others: bool) -> bool:
@@ -76,7 +68,7 @@ def _rides(tokens: list[Token], *, others: bool) -> bool:
 
 def _afoot(event: Event, tokens: list[Token]) -> bool:
     """``I stepped out``, ``I was waiting on the pavement``, ``pushing the pram, I …``."""
-    if event.name in _STEPS and _lemma(event, "stepping"):
+    if event.name in _STEPS and event.lemma in word_list("stepping"):
         return True
     what = event.object
     if event.lemma == "push":
