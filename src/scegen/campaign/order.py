@@ -32,8 +32,7 @@ class Described(FrozenModel):
     @model_validator(mode="after")
     def _one_of_both(self) -> Self:
         if (self.text is None) == (self.file is None):
-            msg = f"{self.id}: give either its text or a file"
-            raise ValueError(msg)
+            raise ValueError(f"{self.id}: give either its text or a file")
         return self
 
 
@@ -49,17 +48,13 @@ class Sweep(FrozenModel):
     def _steps_or_values(self) -> Self:
         steps = (self.first, self.to, self.step)
         if bool(self.values) == any(value is not None for value in steps):
-            msg = "give either from, to and step, or values"
-            raise ValueError(msg)
+            raise ValueError("give either from, to and step, or values")
         if not self.values and (self.first is None or self.to is None or self.step is None):
-            msg = "from, to and step belong together"
-            raise ValueError(msg)
+            raise ValueError("from, to and step belong together")
         if self.first is not None and self.to is not None and self.first > self.to:
-            msg = f"from {self.first:g} lies above to {self.to:g}"
-            raise ValueError(msg)
+            raise ValueError(f"from {self.first:g} lies above to {self.to:g}")
         if self.count > MOST_POINTS:
-            msg = f"{self.count:,} values are more than {MOST_POINTS:,}"
-            raise ValueError(msg)
+            raise ValueError(f"{self.count:,} values are more than {MOST_POINTS:,}")
         return self
 
     @property
@@ -115,8 +110,7 @@ class Campaign(FrozenModel):
         for sweep in self.sweep.values():
             points *= sweep.count
         if points > MOST_POINTS:
-            msg = f"the sweep has {points:,} points, more than {MOST_POINTS:,}"
-            raise ValueError(msg)
+            raise ValueError(f"the sweep has {points:,} points, more than {MOST_POINTS:,}")
         return self
 
 

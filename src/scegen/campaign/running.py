@@ -18,7 +18,7 @@ from scegen.campaign.making import Done, enlist, make_batch, warm
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.planning import content_of, plan_description, plan_key
 from scegen.campaign.rows import FAILED, table_of
-from scegen.campaign.store import Store, StoreError, sound
+from scegen.campaign.store import Store, StoreError, column, sound
 from scegen.campaign.table import write_table
 from scegen.campaign.verifying import digest_of
 
@@ -152,11 +152,7 @@ def _make(
 
 def examine_done(store: Store, found: Examined) -> Examined:
     """The keys of all batches, as they are now."""
-    done = {
-        key
-        for path in store.batches()
-        for key in pq.read_table(path, columns=["key"]).column("key").to_pylist()
-    }
+    done = {key for path in store.batches() for key in column(path, "key")}
     return Examined(done=done, planned=found.planned)
 
 

@@ -73,7 +73,7 @@ def line(scenario: LogicalScenario) -> str:
     """A scenario in a line."""
     ways = "  ".join(f"{d.participant} {d.entry}→{d.exit}" for d in scenario.drives)
     times = f"  ×{scenario.class_size}" if scenario.class_size > 1 else ""
-    return f"{scenario.index:03d}-{scenario.slug}  {ways}{times}"
+    return f"{scenario.name}  {ways}{times}"
 
 
 def coverage_lines(reached: Coverage) -> Iterator[str]:

@@ -5,7 +5,6 @@ from scegen.enumeration.enumerate import (
     Listing,
     count_scenarios,
     enumerate_scenarios,
-    iterate_scenarios,
     open_listing,
 )
 from scegen.enumeration.plain import plain_crossing
@@ -15,7 +14,6 @@ __all__ = [
     "Listing",
     "count_scenarios",
     "enumerate_scenarios",
-    "iterate_scenarios",
     "open_listing",
     "plain_crossing",
 ]

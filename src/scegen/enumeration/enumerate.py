@@ -108,7 +108,9 @@ class Listing:
 
     def __iter__(self) -> Iterator[LogicalScenario]:
         keep = where_test(self.prepared.problem.functional, self.where) if self.where else None
-        for scenario in self._every():
+        builder = Builder(self.prepared.problem)
+        for index, (solution, size) in enumerate(self._solutions()):
+            scenario = builder.scenario(solution, index=index, class_size=size)
             self.seen += 1
             self.assignments += scenario.class_size
             if keep is None or keep(scenario):
@@ -118,15 +120,17 @@ class Listing:
                     break
         self.exhausted = self.seen == self._count
         if self.exhausted and self.assignments != self._total:
-            msg = f"class sizes add up to {self.assignments}, not to {self._total}: a bug"
-            raise AssertionError(msg)
+            raise AssertionError(
+                f"class sizes add up to {self.assignments}, not to {self._total}: a bug"
+            )
 
     def finished(self, scenarios: tuple[LogicalScenario, ...]) -> LogicalSet:
         """The set, once iteration has ended, with its certificate."""
         prepared, reduction = self.prepared, self.reduction
         if self.limit is None and self.where is None and len(scenarios) != self._count:
-            msg = f"{len(scenarios)} scenarios listed, {self._count} counted: the two must agree"
-            raise AssertionError(msg)
+            raise AssertionError(
+                f"{len(scenarios)} scenarios listed, {self._count} counted: the two must agree"
+            )
         return LogicalSet(
             functional=prepared.problem.functional,
             reduction=reduction,
@@ -175,11 +179,6 @@ class Listing:
     @property
     def _total(self) -> int:
         return self.prepared.census.total if self.ruled is None else self.ruled.total
-
-    def _every(self) -> Iterator[LogicalScenario]:
-        builder = Builder(self.prepared.problem)
-        for index, (solution, size) in enumerate(self._solutions()):
-            yield builder.scenario(solution, index=index, class_size=size)
 
     def _solutions(self) -> Iterator[tuple[Solution, int]]:
         """What is to be built, with its class size."""
@@ -230,20 +229,6 @@ def _collector_paused() -> Iterator[None]:
     finally:
         if running:
             gc.enable()
-
-
-def iterate_scenarios(
-    functional: FunctionalScenario,
-    *,
-    reduction: Reduction = Reduction.EXACT,
-    arms: ArmsMode = ArmsMode.DISTINCT,
-    limit: int | None = None,
-) -> Iterator[LogicalScenario]:
-    """All scenarios in order as a stream, for sets too large to hold; the first with a limit."""
-    prepared = _prepare(functional, arms)
-    builder = Builder(prepared.problem)
-    for index, (solution, size) in enumerate(_stream(prepared, reduction, limit)):
-        yield builder.scenario(solution, index=index, class_size=size)
 
 
 def count_scenarios(

@@ -65,7 +65,7 @@ def make_some(
         good = sum(_flaws(raising) == (0, 0) for raising in tried)
         if len(tried) >= most or (wanted <= good and not options.pick):
             break
-        name = f"{scenario.index:03d}-{scenario.slug}"
+        name = scenario.name
         progress(f"concretizing {name}")
         try:
             raising = make_one(

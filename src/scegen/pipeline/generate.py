@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
-from scegen.checking.subject import FUNCTIONAL_FILE
+from scegen.checking.subject import FUNCTIONAL_FILE, PROOF_FILE
 from scegen.criticality.raising.refusing import too_fast
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
@@ -21,7 +21,7 @@ from scegen.pipeline.folder import replace_content, require_usable
 from scegen.pipeline.judging import Judged, judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
-from scegen.pipeline.raising import PROOF_FILE, Raising, chosen_target, prove_all, raise_all
+from scegen.pipeline.raising import Raising, chosen_target, prove_all, raise_all
 from scegen.pipeline.source import Origin, Source
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml

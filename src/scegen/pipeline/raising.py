@@ -24,7 +24,6 @@ if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run
     from scegen.llm import Session
 
 NO_SEARCH = "none"
-PROOF_FILE = "proof.json"
 _TARGETS: dict[OutcomeKind | None, str] = {
     OutcomeKind.COLLISION: COLLISION,
     OutcomeKind.AVOIDED: AVOIDED,

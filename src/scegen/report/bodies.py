@@ -8,15 +8,13 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scegen.motion.model import Trace
+from scegen.motion.model import Array, Trace
 from scegen.report.corners import box_corners
 from scegen.report.drawing import area, areas, box, circle, element
 from scegen.report.theme import Theme
 from scegen.report.world import placed
 from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind
-
-Array = NDArray[np.float64]
 
 _NARROW = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _BEND_RAD = 0.04

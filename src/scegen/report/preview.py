@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter, closest_encounter
-from scegen.motion.model import Path, Trace
+from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import box, document, letters
@@ -24,8 +23,6 @@ from scegen.report.world import View
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
-
-Array = NDArray[np.float64]
 
 WIDTH = 900.0
 _GAP = 8.0

@@ -10,7 +10,7 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter
-from scegen.motion.model import Path, Trace
+from scegen.motion.model import Array, Path, Trace
 from scegen.report.bodies import body, braking, corners_at, ghost, haze, standing_at, swept
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, box, letters, line, lines
@@ -22,8 +22,6 @@ from scegen.report.words import KMH
 from scegen.report.world import Surroundings, View
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
-
-Array = NDArray[np.float64]
 
 _NAME_PX = 12.0
 _ROUND_M = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)

@@ -374,28 +374,33 @@ class ConcreteScenario(FrozenModel):
     def _one_ego(self) -> ConcreteScenario:
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
-            msg = f"exactly one participant must have the role ego, found {egos or 'none'}"
-            raise ValueError(msg)
+            raise ValueError(
+                f"exactly one participant must have the role ego, found {egos or 'none'}"
+            )
         ids = [p.id for p in self.participants]
         everything = [entity.id for entity in self.entities]
         if len(set(everything)) != len(everything):
-            msg = f"ids of participants and objects are not unique: {sorted(everything)}"
-            raise ValueError(msg)
+            raise ValueError(
+                f"ids of participants and objects are not unique: {sorted(everything)}"
+            )
         for participant in self.participants:
             if isinstance(motion := participant.motion, SwingingMotion):
                 on = {p.id: (p.body, p.motion) for p in self.participants}
                 if on.get(motion.vehicle) != (motion.of, motion.stands):
-                    msg = f"{participant.id} does not hang on {motion.vehicle}, as that one stands"
-                    raise ValueError(msg)
+                    raise ValueError(
+                        f"{participant.id} does not hang on {motion.vehicle}, as that one stands"
+                    )
             for phase in participant.speed_program:
                 reference = getattr(phase.trigger, "participant", None)
                 if reference is not None and reference not in ids:
-                    msg = f"a trigger of {participant.id} names the unknown {reference!r}"
-                    raise ValueError(msg)
+                    raise ValueError(
+                        f"a trigger of {participant.id} names the unknown {reference!r}"
+                    )
             struck = participant.on_contact
             if struck is not None and struck.participant not in {*everything} - {participant.id}:
-                msg = f"on_contact of {participant.id} names the unknown {struck.participant!r}"
-                raise ValueError(msg)
+                raise ValueError(
+                    f"on_contact of {participant.id} names the unknown {struck.participant!r}"
+                )
         return self
 
     @property

@@ -90,6 +90,11 @@ def load(path: Path, cls: type[M]) -> M:
     return _whole(cls, data, str(path))
 
 
+def load_if_there(path: Path, cls: type[M]) -> M | None:
+    """Read one level from a file; None if there is no file."""
+    return load(path, cls) if path.is_file() else None
+
+
 def load_any(path: Path) -> AnyLevel | None:
     """Read whatever level the file holds; None if the file is not a scenario file."""
     if path.suffix.lower() not in {".yaml", ".yml", ".json"}:

@@ -130,36 +130,30 @@ class Junction(FrozenModel):
         fewest, most = ARM_COUNTS[self.kind]
         if not fewest <= self.arms <= most:
             wanted = f"{fewest}" if fewest == most else f"{fewest} to {most}"
-            msg = f"a {self.kind} junction has {wanted} arms, not {self.arms}"
-            raise ValueError(msg)
+            raise ValueError(f"a {self.kind} junction has {wanted} arms, not {self.arms}")
         if self.arm_angles_deg and len(self.arm_angles_deg) != self.arms:
-            msg = f"arm_angles_deg gives {len(self.arm_angles_deg)} angles for {self.arms} arms"
-            raise ValueError(msg)
+            raise ValueError(
+                f"arm_angles_deg gives {len(self.arm_angles_deg)} angles for {self.arms} arms"
+            )
         if list(self.arm_angles_deg) != sorted(a % 360 for a in self.arm_angles_deg):
-            msg = "arm_angles_deg must rise from arm to arm within [0, 360)"
-            raise ValueError(msg)
+            raise ValueError("arm_angles_deg must rise from arm to arm within [0, 360)")
         if self.lanes and len(self.lanes) != self.arms:
-            msg = f"lanes gives {len(self.lanes)} numbers for {self.arms} arms"
-            raise ValueError(msg)
+            raise ValueError(f"lanes gives {len(self.lanes)} numbers for {self.arms} arms")
         most = MAX_LANES if self.kind is JunctionKind.STRAIGHT else MAX_LANES - 1
         if any(not 1 <= count <= most for count in self.lanes):
-            msg = "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
-            raise ValueError(msg)
+            raise ValueError(
+                "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
+            )
         if self.bend is not None and self.arm_angles_deg:
-            msg = "a road has a bend or arm_angles_deg, not both"
-            raise ValueError(msg)
+            raise ValueError("a road has a bend or arm_angles_deg, not both")
         if self.bend is not None and self.auxiliary is not None:
-            msg = "a road has a bend or an auxiliary lane, not both"
-            raise ValueError(msg)
+            raise ValueError("a road has a bend or an auxiliary lane, not both")
         if any(not 0 <= arm < self.arms for arm in self.crosswalks):
-            msg = f"crosswalks names an arm outside 0..{self.arms - 1}"
-            raise ValueError(msg)
+            raise ValueError(f"crosswalks names an arm outside 0..{self.arms - 1}")
         if self.kind is JunctionKind.STRAIGHT and len(self.crosswalks) > 1:
-            msg = "a road without a junction has one crosswalk at most"
-            raise ValueError(msg)
+            raise ValueError("a road without a junction has one crosswalk at most")
         if self.crosswalks and self.auxiliary is not None:
-            msg = "a road has a crosswalk or an auxiliary lane, not both"
-            raise ValueError(msg)
+            raise ValueError("a road has a crosswalk or an auxiliary lane, not both")
         return self
 
     @model_validator(mode="after")
@@ -168,22 +162,21 @@ class Junction(FrozenModel):
         if self.kind is not JunctionKind.STRAIGHT:
             for field in ("carriageway", "bend", "auxiliary"):
                 if getattr(self, field) != Junction.model_fields[field].default:
-                    msg = f"{field} is only for a road without a junction, kind straight"
-                    raise ValueError(msg)
+                    raise ValueError(
+                        f"{field} is only for a road without a junction, kind straight"
+                    )
             if interrupted := self.strips & PLAIN_ROAD_STRIPS:
-                msg = f"strips: {min(interrupted)} is only for a road without a junction"
-                raise ValueError(msg)
+                raise ValueError(
+                    f"strips: {min(interrupted)} is only for a road without a junction"
+                )
         beside = self.strips & NOT_BESIDE_A_SHOULDER
         if Strip.HARD_SHOULDER in self.strips and beside:
-            msg = f"strips: a road has a hard_shoulder or a {min(beside)}, not both"
-            raise ValueError(msg)
+            raise ValueError(f"strips: a road has a hard_shoulder or a {min(beside)}, not both")
         if self.auxiliary_length_m is not None and self.auxiliary is None:
-            msg = "auxiliary_length_m is of an auxiliary lane; say which in auxiliary"
-            raise ValueError(msg)
+            raise ValueError("auxiliary_length_m is of an auxiliary lane; say which in auxiliary")
         beside = self.strips - BESIDE_AN_AUXILIARY_LANE
         if self.auxiliary is not None and beside:
-            msg = f"strips: no {min(beside)} lies beside an auxiliary lane"
-            raise ValueError(msg)
+            raise ValueError(f"strips: no {min(beside)} lies beside an auxiliary lane")
         return self
 
 
@@ -229,14 +222,15 @@ class Participant(FrozenModel):
     @model_validator(mode="after")
     def _somebody(self) -> Participant:
         if self.kind is ParticipantKind.DOOR:
-            msg = f"{self.id}: a door is no participant; its vehicle has the act open_door"
-            raise ValueError(msg)
+            raise ValueError(
+                f"{self.id}: a door is no participant; its vehicle has the act open_door"
+            )
         if self.green_delay_s is not None and self.light is not AtLight.WAITS:
-            msg = f"{self.id}: green_delay_s is of one who waits for green, with `light: waits`"
-            raise ValueError(msg)
+            raise ValueError(
+                f"{self.id}: green_delay_s is of one who waits for green, with `light: waits`"
+            )
         if self.on_call and self.kind is not ParticipantKind.EMERGENCY_VEHICLE:
-            msg = f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}"
-            raise ValueError(msg)
+            raise ValueError(f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}")
         return self
 
     @property
@@ -280,8 +274,9 @@ class Group(FrozenModel):
     @model_validator(mode="after")
     def _not_more_than_there_are(self) -> Group:
         if self.number > len(self.members):
-            msg = f"{self.number} of {len(self.members)} members are more than there are"
-            raise ValueError(msg)
+            raise ValueError(
+                f"{self.number} of {len(self.members)} members are more than there are"
+            )
         return self
 
 
@@ -319,11 +314,9 @@ class Evidence(FrozenModel):
     @model_validator(mode="after")
     def _rests_on_something(self) -> Evidence:
         if self.source is EvidenceSource.STATED and self.text is None:
-            msg = f"stated field {self.field} names no words of the text"
-            raise ValueError(msg)
+            raise ValueError(f"stated field {self.field} names no words of the text")
         if self.source is not EvidenceSource.STATED and not self.reason:
-            msg = f"field {self.field} is {self.source} without a reason"
-            raise ValueError(msg)
+            raise ValueError(f"field {self.field} is {self.source} without a reason")
         return self
 
 
@@ -375,31 +368,26 @@ class FunctionalScenario(FrozenModel):
     def _consistent(self) -> FunctionalScenario:
         ids = [p.id for p in self.participants]
         if doubled := _twice(ids):
-            msg = f"two participants are called {doubled!r}"
-            raise ValueError(msg)
+            raise ValueError(f"two participants are called {doubled!r}")
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
             named = ", ".join(egos) or "none"
-            msg = f"exactly one participant must have the role ego, found {named}"
-            raise ValueError(msg)
+            raise ValueError(f"exactly one participant must have the role ego, found {named}")
         for participant in self.participants:
             if any(not 0 <= arm < self.junction.arms for arm in participant.entries):
-                msg = (
+                raise ValueError(
                     f"{participant.id} enters at an arm outside 0..{self.junction.arms - 1}: "
                     f"{sorted(participant.entries)}"
                 )
-                raise ValueError(msg)
             if participant.strip is not None and participant.strip not in self.junction.strips:
-                msg = (
+                raise ValueError(
                     f"{participant.id} is on the strip {participant.strip}, which is not one of "
                     "junction.strips"
                 )
-                raise ValueError(msg)
             self._has_a_light(participant)
         for thing in self.objects:
             if thing.id in ids:
-                msg = f"an object has the name of another, {thing.id!r}"
-                raise ValueError(msg)
+                raise ValueError(f"an object has the name of another, {thing.id!r}")
             ids.append(thing.id)
         self._names_known(ids)
         return self
@@ -409,17 +397,16 @@ class FunctionalScenario(FrozenModel):
         if participant.light is None:
             return
         if self.junction.control is not Control.SIGNALS:
-            msg = f"{participant.id} has a light, but junction.control is not signals"
-            raise ValueError(msg)
+            raise ValueError(f"{participant.id} has a light, but junction.control is not signals")
         if participant in self.crossers and participant.light not in {AtLight.GREEN, AtLight.RED}:
-            msg = f"{participant.id} crosses: its light is green or red, not {participant.light}"
-            raise ValueError(msg)
+            raise ValueError(
+                f"{participant.id} crosses: its light is green or red, not {participant.light}"
+            )
         if participant.light is AtLight.WAITS and participant.maneuvers == {Maneuver.STAY}:
-            msg = (
+            raise ValueError(
                 f"{participant.id} waits at its light, so it goes on at green: it does not `stay`. "
                 "Leave the maneuver out; who stands there at first has speed_mps 0"
             )
-            raise ValueError(msg)
 
     def _names_known(self, known: Collection[str]) -> None:
         """Whoever is named takes part (or is an object), and every act that is named happens."""
@@ -458,16 +445,15 @@ class FunctionalScenario(FrozenModel):
         """Every act that is named as a moment is told of, and has one."""
         acts = [act.id for act in self.acts]
         if doubled := _twice(acts):
-            msg = f"two acts are called {doubled!r}"
-            raise ValueError(msg)
+            raise ValueError(f"two acts are called {doubled!r}")
         for moment in moments:
             if moment not in acts:
-                msg = f"the unknown act {moment!r} is named; known: {', '.join(acts) or 'none'}"
-                raise ValueError(msg)
+                raise ValueError(
+                    f"the unknown act {moment!r} is named; known: {', '.join(acts) or 'none'}"
+                )
         for act in self.acts:
             if act.kind is ActKind.GIVE_WAY and act.into is None:
-                msg = f"acts.{act.id} gives way to nobody: say in `into` to whom"
-                raise ValueError(msg)
+                raise ValueError(f"acts.{act.id} gives way to nobody: say in `into` to whom")
             if act.kind is ActKind.GIVE_WAY and act.id in moments:
                 msg = f"acts.{act.id} gives way, which has no moment of its own: "
                 msg += "leave out the trigger or spacing that names it, or let it `wait`"

@@ -79,8 +79,7 @@ class Interval(FrozenModel):
     @model_validator(mode="after")
     def _ordered(self) -> Interval:
         if self.low > self.high:
-            msg = f"low {self.low:g} lies above high {self.high:g}"
-            raise ValueError(msg)
+            raise ValueError(f"low {self.low:g} lies above high {self.high:g}")
         return self
 
     @property
@@ -103,8 +102,9 @@ def between(least: float, most: float) -> AfterValidator:
 
     def inside(said: Interval) -> Interval:
         if not least <= said.low <= said.high <= most:
-            msg = f"it is between {least:g} and {most:g}, not {said.low:g} to {said.high:g}"
-            raise ValueError(msg)
+            raise ValueError(
+                f"it is between {least:g} and {most:g}, not {said.low:g} to {said.high:g}"
+            )
         return said
 
     return AfterValidator(inside)

@@ -25,6 +25,7 @@ class ParameterRange(FrozenModel):
     @model_validator(mode="after")
     def _ordered(self) -> ParameterRange:
         if not self.low <= self.default <= self.high:
-            msg = f"{self.name}: default {self.default:g} outside [{self.low:g}, {self.high:g}]"
-            raise ValueError(msg)
+            raise ValueError(
+                f"{self.name}: default {self.default:g} outside [{self.low:g}, {self.high:g}]"
+            )
         return self

@@ -45,8 +45,7 @@ class BacksOut(FrozenModel):
     @model_validator(mode="after")
     def _from_one_place(self) -> BacksOut:
         if (self.side is None) == (self.arm is None):
-            msg = "one that backs out does so from a side of its road, or from an arm"
-            raise ValueError(msg)
+            raise ValueError("one that backs out does so from a side of its road, or from an arm")
         return self
 
 

@@ -89,11 +89,11 @@ class Spacing(FrozenModel):
     def _of_two(self) -> Spacing:
         alone = self.participant == self.reference
         if alone and self.measure is not Measure.LATERAL_OFFSET_M:
-            msg = f"{self.participant} has a {self.measure} to itself; name another as reference"
-            raise ValueError(msg)
+            raise ValueError(
+                f"{self.participant} has a {self.measure} to itself; name another as reference"
+            )
         if self.since == "end" and self.at in {START, CONTACT}:
-            msg = f"`since: end` is of an act; `at` names none but {self.at!r}"
-            raise ValueError(msg)
+            raise ValueError(f"`since: end` is of an act; `at` names none but {self.at!r}")
         return self
 
     @model_validator(mode="before")

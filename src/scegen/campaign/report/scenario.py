@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from scegen.campaign.rows import FILE_COLUMNS
-from scegen.campaign.store import Store, digest, write_whole
+from scegen.campaign.store import Store, write_whole
 from scegen.errors import InputError
+from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import judge
 from scegen.report.contents import CheckRow
 from scegen.report.html import ConcreteEntry, ReportInput, report_html
