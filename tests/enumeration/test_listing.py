@@ -12,7 +12,7 @@ import pytest
 from scegen.enumeration import (
     count_scenarios,
     enumerate_scenarios,
-    open_listing,
+    iterate_scenarios,
     plain_crossing,
 )
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
@@ -53,7 +53,8 @@ def test_with_a_limit_a_selection_is_listed(describe, reduction):
     assert listed.certificate.count == full.certificate.count == len(full.scenarios)
     assert f"Listed are {number:,} of {len(full.scenarios):,}" in listed.notes[-1]
     assert [order(s) for s in listed.scenarios] == sorted(order(s) for s in listed.scenarios)
-    assert tuple(open_listing(functional, reduction=reduction)) == full.scenarios
+    assert tuple(iterate_scenarios(functional, reduction=reduction)) == full.scenarios
+    assert tuple(iterate_scenarios(functional, reduction=reduction, limit=4)) == full.scenarios[:4]
     assert enumerate_scenarios(functional, reduction=reduction, limit=10_000) == full
 
 
@@ -116,7 +117,7 @@ def test_equal_input_gives_equal_bytes_in_another_process():
 
 
 def test_streams_what_is_too_much_to_hold():
-    stream = iter(open_listing(plain_crossing((0, 1, 2, 3, 4) * 2, 5), reduction=Reduction.NONE))
+    stream = iterate_scenarios(plain_crossing((0, 1, 2, 3, 4) * 2, 5), reduction=Reduction.NONE)
     first = next(stream)
     assert (first.index, first.pattern) == (0, (1,) * 10)
     stream.close()
@@ -131,7 +132,7 @@ def test_slugs(describe):
     assert enumerate_scenarios(describe(*OPEN)).scenarios[0].slug == "0straight-0right-0right"
     ring = describe("roundabout", 4, [EGO | {"maneuvers": ["exit_3"]}], driving_side="left")
     assert enumerate_scenarios(ring).scenarios[0].slug == "0exit3"
-    ten = next(iter(open_listing(plain_crossing((0, 1, 2, 0, 1), 3))))
+    ten = next(iterate_scenarios(plain_crossing((0, 1, 2, 0, 1), 3)))
     assert ten.slug == "moves-1x5"
 
 

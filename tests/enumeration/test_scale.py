@@ -15,6 +15,7 @@ from scegen.cli.listing import stream_json
 from scegen.enumeration import (
     count_scenarios,
     enumerate_scenarios,
+    iterate_scenarios,
     open_listing,
     plain_crossing,
     programs,
@@ -57,7 +58,7 @@ def test_every_kind_of_part_is_valid(reduction):
 def test_what_is_constructed_equals_what_is_validated(arms, entries, data):
     functional = plain_crossing([e % arms for e in entries], arms)
     reduction = data.draw(st.sampled_from(list(Reduction)))
-    for scenario in islice(open_listing(functional, reduction=reduction), 60):
+    for scenario in islice(iterate_scenarios(functional, reduction=reduction), 60):
         again = validated_anew(scenario)
         assert again == scenario
         assert hash(again) == hash(scenario)
@@ -80,7 +81,7 @@ def test_forgetting_parts_changes_nothing(monkeypatch):
 
 def test_twenty_cars_at_six_arms_stream_in_constant_memory():
     functional = plain_crossing([i % 6 for i in range(20)], 6)
-    stream = iter(open_listing(functional, arms=ArmsMode.EQUAL))
+    stream = iterate_scenarios(functional, arms=ArmsMode.EQUAL)
     tracemalloc.start()
     try:
         held = []

@@ -94,7 +94,8 @@ def plan_description(store: Store, campaign: Campaign, described: Described) -> 
     rows: list[dict[str, Any]] = []
     left_out: dict[str, int] = {}
     try:
-        functional = _understood(described)
+        text, file = described.text, described.file
+        functional = read(text) if text is not None else functional_of(str(file))
     except ScegenError as error:
         rows.append(_failure(campaign, described, {}, "understand", error))
     else:
@@ -109,10 +110,6 @@ def plan_description(store: Store, campaign: Campaign, described: Described) -> 
     table = pa.Table.from_pylist(rows, _PLAN)
     table = table.replace_schema_metadata({LEFT_OUT: json.dumps(left_out).encode()})
     store.write_plan(plan_key(campaign, described), table)
-
-
-def _understood(described: Described) -> FunctionalScenario:
-    return read(described.text) if described.text else functional_of(str(described.file))
 
 
 def _at_point(

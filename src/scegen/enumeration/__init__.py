@@ -5,6 +5,7 @@ from scegen.enumeration.enumerate import (
     Listing,
     count_scenarios,
     enumerate_scenarios,
+    iterate_scenarios,
     open_listing,
 )
 from scegen.enumeration.plain import plain_crossing
@@ -14,6 +15,7 @@ __all__ = [
     "Listing",
     "count_scenarios",
     "enumerate_scenarios",
+    "iterate_scenarios",
     "open_listing",
     "plain_crossing",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -108,9 +108,7 @@ class Listing:
 
     def __iter__(self) -> Iterator[LogicalScenario]:
         keep = where_test(self.prepared.problem.functional, self.where) if self.where else None
-        builder = Builder(self.prepared.problem)
-        for index, (solution, size) in enumerate(self._solutions()):
-            scenario = builder.scenario(solution, index=index, class_size=size)
+        for scenario in _built(self.prepared, self._solutions()):
             self.seen += 1
             self.assignments += scenario.class_size
             if keep is None or keep(scenario):
@@ -229,6 +227,27 @@ def _collector_paused() -> Iterator[None]:
     finally:
         if running:
             gc.enable()
+
+
+def iterate_scenarios(
+    functional: FunctionalScenario,
+    *,
+    reduction: Reduction = Reduction.EXACT,
+    arms: ArmsMode = ArmsMode.DISTINCT,
+    limit: int | None = None,
+) -> Iterator[LogicalScenario]:
+    """All scenarios in order as a stream, for sets too large to hold; the first with a limit."""
+    prepared = _prepare(functional, arms)
+    yield from _built(prepared, _stream(prepared, reduction, limit))
+
+
+def _built(
+    prepared: _Prepared, listed: Iterable[tuple[Solution, int]]
+) -> Iterator[LogicalScenario]:
+    """The scenarios of solutions with their class sizes, numbered in this order."""
+    builder = Builder(prepared.problem)
+    for index, (solution, size) in enumerate(listed):
+        yield builder.scenario(solution, index=index, class_size=size)
 
 
 def count_scenarios(
