@@ -8,11 +8,11 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from scegen.checking.documents import BrokenXmlError, parse_document, read_bytes
+from scegen.checking.documents import BrokenXmlError, parse_document
 from scegen.criticality.target import asks_for_measure, parse_target
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load_if_there
+from scegen.scenario.files import load_if_there, read_bytes
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 

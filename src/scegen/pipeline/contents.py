@@ -63,7 +63,9 @@ def folder_files(
         files[LOGICAL_FILE] = to_json(logical).encode()
         tiles = draw_tiles(logical)
         files["gallery.svg"] = gallery_svg(logical).encode()
-    report = _report_input(functional, logical, made, skipped, understanding, tiles)
+    voice = None if understanding is None else _voice(understanding)
+    told = tuple(skipped.items())
+    report = ReportInput(functional, logical, _entries(made), told, voice, tiles)
     files["report.html"] = report_html(report).encode()
     files[SUMMARY_FILE] = _summary(
         logical, made, skipped, seed, how, files, _models(understanding, usage)
@@ -71,15 +73,8 @@ def folder_files(
     return files
 
 
-def _report_input(
-    functional: FunctionalScenario | None,
-    logical: LogicalSet | None,
-    made: list[Made],
-    skipped: dict[str, str],
-    understanding: Understanding | None,
-    tiles: Tiles | None,
-) -> ReportInput:
-    entries = tuple(
+def _entries(made: list[Made]) -> tuple[ConcreteEntry, ...]:
+    return tuple(
         ConcreteEntry(
             concrete=item.concrete,
             folder=f"scenarios/{item.concrete.name}",
@@ -96,8 +91,6 @@ def _report_input(
         )
         for item in made
     )
-    voice = None if understanding is None else _voice(understanding)
-    return ReportInput(functional, logical, entries, tuple(skipped.items()), voice, tiles)
 
 
 def _voice(understanding: Understanding) -> Voice:

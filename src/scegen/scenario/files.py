@@ -57,15 +57,19 @@ def from_data(cls: type[M], data: object, *, where: str) -> M:
         raise VocabularyError(in_words(error, cls, data), where=where) from error
 
 
-def read_text(path: Path) -> str:
-    """A file's text, without a byte order mark; InputError if it cannot be read."""
+def read_bytes(path: Path) -> bytes:
+    """A file's bytes; InputError if it is missing or cannot be read."""
     try:
-        content = path.read_bytes()
+        return path.read_bytes()
     except OSError as error:
         raise InputError(
             f"cannot be read: {error.strerror}", where=str(path), hint="check the path"
         ) from error
-    return text_of(content, where=str(path))
+
+
+def read_text(path: Path) -> str:
+    """A file's text, without a byte order mark; InputError if it cannot be read."""
+    return text_of(read_bytes(path), where=str(path))
 
 
 def text_of(content: bytes, *, where: str) -> str:

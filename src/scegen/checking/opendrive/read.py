@@ -51,11 +51,8 @@ def read_network(document: Document) -> ReadNetwork:
     junctions = _by_id(document, "junction", _junction, findings)
     if not roads and not findings:
         findings.append(error(READABLE, document.name, "has no road"))
-    header = document.root.find("header")
-    version = ("?", "?")
-    if header is not None:
-        version = (header.get("revMajor", "?"), header.get("revMinor", "?"))
-    return ReadNetwork(Network(document.name, version, roads, junctions), tuple(findings))
+    network = Network(document.name, document.version, roads, junctions)
+    return ReadNetwork(network, tuple(findings))
 
 
 def _by_id(

@@ -15,17 +15,17 @@ from scegen.web.choice import LONGEST_RULES
 from scegen.web.elements import Entry, Gallery, Handler, Rules, button, choice, drawn, mark, node
 from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
-from scegen.web.steps.step import Activity, Go
+from scegen.web.steps.step import Activity, Go, StepView
 from scegen.web.work import Work
 
 _DIVERSE = 8
 
 
-class Choose:
+class Choose(StepView):
     """The filters on the left, the tiles in the middle, coverage on the right."""
 
     def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
+        super().__init__(work, go)
         self._filters: Filters | None = None
         self._only = False
         self._told: tuple[int, bool] | None = None

@@ -16,8 +16,7 @@ from scegen.web.form import form_spec
 from scegen.web.jobs import Step
 from scegen.web.pictures import tile_picture
 from scegen.web.steps.outcome import outcome_cards
-from scegen.web.steps.step import Activity, Go, show_form
-from scegen.web.work import Work
+from scegen.web.steps.step import Activity, StepView, show_form
 
 _TARGETS = {
     "": ("As described", "the outcome that the text tells, a near miss if it tells none"),
@@ -46,11 +45,8 @@ _NUMBERS = re.compile(r"[0-9.,]+")
 _MOST_TILES, _MOST_STEPS = 24, 12
 
 
-class Danger:
+class Danger(StepView):
     """The demands on the left, the chosen scenarios and what came of them on the right."""
-
-    def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
 
     def build(self) -> None:
         """Make the elements."""

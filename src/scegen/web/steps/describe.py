@@ -13,7 +13,7 @@ from scegen.web.elements import Description, Form, button, drawn, mark, node
 from scegen.web.form import form_spec
 from scegen.web.pictures import junction, tile_picture
 from scegen.web.steps.opening import entry_row
-from scegen.web.steps.step import Activity, Go, show_form
+from scegen.web.steps.step import Activity, StepView, show_form
 from scegen.web.work import Work
 
 _SECTIONS = (
@@ -46,12 +46,8 @@ _PROMISE = (
 _RECENT = 4
 
 
-class Describe:
+class Describe(StepView):
     """The text on the left, the form in the middle, the plan on the right."""
-
-    def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
-        self._spec = form_spec()
 
     def build(self) -> None:
         """Make the elements."""
@@ -77,7 +73,7 @@ class Describe:
                 self._found = node("div", "found")
                 self._model = node("div", "model-box")
             with node("section", "pane fields", aria_label="What was understood"):
-                self._form = Form(self._spec, _SECTIONS)
+                self._form = Form(form_spec(), _SECTIONS)
                 self._form.when(self._work)
                 self._wrong = node("div", "problem", role="alert")
             with node("section", "pane plan", aria_label="Plan"):
