@@ -40,7 +40,6 @@ from scegen.measures import warm_kernels
 from scegen.pipeline.attempts import make_one
 from scegen.pipeline.export import export_scenario
 from scegen.pipeline.judging import judge
-from scegen.pipeline.options import Options
 from scegen.pipeline.raising import chosen_target
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json
@@ -194,7 +193,7 @@ def _made(
     stage: list[str],
 ) -> Row:
     """One concrete scenario: numbers, danger, judgement, files, checks; ``stage`` is kept told."""
-    target = chosen_target(Options(target=campaign.target), functional, numbers_given=False)
+    target = chosen_target(campaign.target, functional)
     with clock.step("search"):
         raised = make_one(functional, logical, target, item.seed)
     (concrete,) = raised.concretes
