@@ -11,7 +11,9 @@ from scegen.checking import CheckStatus, Severity, check_folder, check_path
 from scegen.checking.asam import Job, run_asam
 from scegen.checking.asam.xqar import RuleOutcome, merged
 from scegen.checking.environment import asam_python
-from scegen.checking.twin import make_twin
+from scegen.export.openscenario import write_openscenario
+from scegen.motion import build_paths
+from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
 
@@ -47,7 +49,8 @@ def test_edited_scenario_has_no_twin(folder):
 @needs_asam
 def test_scenario_written_as_1_2_speaks_for_itself(folder):
     concrete = load(folder / "concrete.yaml", ConcreteScenario)
-    (folder / "scenario.xosc").write_bytes(make_twin(concrete, "road.xodr").checked)
+    paths = build_paths(concrete, build_network(concrete.road))
+    (folder / "scenario.xosc").write_bytes(write_openscenario(concrete, paths, version="1.2"))
     result = check_folder(folder, ASAM).result("asam-openscenario")
     assert (result.status, result.detail) == (CheckStatus.PASSED, "17 of 17 rules completed")
 

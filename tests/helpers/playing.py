@@ -16,7 +16,6 @@ from scegen.criticality import raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError
 from scegen.pipeline.export import SCENARIO_FILE, export_scenario
-from scegen.pipeline.options import Options
 from scegen.pipeline.picking import pick
 from scegen.pipeline.raising import chosen_target
 from scegen.scenario.concrete import ConcreteScenario
@@ -61,7 +60,7 @@ def play(functional: FunctionalScenario, seed: int = 0, *, files: bool = True) -
         # Others than the first are as good, and less often looked at.
         scenario = pick(listed, None)[seed % len(listed.scenarios)]
         concrete = concretize(functional, scenario, seed=seed)
-        target = chosen_target(Options(), functional, numbers_given=False)
+        target = chosen_target(None, functional)
         raised = raise_criticality(functional, concrete, target=target, seed=seed)
     except InfeasibleError as error:
         return Played(functional, refused=error.render())

@@ -11,7 +11,6 @@ from scegen.criticality import raise_criticality
 from scegen.criticality.search.proving import examine
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion.friction import friction_of
-from scegen.pipeline.options import Options
 from scegen.pipeline.picking import pick
 from scegen.pipeline.raising import chosen_target
 from scegen.road import build_network
@@ -43,7 +42,7 @@ def made(functional, index=None):
     listed = enumerate_scenarios(functional)
     scenario = pick(listed, None)[0] if index is None else listed.scenarios[index]
     concrete = concretize(functional, scenario, seed=0)
-    target = chosen_target(Options(), functional, numbers_given=False)
+    target = chosen_target(None, functional)
     return raise_criticality(functional, concrete, target=target, seed=0)
 
 

@@ -26,11 +26,10 @@ def outcomes(monkeypatch):
     """What becomes of one scenario after the other."""
     coming = []
 
-    def raised(functional, concretes, *_, **__):
-        (concrete,) = concretes
+    def raised(functional, concrete, *_, **__):
         return Raising([concrete], {concrete.name: coming.pop(0)})
 
-    monkeypatch.setattr(attempts, "raise_all", raised)
+    monkeypatch.setattr(attempts, "raise_danger", raised)
     return coming
 
 

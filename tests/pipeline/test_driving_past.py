@@ -7,7 +7,6 @@ from saying import made, person, said
 
 from scegen.checking import CheckStatus, check_folder
 from scegen.pipeline.export import export_scenario
-from scegen.pipeline.options import Options
 from scegen.pipeline.raising import chosen_target
 from scegen.scenario.files import to_yaml
 
@@ -21,7 +20,7 @@ def past(**fields):
 
 
 def chosen(functional):
-    return chosen_target(Options(), functional, numbers_given=False)
+    return chosen_target(None, functional)
 
 
 def test_who_is_driven_past_stands_all_the_time_at_its_line():

@@ -9,7 +9,7 @@ from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import CheckDepth, Options
-from scegen.pipeline.raising import raise_all
+from scegen.pipeline.raising import raise_danger
 from scegen.understanding import read
 
 SENTENCE = "The ego turns left at a four-way intersection while an oncoming car goes straight."
@@ -37,7 +37,7 @@ def test_what_was_not_found_is_said():
     functional = read("The ego follows a car on a straight road.")
     logical = enumerate_scenarios(functional).scenarios[0]
     concrete = concretize(functional, logical, seed=0)
-    found = raise_all(functional, [concrete], "headway=0.5..0.51", 0, lambda _: None, solutions=60)
+    found = raise_danger(functional, concrete, "headway=0.5..0.51", 0, lambda _: None, solutions=60)
     assert 1 < len(found.concretes) < 60
     assert all(proof.reached for proof in found.proofs.values())
     number = len(found.concretes)

@@ -2,7 +2,6 @@
 
 import pytest
 
-from scegen.pipeline.options import Options
 from scegen.pipeline.raising import chosen_target
 from scegen.scenario.acts import ActKind
 from scegen.scenario.roadway import Strip
@@ -102,7 +101,7 @@ def test_who_has_crossed_or_goes_on_crosses(text):
     ],
 )
 def test_no_near_miss_is_looked_for_where_no_danger_is_told(text, target):
-    assert chosen_target(Options(), read(text), numbers_given=False) == target
+    assert chosen_target(None, read(text)) == target
 
 
 @pytest.mark.parametrize(
@@ -144,4 +143,4 @@ def test_an_ego_that_stood_beside_the_road_is_said_to_drive(text):
 def test_who_keeps_to_the_edge_is_beside_the_lanes_unless_somebody_comes_near(text, strip, target):
     scenario = read(text)
     assert scenario.participant("pedestrian_1").strip is strip
-    assert chosen_target(Options(), scenario, numbers_given=False) == target
+    assert chosen_target(None, scenario) == target

@@ -17,8 +17,8 @@ from typing import Any
 
 from scegen.benchmark.understand import Understand, about_the_text, offline
 from scegen.checking.recording import Player, record
+from scegen.checking.subject import SCENARIO_FILE
 from scegen.errors import InputError, ScegenError
-from scegen.pipeline.export import SCENARIO_FILE
 from scegen.pipeline.generate import Result, generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario

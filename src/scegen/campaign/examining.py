@@ -12,7 +12,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from scegen.campaign.rows import OBJECT_COLUMNS, SCHEMA, row_digest
-from scegen.campaign.store import Store, sound
+from scegen.campaign.store import Store, column, sound
 
 
 @dataclass
@@ -75,17 +75,13 @@ def _plans(store: Store, plans: Sequence[str], found: Examined) -> None:
             found.bad[path] = "is not what was written: the plan is made again"
             found.plans_whole = False
             continue
-        table = pq.read_table(path, columns=["key"])
-        found.planned.update(table.column("key").to_pylist())
+        found.planned.update(column(path, "key"))
 
 
 def _functionals(store: Store, plans: Sequence[str], found: Examined) -> set[str]:
     """The objects that plans rest on."""
-    names: set[str] = set()
-    for key, path in store.plans().items():
-        if key in plans and path not in found.bad:
-            names.update(pq.read_table(path, columns=["functional"]).column(0).to_pylist())
-    return names
+    good = (path for key, path in store.plans().items() if key in plans and path not in found.bad)
+    return {name for path in good for name in column(path, "functional")}
 
 
 def _objects(store: Store, found: Examined) -> set[str]:
@@ -113,7 +109,7 @@ def _batch(path: Path, present: set[str], used: set[str], found: Examined, *, ro
         found.bad[path] = "has other columns: it is made again"
         return
     keys = table.column("key").to_pylist()
-    named = {name for column in OBJECT_COLUMNS for name in table.column(column).to_pylist() if name}
+    named = {name for own in OBJECT_COLUMNS for name in table.column(own).to_pylist() if name}
     twice = [key for key, times in Counter(keys).items() if times > 1 or key in found.done]
     strange = [key for key in keys if key not in found.planned and found.plans_whole]
     if twice:

@@ -34,16 +34,13 @@ from scegen.checking import esmini as player
 from scegen.checking import opendrive, openscenario, said, schema
 from scegen.checking.check import check_subjects
 from scegen.checking.results import CheckReport, CheckStatus
-from scegen.checking.subject import subject_of
+from scegen.checking.subject import PROOF_FILE, subject_of
 from scegen.errors import ScegenError
 from scegen.measures import warm_kernels
 from scegen.pipeline.attempts import make_one
-from scegen.pipeline.export import (
-    export_scenario,
-)
+from scegen.pipeline.export import export_scenario
 from scegen.pipeline.judging import judge
-from scegen.pipeline.options import Options
-from scegen.pipeline.raising import PROOF_FILE, chosen_target
+from scegen.pipeline.raising import chosen_target
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json
 from scegen.scenario.functional import FunctionalScenario
@@ -196,7 +193,7 @@ def _made(
     stage: list[str],
 ) -> Row:
     """One concrete scenario: numbers, danger, judgement, files, checks; ``stage`` is kept told."""
-    target = chosen_target(Options(target=campaign.target), functional, numbers_given=False)
+    target = chosen_target(campaign.target, functional)
     with clock.step("search"):
         raised = make_one(functional, logical, target, item.seed)
     (concrete,) = raised.concretes

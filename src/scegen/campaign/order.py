@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from scegen.criticality.target import parse_target
 from scegen.errors import InputError
 from scegen.pipeline.options import OscVersion
 from scegen.pipeline.raising import NO_SEARCH
 from scegen.scenario.files import from_data, read_text
-from scegen.scenario.model import FrozenModel
+from scegen.scenario.model import CheckedModel
 from scegen.scenario.parsing import parse
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
@@ -22,22 +23,20 @@ MOST_POINTS = 10_000
 _ROUNDING = 1e-9
 
 
-class Described(FrozenModel):
+class Described(CheckedModel):
     """One description: its words, or the functional.yaml in which it is understood already."""
 
     id: str = Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=80)
     text: str | None = Field(default=None, min_length=1)
     file: str | None = None
 
-    @model_validator(mode="after")
-    def _one_of_both(self) -> Self:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if (self.text is None) == (self.file is None):
-            msg = f"{self.id}: give either its text or a file"
-            raise ValueError(msg)
-        return self
+            yield f"{self.id}: give either its text or a file"
 
 
-class Sweep(FrozenModel):
+class Sweep(CheckedModel):
     """The values that one parameter takes: from, to, step, both ends included, or a list."""
 
     first: float | None = Field(default=None, alias="from")
@@ -45,22 +44,17 @@ class Sweep(FrozenModel):
     step: float | None = Field(default=None, gt=0)
     values: tuple[float, ...] = ()
 
-    @model_validator(mode="after")
-    def _steps_or_values(self) -> Self:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         steps = (self.first, self.to, self.step)
         if bool(self.values) == any(value is not None for value in steps):
-            msg = "give either from, to and step, or values"
-            raise ValueError(msg)
+            yield "give either from, to and step, or values"
         if not self.values and (self.first is None or self.to is None or self.step is None):
-            msg = "from, to and step belong together"
-            raise ValueError(msg)
+            yield "from, to and step belong together"
         if self.first is not None and self.to is not None and self.first > self.to:
-            msg = f"from {self.first:g} lies above to {self.to:g}"
-            raise ValueError(msg)
+            yield f"from {self.first:g} lies above to {self.to:g}"
         if self.count > MOST_POINTS:
-            msg = f"{self.count:,} values are more than {MOST_POINTS:,}"
-            raise ValueError(msg)
-        return self
+            yield f"{self.count:,} values are more than {MOST_POINTS:,}"
 
     @property
     def count(self) -> int:
@@ -77,7 +71,7 @@ class Sweep(FrozenModel):
         return tuple(round(self.first + n * self.step, 9) for n in range(self.count))
 
 
-class Campaign(FrozenModel):
+class Campaign(CheckedModel):
     """All that decides what a campaign makes.
 
     ``descriptions`` stand here or in ``files`` beside this one (JSON lines with ``id`` and
@@ -107,17 +101,15 @@ class Campaign(FrozenModel):
     pictures: bool = False
     osc: OscVersion = OscVersion.V1_0
 
-    @model_validator(mode="after")
-    def _usable(self) -> Self:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if self.target is not None and self.target.strip().lower() != NO_SEARCH:
             parse_target(self.target)
         points = 1
         for sweep in self.sweep.values():
             points *= sweep.count
         if points > MOST_POINTS:
-            msg = f"the sweep has {points:,} points, more than {MOST_POINTS:,}"
-            raise ValueError(msg)
-        return self
+            yield f"the sweep has {points:,} points, more than {MOST_POINTS:,}"
 
 
 def load_campaign(path: Path, changes: dict[str, Any]) -> Campaign:

@@ -20,11 +20,12 @@ from scegen import __version__
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.parameters import at_point, points
 from scegen.campaign.rows import cells
-from scegen.campaign.store import Store, digest
+from scegen.campaign.store import Store
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
-from scegen.errors import InputError, NoScenarioError, ScegenError
+from scegen.errors import NoScenarioError, ScegenError
+from scegen.pipeline.folder import digest
 from scegen.pipeline.picking import pick
-from scegen.pipeline.source import resolve_source
+from scegen.pipeline.source import functional_of
 from scegen.scenario.files import read_text, to_json
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
@@ -93,7 +94,8 @@ def plan_description(store: Store, campaign: Campaign, described: Described) -> 
     rows: list[dict[str, Any]] = []
     left_out: dict[str, int] = {}
     try:
-        functional = _understood(described)
+        text, file = described.text, described.file
+        functional = read(text) if text is not None else functional_of(str(file))
     except ScegenError as error:
         rows.append(_failure(campaign, described, {}, "understand", error))
     else:
@@ -108,15 +110,6 @@ def plan_description(store: Store, campaign: Campaign, described: Described) -> 
     table = pa.Table.from_pylist(rows, _PLAN)
     table = table.replace_schema_metadata({LEFT_OUT: json.dumps(left_out).encode()})
     store.write_plan(plan_key(campaign, described), table)
-
-
-def _understood(described: Described) -> FunctionalScenario:
-    if described.text is not None:
-        return read(described.text)
-    found = resolve_source(str(described.file))
-    if not isinstance(found, FunctionalScenario):
-        raise InputError(f"is a {found.level} scenario, not a functional one", where=described.file)
-    return found
 
 
 def _at_point(

@@ -12,17 +12,11 @@ from typing import Any
 
 import pyarrow as pa
 
-from scegen.campaign.store import digest
+from scegen.checking.subject import CONCRETE_FILE, PROOF_FILE, ROAD_FILE, SCENARIO_FILE
 from scegen.enumeration.choosing.coverage import Meeting, meeting_of, meetings
-from scegen.pipeline.export import (
-    CONCRETE_FILE,
-    LAMPS_FILE,
-    PREVIEW_FILE,
-    ROAD_FILE,
-    SCENARIO_FILE,
-)
+from scegen.pipeline.export import LAMPS_FILE, PREVIEW_FILE
+from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import Judged
-from scegen.pipeline.raising import PROOF_FILE
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Conflict, LogicalScenario
@@ -146,7 +140,7 @@ def planned(functional: FunctionalScenario, logical: LogicalScenario) -> Row:
     hazards = logical.hazards or functional.hazards
     return {
         "logical_index": logical.index,
-        "logical_name": f"{logical.index:03d}-{logical.slug}",
+        "logical_name": logical.name,
         "junction": str(junction.kind),
         "arms": junction.arms,
         "control": str(junction.control),

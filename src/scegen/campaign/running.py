@@ -18,7 +18,7 @@ from scegen.campaign.making import Done, enlist, make_batch, warm
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.planning import content_of, plan_description, plan_key
 from scegen.campaign.rows import FAILED, table_of
-from scegen.campaign.store import Store, StoreError, sound
+from scegen.campaign.store import Store, StoreError, column, sound
 from scegen.campaign.table import write_table
 from scegen.campaign.verifying import digest_of
 
@@ -141,7 +141,8 @@ def _make(
             found = examine(store, keys)
             done = len(found.done)
             losses = 0 if done > before_round else losses + 1
-            watch.note(f"a worker died ({_first_sentence(error)}); {total - done} are left")
+            said = str(error).strip().partition("\n")[0].partition(". ")[0]
+            watch.note(f"a worker died ({said}); {total - done} are left")
             most = 1 if losses else max(1, most // 2)
             if losses >= _ROUNDS:
                 _give_up(store, works_of(store, keys, found.missing))
@@ -152,16 +153,8 @@ def _make(
 
 def examine_done(store: Store, found: Examined) -> Examined:
     """The keys of all batches, as they are now."""
-    done = {
-        key
-        for path in store.batches()
-        for key in pq.read_table(path, columns=["key"]).column("key").to_pylist()
-    }
+    done = {key for path in store.batches() for key in column(path, "key")}
     return Examined(done=done, planned=found.planned)
-
-
-def _first_sentence(error: Exception) -> str:
-    return str(error).strip().partition("\n")[0].partition(". ")[0]
 
 
 def _give_up(store: Store, works: list[Work]) -> None:

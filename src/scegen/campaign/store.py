@@ -8,7 +8,6 @@ DIR/objects/ab/cdef….xosc      files of scenarios, equal ones once
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Iterable, Iterator
@@ -21,6 +20,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from scegen.errors import InputError
+from scegen.pipeline.folder import digest
 
 MANIFEST_FILE = "manifest.json"
 TABLE_FILE = "table.parquet"
@@ -31,11 +31,6 @@ _UNFINISHED = ".part"
 
 class StoreError(InputError):
     """The folder cannot be written; all that was finished stays."""
-
-
-def digest(content: bytes) -> str:
-    """SHA-256 of a content, in hexadecimal."""
-    return hashlib.sha256(content).hexdigest()
 
 
 def write_whole(path: Path, content: bytes, *, lasting: bool = True) -> None:
@@ -194,6 +189,12 @@ def parquet(table: pa.Table) -> bytes:
     sink = pa.BufferOutputStream()
     pq.write_table(table, sink, compression="zstd")
     return bytes(sink.getvalue())
+
+
+def column(path: Path, name: str) -> list[Any]:
+    """One column of a Parquet file."""
+    found: list[Any] = pq.read_table(path, columns=[name]).column(name).to_pylist()
+    return found
 
 
 def sound(path: Path) -> bool:

@@ -7,8 +7,9 @@ from pathlib import Path
 import pyarrow.parquet as pq
 
 from scegen.campaign.examining import Examined, examine
-from scegen.campaign.store import Store, digest
+from scegen.campaign.store import Store
 from scegen.errors import InputError
+from scegen.pipeline.folder import digest
 
 
 def verify(folder: Path) -> tuple[Examined, list[str]]:

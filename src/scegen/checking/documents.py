@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import lru_cache
-from pathlib import Path
 
 from lxml import etree
 
 from scegen.checking.results import Finding, error
-from scegen.errors import InputError
 
 _KEPT = 4
 """Documents that are kept: several checkers look at one after the other."""
@@ -23,6 +21,14 @@ class Document:
     content: bytes
     root: etree._Element = field(compare=False)
 
+    @property
+    def version(self) -> tuple[str, str]:
+        """The revision of its standard, major and minor; ``?`` for what is not said."""
+        header = self.root.find("header" if self.root.tag == "OpenDRIVE" else "FileHeader")
+        if header is None:
+            return "?", "?"
+        return header.get("revMajor", "?"), header.get("revMinor", "?")
+
     def declared(self) -> dict[str, str]:
         """The values of an OpenSCENARIO file's parameters by ``$name``."""
         found = self.root.iterfind(".//ParameterDeclaration")
@@ -35,16 +41,6 @@ class BrokenXmlError(Exception):
     def __init__(self, finding: Finding) -> None:
         self.finding = finding
         super().__init__(finding.message)
-
-
-def read_bytes(path: Path) -> bytes:
-    """A file's bytes; InputError if it is missing or cannot be read."""
-    try:
-        return path.read_bytes()
-    except OSError as failure:
-        raise InputError(
-            f"cannot be read: {failure.strerror}", where=str(path), hint="check the path"
-        ) from failure
 
 
 @lru_cache(maxsize=_KEPT)

@@ -12,9 +12,10 @@ import numpy as np
 from scegen.checking.environment import esmini
 from scegen.checking.esmini.layout import simulated_csv
 from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, Played, play
-from scegen.checking.esmini.recording import RecordingError, read_recording
+from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.errors import InputError
 from scegen.motion.model import Trace
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
 
@@ -72,18 +73,18 @@ def traces_of(recorded: Recorded, concrete: ConcreteScenario) -> dict[str, Trace
         raise InputError(str(problem), where=concrete.name) from problem
     if lacking := [p.id for p in concrete.participants if p.id not in movements]:
         raise InputError(f"{lacking[0]} does not take part in what is played", where=concrete.name)
-    traces = {}
-    for participant in concrete.participants:
-        movement = movements[participant.id]
-        steps = np.abs(np.diff(movement.point))
-        traces[participant.id] = Trace(
-            participant=participant.id,
-            body=participant.body,
-            time_s=movement.time_s,
-            s_m=np.concatenate(([0.0], np.cumsum(steps))),
-            x_m=movement.point.real,
-            y_m=movement.point.imag,
-            heading_rad=np.unwrap(movement.heading_rad),
-            speed_mps=movement.speed_mps,
-        )
-    return traces
+    return {p.id: trace_of(movements[p.id], p.body) for p in concrete.participants}
+
+
+def trace_of(movement: Movement, body: Body) -> Trace:
+    """A movement as a trace: the way gone counts as the place."""
+    return Trace(
+        participant=movement.entity,
+        body=body,
+        time_s=movement.time_s,
+        s_m=np.concatenate(([0.0], np.cumsum(np.abs(np.diff(movement.point))))),
+        x_m=movement.point.real,
+        y_m=movement.point.imag,
+        heading_rad=np.unwrap(movement.heading_rad),
+        speed_mps=movement.speed_mps,
+    )

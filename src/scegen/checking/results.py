@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from typing import Any
 
@@ -40,12 +40,7 @@ class Finding:
 
     def to_data(self) -> dict[str, str]:
         """The finding as JSON-able data."""
-        return {
-            "rule": self.rule,
-            "severity": self.severity.value,
-            "place": self.place,
-            "message": self.message,
-        }
+        return {name: str(value) for name, value in asdict(self).items()}
 
 
 def error(rule: str, place: str, message: str) -> Finding:

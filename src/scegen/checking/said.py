@@ -9,13 +9,13 @@ import numpy as np
 
 from scegen.checking.esmini.playing import Played
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
-from scegen.checking.recording import record
+from scegen.checking.recording import record, trace_of
 from scegen.checking.results import CheckResult, Finding, Severity, error, not_run, verdict
 from scegen.claims import View, claims_of, prove, view_of
 from scegen.claims.hazards.scenes import judged_pairs, scene_of
 from scegen.claims.ways import paths_of, ways_of
 from scegen.errors import ScegenError
-from scegen.motion.batch.arrays import COS, SIN, SPEED, BatchTraces, S, X, Y, empty_traces
+from scegen.motion.batch import BatchTraces, stack_traces
 from scegen.motion.friction import friction_of
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
@@ -96,20 +96,11 @@ def _traces(concrete: ConcreteScenario, recording: list[Movement]) -> BatchTrace
     times = recording[0].time_s
     if len(times) < 2:
         raise RecordingError("it is over at once")
-    steps = len(times)
-    dt_s = float(np.median(np.diff(times)))
-    batch = empty_traces(1, steps, len(concrete.entities), 0, dt_s)
+    batch = stack_traces([trace_of(played[e.id], e.body) for e in concrete.entities])
     for number, entity in enumerate(concrete.entities):
         movement = played[entity.id]
-        heading = np.unwrap(movement.heading_rad)
-        moved = np.diff(movement.point)
-        along = (moved * np.exp(-1j * heading[1:])).real
+        along = (np.diff(movement.point) * np.exp(-1j * batch.heading_rad[0, 1:, number])).real
         speed = np.abs(movement.speed_mps)
         back = np.concatenate(([False], along < -_BACK_M))
-        track = batch.tracks[0, number]
-        track[S] = np.concatenate(([0.0], np.cumsum(np.abs(moved))))
-        track[X], track[Y] = movement.point.real, movement.point.imag
-        track[COS], track[SIN] = np.cos(heading), np.sin(heading)
-        track[SPEED] = np.where(back, -speed, speed)
-        batch.heading_rad[0, :, number] = heading
-    return batch
+        batch.speed_mps[0, :, number] = np.where(back, -speed, speed)
+    return batch._replace(dt_s=float(np.median(np.diff(times))))

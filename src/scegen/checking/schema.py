@@ -28,7 +28,6 @@ SCHEMAS: dict[tuple[str, str, str], str] = {
     ("OpenSCENARIO", "1", "3"): "qc_openscenario/schema/1.3.0/OpenSCENARIO.xsd",
 }
 """Schema file by root element, revMajor and revMinor; that of OpenDRIVE 1.8 is no valid XSD 1.0."""
-HEADERS = {"OpenDRIVE": "header", "OpenSCENARIO": "FileHeader"}
 _KEPT = 4
 """Documents of which it is kept: many scenarios of a campaign share their road."""
 SHOWN = 10
@@ -50,7 +49,7 @@ def check_schema(contents: dict[str, bytes]) -> CheckResult:
         except BrokenXmlError as broken:
             findings.append(broken.finding)
             continue
-        version = _version(document)
+        version = (root_tag, *document.version)
         if version not in SCHEMAS:
             message = f"there is no schema here for {root_tag} {'.'.join(version[1:])}"
             findings.append(unchecked("xsd.version", name, message))
@@ -61,12 +60,6 @@ def check_schema(contents: dict[str, bytes]) -> CheckResult:
         used.append(" ".join((version[0], ".".join(version[1:]))))
         findings += _validate(document, path)
     return verdict(CHECKER, findings, ", ".join(used))
-
-
-def _version(document: Document) -> tuple[str, str, str]:
-    header = document.root.find(HEADERS[str(document.root.tag)])
-    get = header.get if header is not None else lambda _name, default: default
-    return str(document.root.tag), get("revMajor", "?"), get("revMinor", "?")
 
 
 @lru_cache(maxsize=8)

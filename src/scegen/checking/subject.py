@@ -8,11 +8,11 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from scegen.checking.documents import BrokenXmlError, parse_document, read_bytes
+from scegen.checking.documents import BrokenXmlError, parse_document
 from scegen.criticality.target import asks_for_measure, parse_target
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load
+from scegen.scenario.files import load_if_there, read_bytes
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 
@@ -88,17 +88,16 @@ def read_folder(folder: Path) -> Subject:
     Raises:
         InputError: a file is missing or cannot be read.
     """
-    concrete, proof = folder / CONCRETE_FILE, folder / PROOF_FILE
     # Made by generate, the folder lies two levels below what it was made from.
     functional = folder.absolute().parent.parent / FUNCTIONAL_FILE
     found = Subject(
         place=folder,
         road=_read(folder / ROAD_FILE),
         scenario=_read(folder / SCENARIO_FILE),
-        concrete=load(concrete, ConcreteScenario) if concrete.is_file() else None,
-        functional=load(functional, FunctionalScenario) if functional.is_file() else None,
+        concrete=load_if_there(folder / CONCRETE_FILE, ConcreteScenario),
+        functional=load_if_there(functional, FunctionalScenario),
     )
-    return _as_asked(found, read_proof(proof)) if proof.is_file() else found
+    return _as_asked(found, read_proof(folder))
 
 
 def subject_of(
@@ -116,23 +115,28 @@ def subject_of(
         concrete=concrete,
         functional=functional,
     )
-    return made if proof is None else _as_asked(made, proof)
+    return _as_asked(made, proof)
 
 
-def read_proof(file: Path) -> Proof:
-    """The proof of a scenario folder.
+def read_proof(folder: Path) -> Proof | None:
+    """The proof of a scenario folder; None where no danger was sought.
 
     Raises:
-        InputError: it is none.
+        InputError: its file holds none.
     """
+    file = folder / PROOF_FILE
+    if not file.is_file():
+        return None
     try:
         return Proof.model_validate_json(read_bytes(file))
     except ValidationError as problem:
         raise InputError("is no proof of a search", where=str(file)) from problem
 
 
-def _as_asked(subject: Subject, proof: Proof) -> Subject:
+def _as_asked(subject: Subject, proof: Proof | None) -> Subject:
     """With whom a search was asked, or allowed, to bring together, and into contact."""
+    if proof is None:
+        return subject
     target = parse_target(proof.target)
     return replace(
         subject,

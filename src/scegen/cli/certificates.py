@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from scegen.cli.console import result, result_json, say
@@ -16,21 +17,9 @@ if TYPE_CHECKING:
 
 def head(certificate: Certificate, reduction: Reduction, arms: ArmsMode) -> dict[str, object]:
     """The certificate as JSON data."""
-    known = {
-        "total": certificate.total,
-        "count": certificate.count,
-        "complete": certificate.complete,
-        "method": certificate.method,
-        "reduction": reduction.value,
-        "arms": arms.value,
-    }
-    rest = {
-        "matching": certificate.matching,
-        "group_order": certificate.group_order,
-        "symmetry": certificate.symmetry,
-        "looked_at": certificate.looked_at,
-    }
-    return known | {name: value for name, value in rest.items() if value is not None}
+    told = certificate.model_dump(mode="json", exclude_none=True)
+    first = {name: told.pop(name) for name in ("total", "count", "complete", "method")}
+    return {**first, "reduction": reduction.value, "arms": arms.value, **told}
 
 
 def tell_count(
@@ -73,7 +62,7 @@ def line(scenario: LogicalScenario) -> str:
     """A scenario in a line."""
     ways = "  ".join(f"{d.participant} {d.entry}→{d.exit}" for d in scenario.drives)
     times = f"  ×{scenario.class_size}" if scenario.class_size > 1 else ""
-    return f"{scenario.index:03d}-{scenario.slug}  {ways}{times}"
+    return f"{scenario.name}  {ways}{times}"
 
 
 def coverage_lines(reached: Coverage) -> Iterator[str]:
@@ -90,14 +79,6 @@ def coverage_lines(reached: Coverage) -> Iterator[str]:
 def coverage_json(reached: Coverage) -> list[dict[str, object]]:
     """The same as data."""
     return [
-        {
-            "first": m.first,
-            "second": m.second,
-            "seen": m.seen,
-            "kind": m.kind,
-            "yields": m.yields,
-            "scenarios": reached.possible[m],
-            "chosen": reached.chosen[m],
-        }
+        {**asdict(m), "scenarios": reached.possible[m], "chosen": reached.chosen[m]}
         for m in sorted(reached.possible)
     ]

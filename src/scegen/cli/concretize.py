@@ -7,14 +7,14 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.options import JsonFlag, OutputFile
+from scegen.cli.options import JsonFlag, OutputFile, SeedOption
 from scegen.cli.writing import write_text
 
 
 def concretize(
     source: Annotated[Path, typer.Argument(metavar="LOGICAL", help="logical.json")],
     index: Annotated[int, typer.Option("--index", "-i", min=0, help="Which logical scenario.")],
-    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    seed: SeedOption = 0,
     json: JsonFlag = False,
     output: OutputFile = None,
 ) -> None:

@@ -31,6 +31,12 @@ def say(text: str) -> None:
     stderr.print(text, markup=False)
 
 
+def warn(text: str) -> None:
+    """A remark that should not be overlooked."""
+    stderr.print("warning:", style="bold yellow", end=" ")
+    say(text)
+
+
 def result(text: str) -> None:
     """A result, on stdout, exactly as it is."""
     sys.stdout.write(text if text.endswith("\n") else text + "\n")

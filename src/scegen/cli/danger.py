@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from scegen.scenario.wording import change
-
 if TYPE_CHECKING:
     from scegen.scenario.functional import FunctionalScenario
     from scegen.scenario.proof import Proof
@@ -15,9 +13,7 @@ if TYPE_CHECKING:
 def proof_lines(proof: Proof, functional: FunctionalScenario | None) -> Iterator[str]:
     """A line on the target, one on all statements, and one for each that does not hold."""
     measure = proof.of(proof.measure)
-    values = ""
-    if measure is not None:
-        values = f" ({change(_value(measure.before), _value(measure.after))} {measure.unit})"
+    values = "" if measure is None else f" ({measure.in_words})"
     pair = " and ".join(proof.pair)
     if proof.in_band:
         yield f"{proof.target} of {pair}: {proof.measure}{values}"
@@ -33,7 +29,3 @@ def proof_lines(proof: Proof, functional: FunctionalScenario | None) -> Iterator
         words = f' ("{claim.words}")' if claim.words else ""
         yield f"DOES NOT HOLD: {claim.statement}{words}: {claim.found}"
         yield f"  what would help: {claim.helps}"
-
-
-def _value(value: float | None) -> str:
-    return "–" if value is None else f"{value:.2f}"

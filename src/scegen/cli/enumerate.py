@@ -32,7 +32,6 @@ from scegen.cli.options import (
     WhereOption,
     rules_of,
 )
-from scegen.cli.source import functional_of
 from scegen.cli.writing import write_text
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -203,6 +202,7 @@ def _counted_cars(
     source: str | None, entries: str | None, junction_arms: int | None
 ) -> FunctionalScenario:
     from scegen.enumeration import plain_crossing
+    from scegen.pipeline.source import functional_of
 
     if (source is None) == (entries is None):
         raise InputError("name either a functional file (or a text) or --entries, not both")

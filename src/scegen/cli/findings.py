@@ -11,6 +11,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from scegen.report.evidence import STANDS_FOR
 from scegen.understanding import Standing, passages
 
 if TYPE_CHECKING:
@@ -33,13 +34,6 @@ _MARKS = {
     Standing.UNSUPPORTED: "?",
 }
 """Written below the words where there are no colours."""
-_MEANINGS = {
-    Standing.UNDERSTOOD: "said in the text",
-    Standing.INFERRED: "concluded from the text",
-    Standing.ASSUMED: "not said; a default",
-    Standing.CONTRADICTED: "said in two ways",
-    Standing.UNSUPPORTED: "not expressed",
-}
 _NARROWEST = (20, 18, 14)
 """Columns for who, what and value; more on wide terminals, in proportion."""
 _SHARES = (0.22, 0.22, 0.18)
@@ -70,7 +64,7 @@ def print_report(report: ParseReport, console: Console) -> None:
             style = _STYLES[standing] if coloured else ""
             mark = "" if coloured else f"{_MARKS[standing]} "
             title = Text(f"{mark}{standing.value}", style)
-            console.print(title.append(f" ({_MEANINGS[standing]})", "not bold not underline dim"))
+            console.print(title.append(f" ({STANDS_FOR[standing]})", "not bold not underline dim"))
             _group(group, widths, console)
 
 

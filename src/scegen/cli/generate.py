@@ -21,7 +21,15 @@ from scegen.cli.llm import (
     tell,
     tell_proposals,
 )
-from scegen.cli.options import ArmsOption, ReductionOption, RulesOption, WhereOption, rules_of
+from scegen.cli.options import (
+    ArmsOption,
+    ReductionOption,
+    RulesOption,
+    SeedOption,
+    WhereOption,
+    rules_of,
+)
+from scegen.cli.parse_report import tell_unsupported
 from scegen.pipeline.options import CheckDepth, EgoMode, Options, OscVersion
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.scenario.wording import counted
@@ -46,7 +54,7 @@ def generate(
     count: Annotated[
         int, typer.Option(help="How many to make where --pick names none, richest first.")
     ] = 1,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    seed: SeedOption = 0,
     reduction: ReductionOption = Reduction.EXACT,
     arms: ArmsOption = ArmsMode.DISTINCT,
     osc: Annotated[OscVersion, typer.Option(help="Version of OpenSCENARIO.")] = OscVersion.V1_0,
@@ -127,8 +135,7 @@ def generate(
 def _tell(made: Result) -> None:
     functional, logical = made.functional, made.logical
     if functional is not None:
-        for phrase in functional.unsupported:
-            say(f'not expressed: "{phrase.text}" ({phrase.instead})')
+        tell_unsupported(functional)
     if logical is not None:
         certificate = logical.certificate
         say(

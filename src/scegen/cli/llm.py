@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from scegen.cli.console import say, stderr
+from scegen.cli.console import say, warn
 from scegen.errors import InputError
 
 if TYPE_CHECKING:
@@ -131,13 +131,11 @@ def tell(understanding: Understanding | None) -> None:
         say("the source is a scenario file: no language model was asked to understand it")
         return
     for fault in understanding.faults:
-        stderr.print("warning:", style="bold yellow", end=" ")
-        say(fault.in_words())
+        warn(fault.in_words())
         if fault.hint:
             say(f"  {fault.hint}")
     if understanding.fell_back:
-        stderr.print("warning:", style="bold yellow", end=" ")
-        say("no language model gave a usable answer: the offline reader understood the text")
+        warn("no language model gave a usable answer: the offline reader understood the text")
     for item in understanding.disagreements:
         say(
             f'disagreement on {item.field} ("{item.words}"): reader {item.reader}, '
@@ -152,8 +150,7 @@ def tell_proposals(session: Session, proofs: Iterable[Proof]) -> None:
     """Who proposed numbers, what kept others from it, and what the run took in all."""
     advices = [proof.advice for proof in proofs if proof.advice is not None]
     for note in dict.fromkeys(note for advice in advices for note in advice.notes):
-        stderr.print("warning:", style="bold yellow", end=" ")
-        say(note)
+        warn(note)
     for speaker in dict.fromkeys(advice.speaker for advice in advices):
         own = [advice for advice in advices if advice.speaker == speaker]
         say(

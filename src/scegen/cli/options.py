@@ -24,6 +24,10 @@ JsonFlag = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 OutputFile = Annotated[
     Path | None, typer.Option("--output", "-o", help="Write to this file instead of stdout.")
 ]
+SeedOption = Annotated[int, typer.Option(min=0, help="Seed of everything random.")]
+ScenarioOption = Annotated[
+    str | None, typer.Option(help="Which scenario of the folder, by name or its number.")
+]
 
 
 def rules_of(path: Path | None) -> RuleFile | None:

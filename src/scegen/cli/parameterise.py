@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result, say
+from scegen.cli.options import ScenarioOption, SeedOption
 from scegen.errors import InputError, MissingToolError
 from scegen.scenario.wording import counted
 
@@ -25,11 +26,9 @@ def parameterise(
         int | None,
         typer.Option("--index", "-i", min=0, help="Which scenario of a logical.json."),
     ] = None,
-    scenario: Annotated[
-        str | None, typer.Option(help="Which scenario of a folder, by name or its number.")
-    ] = None,
+    scenario: ScenarioOption = None,
     sets: Annotated[int, typer.Option(help="How many random sets of values.")] = 50,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    seed: SeedOption = 0,
     alone: Annotated[
         bool,
         typer.Option("--alone", help="Also write every set as a scenario folder of its own."),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from scegen.cli.console import result, result_json
+from scegen.cli.console import result, result_json, say
 from scegen.errors import InfeasibleError, NotTrafficError
 
 if TYPE_CHECKING:
@@ -15,6 +15,12 @@ if TYPE_CHECKING:
     from scegen.scenario.functional import FunctionalScenario
     from scegen.understanding import ParseReport
     from scegen.understanding.report.disagreement import Disagreement
+
+
+def tell_unsupported(functional: FunctionalScenario) -> None:
+    """Words that no field expresses, beside the result."""
+    for phrase in functional.unsupported:
+        say(f'not expressed: "{phrase.text}" ({phrase.instead})')
 
 
 def show_report(

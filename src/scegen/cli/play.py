@@ -8,13 +8,12 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result, say
+from scegen.cli.options import ScenarioOption
 
 
 def play(
     folder: Annotated[Path, typer.Argument(help="A scenario folder, or one made by generate.")],
-    scenario: Annotated[
-        str | None, typer.Option(help="Which scenario of the folder, by name or its number.")
-    ] = None,
+    scenario: ScenarioOption = None,
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window.")] = False,
 ) -> None:
     """Play a scenario in esmini."""

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import counting, result
+from scegen.cli.options import ScenarioOption
 from scegen.cli.trace import CONCRETE_FILE
 from scegen.cli.writing import write_bytes
 from scegen.errors import InputError
@@ -36,9 +37,7 @@ def render(
         Path | None,
         typer.Option("--output", "-o", help="File; beside concrete.yaml if not said."),
     ] = None,
-    scenario: Annotated[
-        str | None, typer.Option(help="Which scenario of the folder, by name or its number.")
-    ] = None,
+    scenario: ScenarioOption = None,
     begin: Annotated[
         float | None,
         typer.Option("--from", min=0.0, help="Begin, s; 6 s before the closest approach."),

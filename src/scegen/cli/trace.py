@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result
-from scegen.cli.options import OutputFile
+from scegen.cli.options import OutputFile, ScenarioOption
 from scegen.cli.writing import write_bytes
 from scegen.errors import InputError
 from scegen.pipeline.place import scenario_file
@@ -27,9 +27,7 @@ def trace(
         typer.Option("--mcap", help="For Foxglove and Lichtblick; needs ml-scegen[exchange]."),
     ] = False,
     output: OutputFile = None,
-    scenario: Annotated[
-        str | None, typer.Option(help="Which scenario of the folder, by name or its number.")
-    ] = None,
+    scenario: ScenarioOption = None,
     player: Annotated[
         TracePlayer, typer.Option(help="Whose movements: our own simulation's, or esmini's.")
     ] = TracePlayer.OWN,

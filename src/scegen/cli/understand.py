@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import say, working
+from scegen.cli.console import working
 from scegen.cli.llm import (
     BudgetOption,
     Listener,
@@ -19,8 +19,7 @@ from scegen.cli.llm import (
     tell,
 )
 from scegen.cli.options import JsonFlag, OutputFile
-from scegen.cli.parse_report import show_refusal, show_report
-from scegen.cli.source import functional_of
+from scegen.cli.parse_report import show_refusal, show_report, tell_unsupported
 from scegen.cli.writing import write_text
 from scegen.errors import InputError
 
@@ -40,6 +39,7 @@ def understand(
     llm_replay: ReplayOption = None,
 ) -> None:
     """Understand a description: text to functional scenario, with the words it rests on."""
+    from scegen.pipeline.source import functional_of
     from scegen.scenario.files import to_json, to_yaml
 
     settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
@@ -60,6 +60,5 @@ def understand(
         understood = listener and listener.understanding
         show_report(functional, understood.disagreements if understood else (), as_json=json)
         return
-    for phrase in functional.unsupported:
-        say(f'not expressed: "{phrase.text}" ({phrase.instead})')
+    tell_unsupported(functional)
     write_text(to_json(functional) if json else to_yaml(functional), output)

@@ -99,7 +99,7 @@ class Census:
             return Counter({(rows, tied): n for (_, rows, tied), n in self.placed.items()})
         out: Counter[tuple[tuple[Row, ...], tuple[int, ...]]] = Counter()
         for (room, rows, tied), number in self.placed.items():
-            for more, ways in self.unrelated.rows(room).items():
+            for more, ways in self.unrelated.rows[room].items():
                 out[tuple(sorted((*rows, *more))), tied] += number * ways
         return out
 
@@ -141,7 +141,7 @@ class Census:
         alone, ways = frozenset[str](), 1
         if self.unrelated is not None:
             room, alone = self.unrelated.room(state), self.unrelated.names
-            ways = self.unrelated.assignments(room)
+            ways = self.unrelated.assignments[room]
             groups = zip(self.symmetry.groups, chosen, strict=True)
             chosen = tuple(() if g.members[0] in alone else choices for g, choices in groups)
         rows = [
@@ -160,7 +160,7 @@ class Census:
         for turn in self.symmetry.rotations if self.symmetry.anchor is None else [0]:
             fixed = self._fixed_by(chosen, turn)
             if fixed and self.unrelated is not None:
-                fixed *= self.unrelated.scenarios(room, turn)
+                fixed *= self.unrelated.scenarios[room, turn]
             self.fixed[turn] += turned * fixed
 
     def _row(self, vehicle: str, entry: int) -> Row:

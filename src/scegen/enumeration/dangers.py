@@ -119,7 +119,8 @@ def _say_outcome(out: Stated, functional: FunctionalScenario, sides: Sequence[Pa
     listed = drivers | {c.id for c in functional.crossers}
     if not pairs or any(not listed.issuperset(pair) for pair in pairs):
         return  # what stands beside the lanes or lies in them is met by whoever comes along
-    number = out.number(f"outcome {outcome.kind} (between {_either(pairs)})")
+    either = " or ".join(f"{one} and {other}" for one, other in pairs)
+    number = out.number(f"outcome {outcome.kind} (between {either})")
     out.facts.append(p.Outcome(number))
     out.facts += [
         p.MayMeet(number, *sorted(pair, key=lambda name: name not in drivers)) for pair in pairs
@@ -130,7 +131,3 @@ def _told(said: tuple[str, ...], taken: tuple[str, ...]) -> str:
     if said:
         return ", ".join(said)
     return f"{', '.join(taken)}, not said" if taken else "not said"
-
-
-def _either(pairs: Sequence[tuple[str, str]]) -> str:
-    return " or ".join(f"{one} and {other}" for one, other in pairs)

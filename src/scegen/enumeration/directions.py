@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from scegen.errors import InfeasibleError
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
@@ -20,7 +22,9 @@ def on_its_road(functional: FunctionalScenario) -> FunctionalScenario:
     if functional.junction.auxiliary is not None:
         functional = _beside_the_others(functional)
     else:
-        _nobody_by_ramp(functional)
+        for person in functional.participants:
+            for maneuver in (one for one in _LEADS if one in person.maneuvers):
+                _refuse_ramp(person, maneuver)
     if functional.junction.kind is JunctionKind.STRAIGHT and functional.junction.crosswalks:
         functional = _over_the_crosswalk(functional)
     bend = functional.junction.bend
@@ -29,9 +33,13 @@ def on_its_road(functional: FunctionalScenario) -> FunctionalScenario:
             return functional
         return _entering(functional, functional.ego, bend.side)
     drivers = {vehicle.id for vehicle in functional.vehicles}
-    people = tuple(
-        _one_way(person) if person.id in drivers else person for person in functional.participants
-    )
+    return _each(functional, lambda who: _one_way(who) if who.id in drivers else who)
+
+
+def _each(
+    functional: FunctionalScenario, changed: Callable[[Participant], Participant]
+) -> FunctionalScenario:
+    people = tuple(map(changed, functional.participants))
     return functional.model_copy(update={"participants": people})
 
 
@@ -51,7 +59,7 @@ def _beside_the_others(functional: FunctionalScenario) -> FunctionalScenario:
         update: dict[str, object] = {}
         for maneuver, needs in _LEADS.items():
             if maneuver in person.maneuvers and junction.auxiliary not in needs:
-                _refuse_ramp(person, maneuver, needs)
+                _refuse_ramp(person, maneuver)
         uses = person.maneuvers & _LEADS.keys()
         if uses or person.id == functional.ego.id:
             if person.entries and not person.entries & _IN_AT:
@@ -75,15 +83,8 @@ def _beside_the_others(functional: FunctionalScenario) -> FunctionalScenario:
     return functional.model_copy(update={"participants": tuple(people), "junction": road})
 
 
-def _nobody_by_ramp(functional: FunctionalScenario) -> None:
-    for person in functional.participants:
-        for maneuver, needs in _LEADS.items():
-            if maneuver in person.maneuvers:
-                _refuse_ramp(person, maneuver, needs)
-
-
-def _refuse_ramp(person: Participant, maneuver: Maneuver, needs: frozenset[AuxiliaryLane]) -> None:
-    wanted = " or ".join(sorted(needs))
+def _refuse_ramp(person: Participant, maneuver: Maneuver) -> None:
+    wanted = " or ".join(sorted(_LEADS[maneuver]))
     raise InfeasibleError(
         f"{person.id} is said to {maneuver}, and the road has no lane for that",
         where=f"participants.{person.id}.maneuvers",
@@ -95,11 +96,10 @@ def _over_the_crosswalk(functional: FunctionalScenario) -> FunctionalScenario:
     """Who goes across a road without a junction does so on its crosswalk."""
     arms = functional.junction.crosswalks
     crossing = {p.id for p in functional.crossers if p.maneuvers <= {Maneuver.CROSS}}
-    people = tuple(
-        p.model_copy(update={"entries": p.entries or arms}) if p.id in crossing else p
-        for p in functional.participants
+    return _each(
+        functional,
+        lambda p: p.model_copy(update={"entries": p.entries or arms}) if p.id in crossing else p,
     )
-    return functional.model_copy(update={"participants": people})
 
 
 def _entering(functional: FunctionalScenario, ego: Participant, side: Side) -> FunctionalScenario:
@@ -110,11 +110,8 @@ def _entering(functional: FunctionalScenario, ego: Participant, side: Side) -> F
             where=f"participants.{ego.id}.entries",
             hint="Let it enter at arm 0, or name no side of the bend.",
         )
-    people = tuple(
-        p.model_copy(update={"entries": _IN_AT}) if p.id == ego.id else p
-        for p in functional.participants
-    )
-    return functional.model_copy(update={"participants": people})
+    entering = ego.model_copy(update={"entries": _IN_AT})
+    return _each(functional, lambda who: entering if who.id == ego.id else who)
 
 
 def _one_way(person: Participant) -> Participant:

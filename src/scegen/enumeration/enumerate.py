@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -108,7 +108,7 @@ class Listing:
 
     def __iter__(self) -> Iterator[LogicalScenario]:
         keep = where_test(self.prepared.problem.functional, self.where) if self.where else None
-        for scenario in self._every():
+        for scenario in _built(self.prepared, self._solutions()):
             self.seen += 1
             self.assignments += scenario.class_size
             if keep is None or keep(scenario):
@@ -118,15 +118,17 @@ class Listing:
                     break
         self.exhausted = self.seen == self._count
         if self.exhausted and self.assignments != self._total:
-            msg = f"class sizes add up to {self.assignments}, not to {self._total}: a bug"
-            raise AssertionError(msg)
+            raise AssertionError(
+                f"class sizes add up to {self.assignments}, not to {self._total}: a bug"
+            )
 
     def finished(self, scenarios: tuple[LogicalScenario, ...]) -> LogicalSet:
         """The set, once iteration has ended, with its certificate."""
         prepared, reduction = self.prepared, self.reduction
         if self.limit is None and self.where is None and len(scenarios) != self._count:
-            msg = f"{len(scenarios)} scenarios listed, {self._count} counted: the two must agree"
-            raise AssertionError(msg)
+            raise AssertionError(
+                f"{len(scenarios)} scenarios listed, {self._count} counted: the two must agree"
+            )
         return LogicalSet(
             functional=prepared.problem.functional,
             reduction=reduction,
@@ -175,11 +177,6 @@ class Listing:
     @property
     def _total(self) -> int:
         return self.prepared.census.total if self.ruled is None else self.ruled.total
-
-    def _every(self) -> Iterator[LogicalScenario]:
-        builder = Builder(self.prepared.problem)
-        for index, (solution, size) in enumerate(self._solutions()):
-            yield builder.scenario(solution, index=index, class_size=size)
 
     def _solutions(self) -> Iterator[tuple[Solution, int]]:
         """What is to be built, with its class size."""
@@ -241,8 +238,15 @@ def iterate_scenarios(
 ) -> Iterator[LogicalScenario]:
     """All scenarios in order as a stream, for sets too large to hold; the first with a limit."""
     prepared = _prepare(functional, arms)
+    yield from _built(prepared, _stream(prepared, reduction, limit))
+
+
+def _built(
+    prepared: _Prepared, listed: Iterable[tuple[Solution, int]]
+) -> Iterator[LogicalScenario]:
+    """The scenarios of solutions with their class sizes, numbered in this order."""
     builder = Builder(prepared.problem)
-    for index, (solution, size) in enumerate(_stream(prepared, reduction, limit)):
+    for index, (solution, size) in enumerate(listed):
         yield builder.scenario(solution, index=index, class_size=size)
 
 

@@ -90,7 +90,8 @@ class Problem:
     @cached_property
     def open_places(self) -> tuple[tuple[str, str], ...]:
         """(vehicle, reference) where more than one place on the same arm is allowed."""
-        said = Counter((f.id, f.reference) for f in self.facts if _says_along(f))
+        along = (f for f in self.facts if isinstance(f, p.Says) and f.word in ALONG_WORDS)
+        said = Counter((f.id, f.reference) for f in along)
         drivers = {v.id for v in self.vehicles}
         found = [pair for pair, words in said.items() if words > 1 and pair[0] in drivers]
         return (*found, *((f.id, f.reference) for f in self.facts if isinstance(f, p.ComesBeside)))
@@ -99,10 +100,6 @@ class Problem:
     def besides(self) -> tuple[tuple[str, str], ...]:
         """Who comes into whose lane."""
         return tuple((f.id, f.reference) for f in self.facts if isinstance(f, p.ComesInto))
-
-
-def _says_along(fact: Predicate) -> bool:
-    return isinstance(fact, p.Says) and fact.word in ALONG_WORDS
 
 
 def build_problem(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from enum import StrEnum
 from pathlib import Path
 
 from clorm import FactBase, Predicate, unify
-from clorm.clingo import Control, MessageCode, SolveHandle, Symbol
+from clorm.clingo import Control, MessageCode, SolveHandle
 
 ENCODINGS = Path(__file__).parent / "encodings"
 
@@ -79,32 +79,15 @@ def grounded(
     return control
 
 
-def answer_sets(
-    control: Control, predicates: Sequence[type[Predicate]], *, limit: int = 0
-) -> Iterator[list[Predicate]]:
-    """The shown facts of these predicates in each answer set; ``limit`` 0 means all.
-
-    The same atoms come back in thousands of answer sets: each is made a fact once.
-    """
-    control.configuration.solve.models = limit
-    known: dict[Symbol, list[Predicate]] = {}
-    handle: SolveHandle
-    with control.solve(yield_=True) as handle:
-        for model in handle:
-            facts: list[Predicate] = []
-            for symbol in model.symbols(shown=True):
-                fact = known.get(symbol)
-                if fact is None:
-                    fact = known[symbol] = unify(predicates, [symbol], ordered=True)
-                facts += fact
-            yield facts
-
-
 def consequences(
     facts: Iterable[Predicate], parts: Sequence[Part], predicates: Sequence[type[Predicate]]
 ) -> list[Predicate]:
-    """The one answer set of a program without choices."""
-    return next(answer_sets(grounded(facts, parts), predicates))
+    """The shown facts of these predicates in the one answer set of a program without choices."""
+    control = grounded(facts, parts)  # which must live as long as it solves
+    handle: SolveHandle
+    with control.solve(yield_=True) as handle:
+        shown = next(iter(handle)).symbols(shown=True)
+    return list(unify(predicates, shown, ordered=True))
 
 
 def satisfiable(control: Control, assumed: Iterable[Predicate] = ()) -> bool:

@@ -143,7 +143,7 @@ def _found(scene: _View, party: Party, seen_from: tuple[str, ...]) -> list[str]:
                 if isinstance(a, InLine) and _beside(scene, a, seen_from)
             ]
         case Party.ONCOMING:
-            return [n for n in _drivers(scene) if _oncoming(scene, n, seen_from)]
+            return [n for n in scene.assignments if _oncoming(scene, n, seen_from)]
         case Party.CROSSING:
             return [
                 name
@@ -157,10 +157,6 @@ def _found(scene: _View, party: Party, seen_from: tuple[str, ...]) -> list[str]:
             return [n for n, a in scene.assignments.items() if n != ego and _moves(a)]
         case _:
             return known_by_itself(scene.functional, party)
-
-
-def _drivers(scene: _View) -> list[str]:
-    return [name for name, a in scene.assignments.items() if isinstance(a, Drive)]
 
 
 def _moves(assignment: Assignment) -> bool:

@@ -101,16 +101,15 @@ class Sharing:
         self._pairs = 0
         self.full = False
         self._equal: dict[Any, Any] = {}
-        self._drives: dict[tuple[int, Place], Kept[Way, Share]] = {}
-        self._others: dict[Assignment, Share] = {}
+        self._drives: Kept[tuple[int, Place], Kept[Way, Share]] = Kept(
+            lambda key: Kept(lambda way: Share(self, self._drive(way, *key)))
+        )
+        self._others: Kept[Assignment, Share] = Kept(lambda assignment: Share(self, assignment))
         self._deadlocks: dict[tuple[Share, ...], tuple[str, ...]] = {}
 
     def drives(self, slot: int, place: Place) -> Kept[Way, Share]:
         """The shares of the vehicle in this place of the listing order, by way."""
-        key = (slot, place)
-        if key not in self._drives:
-            self._drives[key] = Kept(lambda way: Share(self, self._drive(way, *key)))
-        return self._drives[key]
+        return self._drives[slot, place]
 
     def _drive(self, way: Way, slot: int, place: Place) -> Drive:
         entry, move, manner = way
@@ -140,10 +139,7 @@ class Sharing:
 
     def other(self, assignment: Crossing | Standing | Walking) -> Share:
         """The share of one who crosses an arm or stands on one."""
-        found = self._others.get(assignment)
-        if found is None:
-            found = self._others[assignment] = Share(self, assignment)
-        return found
+        return self._others[assignment]
 
     def may_be_stuck(self, assignment: Assignment) -> bool:
         """Whether a participant can be in a deadlock."""

@@ -58,15 +58,6 @@ class Symmetry:
         return next((name for name in alone if name in names), None)
 
 
-def labelled(problem: Problem) -> Symmetry:
-    """No symmetry at all: every participant is somebody (reduction ``none``)."""
-    drivers = {v.id for v in problem.vehicles}
-    groups = tuple(
-        Group((name,), problem.entries.get(name), name in drivers) for name in problem.names
-    )
-    return Symmetry(groups, {0: tuple(range(len(groups)))})
-
-
 def symmetry_of(problem: Problem, arms: ArmsMode) -> Symmetry:
     """The symmetry that the reduction ``exact`` divides by."""
     role_counts = role_matters(problem.functional, arms)

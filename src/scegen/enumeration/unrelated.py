@@ -14,6 +14,7 @@ from scegen.enumeration.capacity import Kind, Room, Slot, placements, rows_of_pl
 from scegen.enumeration.patterns import Row
 from scegen.enumeration.problem import Problem, related_among
 from scegen.enumeration.reading import COUNTED, Solution
+from scegen.enumeration.sharing import Kept
 from scegen.enumeration.solving import Space
 from scegen.enumeration.statements import QUEUE_LIMIT, group_ways
 from scegen.enumeration.symmetry import Symmetry
@@ -43,38 +44,31 @@ class Unrelated:
             for group in self._counted
         ]
         self._crowded = len(problem.vehicles) > QUEUE_LIMIT
-        self._assignments: dict[Room, int] = {}
-        self._scenarios: dict[tuple[Room, int], int] = {}
-        self._rows: dict[Room, dict[tuple[Row, ...], int]] = {}
-
-    def assignments(self, room: Room) -> int:
-        """Ways to add them, each told apart."""
-        if room not in self._assignments:
-            self._assignments[room] = placements(self._singles, room)
-        return self._assignments[room]
-
-    def scenarios(self, room: Room, turn: int) -> int:
+        self.assignments: Kept[Room, int] = Kept(lambda room: placements(self._singles, room))
+        """Ways to add them, each told apart, by the room there is."""
+        self.scenarios: Kept[tuple[Room, int], int] = Kept(lambda key: self._turned(*key))
         """Ways to add them, up to swaps, that turning by so many arms maps onto themselves."""
-        key = room, turn
-        if key not in self._scenarios:
-            orbits = math.gcd(turn, self._problem.arms) if turn else self._problem.arms
-            around = Room(room.arms[:orbits], room.groups)
-            self._scenarios[key] = placements(self._carried_round(turn), around)
-        return self._scenarios[key]
-
-    def rows(self, room: Room) -> dict[tuple[Row, ...], int]:
+        self.rows: Kept[Room, dict[tuple[Row, ...], int]] = Kept(self._rows)
         """Ways to put them on the arms, by the rows of moves that they then choose from."""
-        if room not in self._rows:
-            vehicles = [
-                [
-                    (arm, uses, tuple(sorted(Counter(moves).items())))
-                    for arm in range(self._problem.arms)
-                    for uses, moves in self._moves(name, arm).items()
-                ]
-                for name in sorted(self.names)
+
+    def _turned(self, room: Room, turn: int) -> int:
+        around = Room(room.arms[: self._orbits(turn)], room.groups)
+        return placements(self._carried_round(turn), around)
+
+    def _orbits(self, turn: int) -> int:
+        """How many arms a rotation leaves apart from one another."""
+        return math.gcd(turn, self._problem.arms) if turn else self._problem.arms
+
+    def _rows(self, room: Room) -> dict[tuple[Row, ...], int]:
+        vehicles = [
+            [
+                (arm, uses, tuple(sorted(Counter(moves).items())))
+                for arm in range(self._problem.arms)
+                for uses, moves in self._moves(name, arm).items()
             ]
-            self._rows[room] = rows_of_placements(vehicles, room)
-        return self._rows[room]
+            for name in sorted(self.names)
+        ]
+        return rows_of_placements(vehicles, room)
 
     def room(self, state: Solution) -> Room:
         """What a state of the others leaves."""
@@ -98,7 +92,7 @@ class Unrelated:
     def _carried_round(self, turn: int) -> list[Kind]:
         """The groups under a rotation: one of each cycle stands for all that it is carried to."""
         arms, images = self._problem.arms, self._symmetry.rotations[turn]
-        orbits = math.gcd(turn, arms) if turn else arms
+        orbits = self._orbits(turn)
         kinds, seen = [], set[int]()
         for first in self._kinds:
             cycle, group = 0, first
@@ -114,7 +108,7 @@ class Unrelated:
     def _slots(self, name: str, turn: int, cycle: int) -> tuple[Slot, ...]:
         """Where one may enter, and its choices there; a rotation makes arms one."""
         arms = self._problem.arms
-        orbits = math.gcd(turn, arms) if turn else arms
+        orbits = self._orbits(turn)
         carried = arms // orbits
         return tuple(
             Slot(orbit, tuple(use * carried for use in uses), len(moves))

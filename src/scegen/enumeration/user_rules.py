@@ -16,10 +16,8 @@ from functools import lru_cache
 
 from clingo import ast
 from clorm import Predicate
-from clorm.clingo import Control
 
 from scegen.enumeration import predicates as p
-from scegen.enumeration.problem import Problem
 from scegen.enumeration.programs import ENCODINGS, Part, grounded
 from scegen.enumeration.reading import Solution, read_solutions
 from scegen.enumeration.solving import Space
@@ -71,24 +69,19 @@ def ruled_solutions(space: Space, rules: RuleFile) -> Iterator[Solution]:
         InputError: they are no rules over the vocabulary; names the line.
     """
     _check(rules)
-    said: list[str] = []
+    problem, said = space.problem, list[str]()
+    facts: list[Predicate] = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
+    facts += [p.Kind(m.id, m.kind.value) for m in problem.functional.participants]
+    parts = (*space.parts, Part.ORDER, Part.RULES)
     try:
-        control = _program(space, rules, said)
+        control = grounded(facts, parts, "--heuristic=Domain", rules=rules.text, said=said)
     except RuntimeError as error:
         raise _unread(rules, said, error) from error
     seen: set[Solution] = set()  # rules of the user's may have several answers of their own
-    for solution in read_solutions(space.problem, control):
+    for solution in read_solutions(problem, control):
         if solution not in seen:
             seen.add(solution)
             yield solution
-
-
-def _program(space: Space, rules: RuleFile, said: list[str]) -> Control:
-    problem = space.problem
-    facts: list[Predicate] = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
-    facts += _kinds(problem)
-    parts = (*space.parts, Part.ORDER, Part.RULES)
-    return grounded(facts, parts, "--heuristic=Domain", rules=rules.text, said=said)
 
 
 def _unread(rules: RuleFile, said: list[str], error: RuntimeError) -> InputError:
@@ -97,10 +90,6 @@ def _unread(rules: RuleFile, said: list[str], error: RuntimeError) -> InputError
     for nameless in ("<string>", "<block>"):
         message = message.replace(nameless, rules.name)
     return InputError(message, where="--rules")
-
-
-def _kinds(problem: Problem) -> list[Predicate]:
-    return [p.Kind(m.id, m.kind.value) for m in problem.functional.participants]
 
 
 def _check(rules: RuleFile) -> None:

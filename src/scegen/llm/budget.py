@@ -68,46 +68,35 @@ class Ledger:
         Raises:
             LlmError: it does not fit into what is left of the budget.
         """
-        planned = self._used + self._held + most
-        left = self._used + self._held
-        if self._budget.tokens is not None and planned.tokens > self._budget.tokens:
-            raise LlmError(
-                Fault(
-                    kind=FaultKind.BUDGET,
-                    message=f"the next request may take {most.tokens} tokens, and "
-                    f"{max(self._budget.tokens - left.tokens, 0)} of the budget's "
-                    f"{self._budget.tokens} are left",
-                )
-            )
-        if self._budget.cost_usd is not None:
-            if most.unpriced:
-                raise LlmError(
-                    Fault(
-                        kind=FaultKind.BUDGET,
-                        message="the model's price is not known, so no budget in dollars can "
-                        "be kept; give it in tokens",
-                    )
-                )
-            if planned.cost_usd > self._budget.cost_usd:
-                raise LlmError(
-                    Fault(
-                        kind=FaultKind.BUDGET,
-                        message=f"the next request may cost {most.cost_usd:.4f} USD, and "
-                        f"{max(self._budget.cost_usd - left.cost_usd, 0.0):.4f} of the budget's "
-                        f"{self._budget.cost_usd:g} USD are left",
-                    )
-                )
+        if refusal := self._refusal(most):
+            raise LlmError(Fault(kind=FaultKind.BUDGET, message=refusal))
         self._held += most
+
+    def _refusal(self, most: Usage) -> str:
+        """Why a request does not fit into what is left; nothing if it does."""
+        taken, tokens, usd = self._used + self._held, self._budget.tokens, self._budget.cost_usd
+        if tokens is not None and (taken + most).tokens > tokens:
+            left = max(tokens - taken.tokens, 0)
+            return (
+                f"the next request may take {most.tokens} tokens, and {left} of the budget's "
+                f"{tokens} are left"
+            )
+        if usd is None:
+            return ""
+        if most.unpriced:
+            return (
+                "the model's price is not known, so no budget in dollars can be kept; give it in "
+                "tokens"
+            )
+        if (taken + most).cost_usd > usd:
+            left_usd = max(usd - taken.cost_usd, 0.0)
+            return (
+                f"the next request may cost {most.cost_usd:.4f} USD, and {left_usd:.4f} of the "
+                f"budget's {usd:g} USD are left"
+            )
+        return ""
 
     def settle(self, most: Usage, used: Usage) -> None:
         """Replace what was set aside by what was used."""
-        held, back = self._held, most
-        self._held = Usage(
-            held.requests - back.requests,
-            held.retries - back.retries,
-            held.input_tokens - back.input_tokens,
-            held.output_tokens - back.output_tokens,
-            held.cost_usd - back.cost_usd,
-            held.unpriced - back.unpriced,
-        )
+        self._held -= most
         self._used += used

@@ -33,8 +33,7 @@ class GuardedTransport(httpx2.AsyncBaseTransport):
             async for chunk in response.aiter_bytes():
                 content += chunk
                 if len(content) > self._limit:
-                    msg = f"the answer is longer than {self._limit} bytes"
-                    raise AnswerTooLargeError(msg)
+                    raise AnswerTooLargeError(f"the answer is longer than {self._limit} bytes")
         finally:
             await response.aclose()
         kept = ("content-type", "retry-after", "retry-after-ms")
@@ -54,5 +53,4 @@ class ClosedTransport(httpx2.AsyncBaseTransport):
 
     async def handle_async_request(self, request: httpx2.Request) -> httpx2.Response:
         """Refuse the request."""
-        msg = "a replayed run has no network"
-        raise httpx2.ConnectError(msg, request=request)
+        raise httpx2.ConnectError("a replayed run has no network", request=request)

@@ -76,8 +76,7 @@ class Line:
     def model(self, agent: str) -> Model:
         """The model as one agent sees it."""
         if self._client is None:
-            msg = "the line is not open"
-            raise RuntimeError(msg)
+            raise RuntimeError("the line is not open")
         url = _REPLAY_URL if self.recording is not None else self.url
         inner = build_model(self.name, url=url, key=self.key, http_client=self._client)
         return _AgentModel(inner, self, agent)

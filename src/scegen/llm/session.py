@@ -143,8 +143,7 @@ class Session:
             InputError: a replay lacks an exchange, or has another.
         """
         if self._lines is None:
-            msg = "the session is not open"
-            raise RuntimeError(msg)
+            raise RuntimeError("the session is not open")
         asked: list[str] = []
         faults: list[Fault] = []
         used = Usage()

@@ -21,7 +21,6 @@ from scegen.scenario.model import FrozenModel
 
 RUN_FILE = "run.json"
 M = TypeVar("M", bound=FrozenModel)
-_HINT = "record the run again with --llm-record"
 
 
 class Run(FrozenModel):
@@ -101,9 +100,7 @@ class Recording:
             (bool(models) and self.run.models != models, "other models"),
         ):
             if differs:
-                raise InputError(
-                    f"was recorded with {what}", where=f"--llm-replay {self._folder}", hint=_HINT
-                )
+                raise self._unusable(f"was recorded with {what}")
 
     def exchange(self, chain: int, agent: str, number: int, words: object) -> Exchange:
         """One exchange.
@@ -122,23 +119,25 @@ class Recording:
             name, Exchange, f"lacks {name}: other options, the run was cut short, or scegen changed"
         )
         if words_of(found.request) != words:
-            raise InputError(
-                f"{name} answers another question: other options were given, or scegen changed",
-                where=f"--llm-replay {self._folder}",
-                hint=_HINT,
+            raise self._unusable(
+                f"{name} answers another question: other options were given, or scegen changed"
             )
         return found
 
     def _read(self, name: str, kind: type[M], missing: str) -> M:
-        where = f"--llm-replay {self._folder}"
         try:
-            content = (self._folder / name).read_bytes()
+            return kind.model_validate_json((self._folder / name).read_bytes())
         except OSError as error:
-            raise InputError(missing, where=where, hint=_HINT) from error
-        try:
-            return kind.model_validate_json(content)
+            raise self._unusable(missing) from error
         except ValidationError as error:
-            raise InputError(f"{name} is damaged", where=where, hint=_HINT) from error
+            raise self._unusable(f"{name} is damaged") from error
+
+    def _unusable(self, why: str) -> InputError:
+        return InputError(
+            why,
+            where=f"--llm-replay {self._folder}",
+            hint="record the run again with --llm-record",
+        )
 
 
 def words_of(request: Sequence[Any]) -> list[Any]:

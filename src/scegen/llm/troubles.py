@@ -31,7 +31,13 @@ _KINDS = {
     HTTPStatus.REQUEST_TIMEOUT: FaultKind.TIMEOUT,
     HTTPStatus.REQUEST_ENTITY_TOO_LARGE: FaultKind.TOO_LARGE,
 }
-_PASSING = {FaultKind.RATE_LIMIT, FaultKind.SERVER, FaultKind.TIMEOUT, FaultKind.CONNECTION}
+_PASSING = {
+    FaultKind.RATE_LIMIT,
+    FaultKind.SERVER,
+    FaultKind.TIMEOUT,
+    FaultKind.CONNECTION,
+    FaultKind.NO_ANSWER,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,13 +62,7 @@ def trouble_of(error: Exception, key: str) -> Trouble:
     undecodable = any(isinstance(cause, ValueError) for cause in _chain(error))
     if isinstance(error, ModelAPIError) and not undecodable:
         return _trouble(FaultKind.REJECTED, f"refused the request: {_quote(error.message, key)}")
-    return Trouble(
-        Fault(
-            kind=FaultKind.NO_ANSWER,
-            message=f"sent something that is no answer: {_root(error, key)}",
-        ),
-        passing=True,
-    )
+    return _trouble(FaultKind.NO_ANSWER, f"sent something that is no answer: {_root(error, key)}")
 
 
 def fault_of_run(error: Exception, key: str) -> Fault:

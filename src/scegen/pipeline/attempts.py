@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from scegen.concretization import concretize
 from scegen.errors import InfeasibleError
 from scegen.pipeline.options import Options
-from scegen.pipeline.raising import Raising, raise_all
+from scegen.pipeline.raising import Raising, raise_danger
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.proof import Proof
@@ -37,7 +37,7 @@ def make_one(
         InfeasibleError: it cannot be made.
     """
     concrete = concretize(functional, scenario, seed=seed)
-    return raise_all(functional, [concrete], target, seed, progress, session, solutions=solutions)
+    return raise_danger(functional, concrete, target, seed, progress, session, solutions=solutions)
 
 
 def make_some(
@@ -65,7 +65,7 @@ def make_some(
         good = sum(_flaws(raising) == (0, 0) for raising in tried)
         if len(tried) >= most or (wanted <= good and not options.pick):
             break
-        name = f"{scenario.index:03d}-{scenario.slug}"
+        name = scenario.name
         progress(f"concretizing {name}")
         try:
             raising = make_one(

@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from scegen.checking.subject import FUNCTIONAL_FILE
-from scegen.pipeline.export import CONCRETE_FILE
+from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE
 from scegen.pipeline.options import Options
 from scegen.pipeline.source import GIVEN_FILE, LOGICAL_FILE, Source
 from scegen.scenario.concrete import ConcreteScenario

@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 
 from scegen import __version__
 from scegen.checking import CheckReport, CheckResult
+from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.pipeline.command import Recipe
-from scegen.pipeline.folder import digest
+from scegen.pipeline.folder import SUMMARY_FILE, digest
 from scegen.pipeline.judging import Judged
 from scegen.pipeline.raising import proof_summary
+from scegen.pipeline.source import LOGICAL_FILE
 from scegen.report.contents import Voice
 from scegen.report.gallery import Tiles, draw_tiles, gallery_svg
 from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
@@ -56,28 +58,23 @@ def folder_files(
     files: dict[str, bytes] = dict(how.kept)
     tiles: Tiles | None = None
     if functional is not None:
-        files["functional.yaml"] = to_yaml(functional).encode()
+        files[FUNCTIONAL_FILE] = to_yaml(functional).encode()
     if logical is not None:
-        files["logical.json"] = to_json(logical).encode()
+        files[LOGICAL_FILE] = to_json(logical).encode()
         tiles = draw_tiles(logical)
         files["gallery.svg"] = gallery_svg(logical).encode()
-    report = _report_input(functional, logical, made, skipped, understanding, tiles)
+    voice = None if understanding is None else _voice(understanding)
+    told = tuple(skipped.items())
+    report = ReportInput(functional, logical, _entries(made), told, voice, tiles)
     files["report.html"] = report_html(report).encode()
-    files["summary.json"] = _summary(
+    files[SUMMARY_FILE] = _summary(
         logical, made, skipped, seed, how, files, _models(understanding, usage)
     )
     return files
 
 
-def _report_input(
-    functional: FunctionalScenario | None,
-    logical: LogicalSet | None,
-    made: list[Made],
-    skipped: dict[str, str],
-    understanding: Understanding | None,
-    tiles: Tiles | None,
-) -> ReportInput:
-    entries = tuple(
+def _entries(made: list[Made]) -> tuple[ConcreteEntry, ...]:
+    return tuple(
         ConcreteEntry(
             concrete=item.concrete,
             folder=f"scenarios/{item.concrete.name}",
@@ -94,8 +91,6 @@ def _report_input(
         )
         for item in made
     )
-    voice = None if understanding is None else _voice(understanding)
-    return ReportInput(functional, logical, entries, tuple(skipped.items()), voice, tiles)
 
 
 def _voice(understanding: Understanding) -> Voice:

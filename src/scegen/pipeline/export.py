@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from scegen.checking.subject import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE
 from scegen.export.opendrive import write_opendrive
 from scegen.export.openscenario import write_openscenario
 from scegen.motion import build_paths
@@ -15,11 +16,8 @@ from scegen.scenario.concrete import ConcreteScenario, RoadParameters
 from scegen.scenario.files import to_yaml
 from scegen.scenario.signals import SignalPlan
 
-ROAD_FILE = "road.xodr"
-SCENARIO_FILE = "scenario.xosc"
 LAMPS_FILE = "scenario-esmini.xosc"
 """Beside the scenario where it has lights: the same, with them changed as esmini needs it."""
-CONCRETE_FILE = "concrete.yaml"
 PREVIEW_FILE = "preview.png"
 
 

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
-from scegen.checking.subject import FUNCTIONAL_FILE
+from scegen.checking.subject import FUNCTIONAL_FILE, PROOF_FILE
+from scegen.criticality import prove_as_it_is
 from scegen.criticality.raising.refusing import too_fast
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError, NoScenarioError
@@ -21,7 +22,7 @@ from scegen.pipeline.folder import replace_content, require_usable
 from scegen.pipeline.judging import Judged, judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
-from scegen.pipeline.raising import PROOF_FILE, Raising, chosen_target, prove_all, raise_all
+from scegen.pipeline.raising import Raising, chosen_target, raise_danger
 from scegen.pipeline.source import Origin, Source
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml
@@ -182,9 +183,7 @@ def _raised(
     origin: Origin,
 ) -> Raising:
     """The concrete scenarios asked for, their danger raised."""
-    numbers = isinstance(source, ConcreteScenario)
-    functional = None if logical is None else logical.functional
-    target = chosen_target(options, functional, numbers_given=numbers)
+    target = chosen_target(options.target, None if logical is None else logical.functional)
     if logical is not None:
         picked = pick(logical, options.pick)
         return make_some(logical.functional, picked, target, options, progress, session)
@@ -192,9 +191,10 @@ def _raised(
         raise InputError("has no logical scenarios")
     seed, solutions = options.seed, options.solutions
     if origin.functional and origin.target and options.target is None:
-        return prove_all(origin.functional, [source], origin.target)
-    return raise_all(
-        origin.functional, [source], target, seed, progress, session, solutions=solutions
+        proof = prove_as_it_is(origin.functional, source, target=origin.target)
+        return Raising([source], {source.name: proof})
+    return raise_danger(
+        origin.functional, source, target, seed, progress, session, solutions=solutions
     )
 
 

@@ -9,12 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
+from scegen.checking.subject import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE
 from scegen.criticality.search.rebuild import DECIMALS
 from scegen.errors import InfeasibleError, InputError
 from scegen.export.openscenario import write_distribution, write_openscenario, write_parameterised
 from scegen.export.openscenario_parameters import Declared
 from scegen.motion.batch.arrays import Floats
-from scegen.pipeline.export import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE, road_file
+from scegen.pipeline.export import road_file
 from scegen.pipeline.parameterising import (
     ParameterSpace,
     UnusableError,

@@ -197,9 +197,10 @@ def parameterised(space: ParameterSpace) -> Parameterisation:
         Declared(name, given[name], float(a), float(b))
         for name, a, b in zip(space.names, low, high, strict=True)
     ]
+    ego = space.problem.ways[space.concrete.ego.id]
     declared += [
         Declared(_DURATION, given[_DURATION], 0.0, space.longest_s),
-        Declared(_EGO_GOES, given[_EGO_GOES], 0.0, _farthest_m(space)),
+        Declared(_EGO_GOES, given[_EGO_GOES], 0.0, ceil(ego.path.length_m)),
     ]
     symbols = {item.name: Expression.parameter(item.name, item.low, item.high) for item in declared}
     numbers = _numbers(space, symbols)
@@ -212,10 +213,6 @@ def parameterised(space: ParameterSpace) -> Parameterisation:
         "the highest of everything",
     )
     return Parameterisation(declared, numbers, fastest, " ".join(_note(space, numbers)))
-
-
-def _farthest_m(space: ParameterSpace) -> float:
-    return ceil(space.problem.ways[space.concrete.ego.id].path.length_m)
 
 
 def _numbers(space: ParameterSpace, symbols: Mapping[str, Expression]) -> Numbers:

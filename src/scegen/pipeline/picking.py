@@ -38,7 +38,7 @@ def pick(
         return logical.scenarios
     by_index = {s.index: s for s in logical.scenarios}
     by_name = {s.slug: s for s in reversed(logical.scenarios)}
-    by_name |= {f"{s.index:03d}-{s.slug}": s for s in logical.scenarios}
+    by_name |= {s.name: s for s in logical.scenarios}
     chosen: dict[int, LogicalScenario] = {}
     for part in (p.strip() for p in expression.split(",")):
         bounds = re.fullmatch(r"(\d{1,9})(?:-(\d{1,9}))?", part)

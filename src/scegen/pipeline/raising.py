@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from scegen.criticality import OfflineProposer, Proposer, prove_as_it_is, raise_criticality
+from scegen.criticality import OfflineProposer, Proposer, raise_criticality
 from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
-from scegen.pipeline.options import Options
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
@@ -24,7 +23,6 @@ if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run
     from scegen.llm import Session
 
 NO_SEARCH = "none"
-PROOF_FILE = "proof.json"
 _TARGETS: dict[OutcomeKind | None, str] = {
     OutcomeKind.COLLISION: COLLISION,
     OutcomeKind.AVOIDED: AVOIDED,
@@ -47,27 +45,26 @@ class Raising:
     skipped: dict[str, str] = field(default_factory=dict)
 
 
-def chosen_target(
-    options: Options, functional: FunctionalScenario | None, *, numbers_given: bool
-) -> str | None:
+def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> str | None:
     """The target of a run, which follows from the outcome if it is not given; None: no search.
 
-    Numbers that somebody gave are not touched unless a target is asked for.
+    Args:
+        asked: the option.
+        functional: the description; None where somebody gave numbers, which are not touched unless
+            a target is asked for.
 
     Raises:
         InputError: the option names no target.
     """
-    if options.target is None:
-        if numbers_given:
+    if asked is None:
+        if functional is None:
             return None
         unhurt = (_drives_past, _leaves_room, _draws_away, _stops_clear)
-        if functional is not None and any(told(functional) for told in unhurt):
+        if any(told(functional) for told in unhurt):
             return AVOIDED
-        outcome = functional.outcome.kind if functional and functional.outcome else None
+        outcome = functional.outcome.kind if functional.outcome else None
         return _TARGETS.get(outcome, NEAR_MISS)
-    if options.target.strip().lower() == NO_SEARCH:
-        return None
-    return parse_target(options.target).text
+    return None if asked.strip().lower() == NO_SEARCH else parse_target(asked).text
 
 
 def _drives_past(functional: FunctionalScenario) -> bool:
@@ -125,9 +122,9 @@ def _stops_clear(functional: FunctionalScenario) -> bool:
     return told and functional.outcome is None
 
 
-def raise_all(
+def raise_danger(
     functional: FunctionalScenario | None,
-    concretes: list[ConcreteScenario],
+    concrete: ConcreteScenario,
     target: str | None,
     seed: int,
     progress: Callable[[str], None],
@@ -135,53 +132,41 @@ def raise_all(
     *,
     solutions: int = 1,
 ) -> Raising:
-    """Raise the danger of some scenarios; without a target they stay as they are.
+    """Raise the danger of a scenario; without a target it stays as it is.
 
-    Different solutions of one scenario are told apart by a number at the end of their names. The
-    models of ``session`` propose where the search begins, or the offline rules.
+    Different solutions are told apart by a number at the end of their names. The models of
+    ``session`` propose where the search begins, or the offline rules.
     """
     if target is None:
-        return Raising(concretes)
+        return Raising([concrete])
     proposer: Proposer = OfflineProposer()
     if session is not None:
         from scegen.criticality.agent import ParameterAgent  # noqa: PLC0415 - see above
 
         proposer = ParameterAgent(session, progress)
-    raising = Raising([])
-    for concrete in concretes:
-        progress(f"searching for {with_article(str(target))} in {concrete.name}")
-        begin = perf_counter()
-        result = raise_criticality(
-            functional,
-            concrete,
-            target=target,
-            seed=seed,
-            solutions=solutions,
-            proposer=proposer,
-            progress=progress,
-        )
-        raising.search_s[concrete.name] = perf_counter() - begin
-        found = [(result.concrete, result.proof), *result.others]
-        if result.proof.in_band and len(found) < solutions:
-            name = f"{concrete.name}, solution {len(found) + 1}"
-            raising.skipped[name] = f"no more than {len(found)} that differ were found"
-        for number, (made, proof) in enumerate(found, start=1):
-            name = concrete.name if number == 1 else f"{concrete.name[:96]}-{number}"
-            raising.concretes.append(made.model_copy(update={"name": name}))
-            raising.proofs[name] = proof
-            if proof.changed:
-                raising.firsts[name] = concrete
+    progress(f"searching for {with_article(str(target))} in {concrete.name}")
+    begin = perf_counter()
+    result = raise_criticality(
+        functional,
+        concrete,
+        target=target,
+        seed=seed,
+        solutions=solutions,
+        proposer=proposer,
+        progress=progress,
+    )
+    raising = Raising([], search_s={concrete.name: perf_counter() - begin})
+    found = [(result.concrete, result.proof), *result.others]
+    if result.proof.in_band and len(found) < solutions:
+        name = f"{concrete.name}, solution {len(found) + 1}"
+        raising.skipped[name] = f"no more than {len(found)} that differ were found"
+    for number, (made, proof) in enumerate(found, start=1):
+        name = concrete.name if number == 1 else f"{concrete.name[:96]}-{number}"
+        raising.concretes.append(made.model_copy(update={"name": name}))
+        raising.proofs[name] = proof
+        if proof.changed:
+            raising.firsts[name] = concrete
     return raising
-
-
-def prove_all(
-    functional: FunctionalScenario, concretes: list[ConcreteScenario], target: str
-) -> Raising:
-    """Scenarios as they are, each with what it shows of its description."""
-    proofs = {
-        concrete.name: prove_as_it_is(functional, concrete, target=target) for concrete in concretes
-    }
-    return Raising(concretes, proofs)
 
 
 def proof_summary(proof: Proof | None) -> dict[str, object]:

@@ -6,11 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, PROOF_FILE, read_proof
+from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, read_proof
 from scegen.enumeration import count_scenarios
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load, load_any, read_text
+from scegen.scenario.files import load_any, load_if_there, read_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.wording import counted
@@ -42,6 +42,22 @@ def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
     return recounted(found) if isinstance(found, LogicalSet) else found
 
 
+def functional_of(text_or_path: str, understand: Understand = read) -> FunctionalScenario:
+    """The functional scenario that an argument names or tells.
+
+    Raises:
+        InputError: it names one of another level, or cannot be used.
+    """
+    source = resolve_source(text_or_path, understand)
+    if not isinstance(source, FunctionalScenario):
+        raise InputError(
+            f"is a {source.level} scenario, not a description or a functional one",
+            where=text_or_path,
+            hint="name the functional.yaml from which it was made",
+        )
+    return source
+
+
 @dataclass(frozen=True, slots=True)
 class Origin:
     """What a concrete.yaml was made from, and to which target; None where that is not there."""
@@ -62,15 +78,11 @@ def origin_of(text_or_path: str) -> Origin:
         return Origin()
     place = path.absolute().parent
     top = place if path.name == GIVEN_FILE else place.parent.parent
-    functional, logical = top / FUNCTIONAL_FILE, top / LOGICAL_FILE
-    if not functional.is_file():
+    functional = load_if_there(top / FUNCTIONAL_FILE, FunctionalScenario)
+    if functional is None:
         return Origin()
-    proof = path.with_name(PROOF_FILE)
-    return Origin(
-        load(functional, FunctionalScenario),
-        recounted(load(logical, LogicalSet)) if logical.is_file() else None,
-        read_proof(proof).target if proof.is_file() else None,
-    )
+    logical, proof = load_if_there(top / LOGICAL_FILE, LogicalSet), read_proof(place)
+    return Origin(functional, logical and recounted(logical), proof.target if proof else None)
 
 
 def recounted(logical: LogicalSet) -> LogicalSet:

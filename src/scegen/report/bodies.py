@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from scegen.motion.model import Trace
+from scegen.motion.model import Array, Trace
 from scegen.report.corners import box_corners
-from scegen.report.drawing import area, areas, box, circle, element
+from scegen.report.drawing import area, box, circle, element
 from scegen.report.theme import Theme
 from scegen.report.world import placed
 from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind
-
-Array = NDArray[np.float64]
 
 _NARROW = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _BEND_RAD = 0.04
@@ -161,8 +157,3 @@ def braking(trace: Trace, least_mps2: float = 0.5) -> NDArray[np.bool_]:
     slower = np.gradient(speed, trace.time_s) < -least_mps2
     stopped: NDArray[np.bool_] = (speed < _STANDS_MPS) & np.logical_or.accumulate(slower)
     return slower | stopped
-
-
-def haze(outlines: Iterable[Array], colour: str, opacity: float) -> str:
-    """Ground that was covered, in the colour of who did it."""
-    return areas(outlines, colour, fill_opacity=opacity)

@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter
+from scegen.motion.model import Array
 from scegen.report.stage import Stage
 from scegen.report.world import View
 from scegen.scenario.vocabulary import JunctionKind
-
-Array = NDArray[np.float64]
 
 _MARGIN_M = 9.0
 _LEAST_PX_PER_M, _MOST_PX_PER_M = 5.0, 16.0

@@ -14,6 +14,9 @@ from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
 from scegen.understanding.report.disagreement import Disagreement
 
+VERDICTS = {"passed": "held", "failed": "failed"}
+"""What the status of a check comes to, as statements do; any other one leaves it open."""
+
 
 @dataclass(frozen=True, slots=True)
 class CheckRow:
@@ -22,6 +25,11 @@ class CheckRow:
     checker: str
     status: str
     detail: str
+
+    @property
+    def verdict(self) -> str:
+        """``held``, ``failed``, or ``open`` where nothing can be said."""
+        return VERDICTS.get(self.status, "open")
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from scegen.motion.model import Array
 from scegen.scenario.bodies import Body
 from scegen.scenario.objects import StaticObject
-
-Array = NDArray[np.float64]
 
 
 def box_corners(body: Body, x_m: Array, y_m: Array, heading_rad: Array) -> Array:

@@ -50,12 +50,13 @@ def _target(proof: Proof) -> Table:
     if proof.blocked_by:
         outcome += f": {proof.blocked_by}"
     pair = " and ".join(proof.pair) or "nobody"
+    band = f"{proof.band[0]:g} to {proof.band[1]:g}" if proof.band else "a contact"
     rows = [
         (
             _MEASURES.get(m.name, m.name) + (" (decides)" if m.name == proof.measure else ""),
             _value(m.before, m.unit),
             _value(m.after, m.unit),
-            _band(proof) if m.name == proof.measure else "",
+            band if m.name == proof.measure else "",
         )
         for m in proof.measures
         if m.before is not None or m.after is not None
@@ -115,10 +116,6 @@ def _hazard(after: HazardProof, before: HazardProof) -> Row:
             for part in after.parts
         ),
     )
-
-
-def _band(proof: Proof) -> str:
-    return f"{proof.band[0]:g} to {proof.band[1]:g}" if proof.band else "a contact"
 
 
 def _value(value: float | None, unit: str) -> str:

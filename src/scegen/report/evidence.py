@@ -8,12 +8,21 @@ from itertools import pairwise
 
 from scegen.report.words import hazard_words, plain
 from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.paths import NOWHERE, value_at
 from scegen.scenario.proof import ClaimProof
-from scegen.understanding import STANDINGS, Finding, passages, report_on
+from scegen.understanding import STANDINGS, Finding, Standing, passages, report_on
 from scegen.understanding.report.disagreement import Disagreement
 
 LONGEST_SHOWN = 20_000
 """Characters of a description that are shown."""
+STANDS_FOR = {
+    Standing.UNDERSTOOD: "said in the text",
+    Standing.INFERRED: "concluded from the text",
+    Standing.ASSUMED: "not said: a default",
+    Standing.CONTRADICTED: "said or read in two ways",
+    Standing.UNSUPPORTED: "understood, but not expressible",
+}
+"""What the standings of words and fields mean."""
 _UNITS = {
     "_mps2": "m/s²", "_mps": "m/s", "_deg": "°", "_m": "m", "_s": "s", "_percent": "%",
 }  # fmt: skip
@@ -156,22 +165,8 @@ def _value(functional: FunctionalScenario, field: str) -> str:
         if part == "to":
             return ", ".join(dict.fromkeys(name for h in meant for name in h.to))
         return "; ".join(hazard_words(h) for h in meant)
-    here: object = functional.model_dump(mode="json")
-    for part in field.split("."):
-        if isinstance(here, dict):
-            here = here.get(part)
-        elif isinstance(here, list) and part.isdigit():
-            here = here[int(part)] if int(part) < len(here) else None
-        elif isinstance(here, list):
-            named = [
-                x for x in here if isinstance(x, dict) and part in {x.get("id"), x.get("kind")}
-            ]
-            if not named:
-                return ""
-            here = named[0]
-        else:
-            return ""
-    return _in_words(here)
+    found = value_at(functional.model_dump(mode="json"), field)
+    return "" if found is NOWHERE else _in_words(found)
 
 
 def _in_words(value: object) -> str:

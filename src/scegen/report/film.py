@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter, closest_encounter
-from scegen.motion.model import Path, Trace
+from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
 from scegen.report.bodies import braking, corners_at
 from scegen.report.camera import camera_views
@@ -27,8 +27,6 @@ from scegen.report.theme import Theme
 from scegen.report.world import View
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
-
-Array = NDArray[np.float64]
 
 _BEFORE_S, _AFTER_S, _HOLD_S, _LAST_S = 6.0, 3.0, 1.2, 0.8
 _BAR_PX, _STANDS_M = 4.0, 0.1

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from scegen.errors import InputError
 from scegen.report.drawing import Style, box, document, element, group, letters
-from scegen.report.theme import LIGHT, Theme
+from scegen.report.theme import LIGHT
 from scegen.report.tile import (
     TILE_WIDTH,
     arm_legend,
@@ -73,7 +73,6 @@ def gallery_svg(
     *,
     page: int = 1,
     moves: tuple[int, ...] | None = None,
-    theme: Theme = LIGHT,
 ) -> str:
     """A page of the gallery as an SVG document; the same input gives the same text.
 
@@ -81,12 +80,11 @@ def gallery_svg(
         logical_set: whose scenarios are drawn.
         page: which page, from 1.
         moves: the pattern of a group to be shown unfolded; None for all groups.
-        theme: the colours.
 
     Raises:
         InputError: there is no such page or group.
     """
-    functional = logical_set.functional
+    functional, theme = logical_set.functional, LIGHT
     cards = _cards(logical_set, moves)
     if moves is not None and not cards:
         raise InputError(f"no scenario has the moves {' '.join(map(str, moves))}", where="--moves")
@@ -104,10 +102,10 @@ def gallery_svg(
     for place, card in enumerate(shown):
         x = _GAP + (place % columns) * (TILE_WIDTH + _GAP)
         y = top + (place // columns) * (above + height + _GAP) + above
-        drawn.append(_drawn(card, logical_set, height, x, y, theme))
+        drawn.append(_drawn(card, logical_set, height, x, y))
     total = top + -(-len(shown) // columns) * (above + height + _GAP) + _GAP
     title = counted(len(logical_set.scenarios), "logical scenario")
-    head = element("defs", group(roads(functional, theme), id="junction"))
+    head = element("defs", group(roads(functional), id="junction"))
     head += box(0, 0, width, total, theme.panel)
     head += letters(title, _GAP, 28, 18, theme.text, bold=True)
     for number, note in enumerate(notes):
@@ -116,10 +114,9 @@ def gallery_svg(
     return document(width, total, head + "".join(drawn), title=title, describes=described) + "\n"
 
 
-def _drawn(
-    card: _Card, logical_set: LogicalSet, height: int, x: float, y: float, theme: Theme
-) -> str:
+def _drawn(card: _Card, logical_set: LogicalSet, height: int, x: float, y: float) -> str:
     """A tile with its heading, and the edges of those folded behind it."""
+    theme = LIGHT
     moves, _, sizes = card.heading.partition(": ")
     words = letters(moves, 0, -22, 12.5, theme.text, bold=True) if moves else ""
     words += letters(sizes, 0, -7, 11, theme.text_soft) if sizes else ""
@@ -129,7 +126,7 @@ def _drawn(
         for shift in ((6, 3) if card.folded else ())
     )
     tile = box(0, 0, TILE_WIDTH, height, theme.background, **frame)
-    tile += tile_body(card.scenario, logical_set.functional, _JUNCTION, theme)
+    tile += tile_body(card.scenario, logical_set.functional, _JUNCTION)
     return group(words + behind + tile, transform=f"translate({x} {y})")
 
 

@@ -6,14 +6,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import cos, hypot, pi, sin
 
-import numpy as np
-from numpy.typing import NDArray
-
+from scegen.motion.model import Array
 from scegen.report.drawing import letters, line
 from scegen.report.raster import text_width
 from scegen.report.theme import Theme
 
-Array = NDArray[np.float64]
 Rectangle = tuple[float, float, float, float]
 """Left, top, right, bottom in pixels."""
 

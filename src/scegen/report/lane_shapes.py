@@ -8,16 +8,14 @@ from math import ceil, sqrt
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from scegen.motion.model import Path
+from scegen.motion.model import Array, Path
 from scegen.road.geometry import Pose, ReferenceLine
 from scegen.road.model import LaneType, Road, RoadNetwork
 from scegen.road.sections import Section, sections
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.reversing import BacksOut
 
-Array = NDArray[np.float64]
 _STRIPE_M = 0.5
 _ROOM_M = 0.4
 _STEP_RAD = 0.08

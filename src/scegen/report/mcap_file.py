@@ -58,8 +58,9 @@ def mcap_of(concrete: ConcreteScenario, network: RoadNetwork, traces: Mapping[st
         )
         for topic, message in messages.items()
     )
+    plotted = {"type": "object", "properties": {name: {"type": "number"} for name in _SERIES}}
     state = writer.register_schema(
-        name="State", encoding="jsonschema", data=json.dumps(_plotted()).encode()
+        name="State", encoding="jsonschema", data=json.dumps(plotted).encode()
     )
     plots = {
         name: writer.register_channel(
@@ -176,10 +177,6 @@ def _frames(tools: _Tools, traces: Mapping[str, Trace], step: int) -> Any:  # no
         half = float(trace.heading_rad[step]) / 2
         frame.rotation.z, frame.rotation.w = sin(half), cos(half)
     return update
-
-
-def _plotted() -> dict[str, Any]:
-    return {"type": "object", "properties": {name: {"type": "number"} for name in _SERIES}}
 
 
 def _state(trace: Trace, step: int) -> dict[str, float]:

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from scegen.motion.model import Array
 from scegen.report.drawing import letters
 from scegen.report.raster import text_width
 from scegen.report.theme import Theme
-
-Array = NDArray[np.float64]
 
 _SIZE, _HEIGHT, _APART = 12.5, 17.0, 5.0
 _SIDES = ((0.0, -1.0), (0.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0),

@@ -25,7 +25,7 @@ _RANK_STEP = 17.0
 RING = 34.0
 """Radius of the ring's middle."""
 _RING_JOIN, _RING_LEAST = radians(14.0), radians(8.0)
-_ARC_STEPS = 24
+_ARC_STEPS, _CURVE_STEPS = 24, 14
 _BOX = 9.0
 _MEDIAN = 4.0
 _IN_LINE = 0.01
@@ -279,8 +279,8 @@ def _toward(point: Point, angle: float, distance: float) -> Point:
     return point[0] + distance * cos(angle), point[1] + distance * sin(angle)
 
 
-def _bezier(a: Point, b: Point, c: Point, d: Point, steps: int = 14) -> list[Point]:
-    u = np.linspace(0.0, 1.0, steps + 1)[:, None]
+def _bezier(a: Point, b: Point, c: Point, d: Point) -> list[Point]:
+    u = np.linspace(0.0, 1.0, _CURVE_STEPS + 1)[:, None]
     v = 1.0 - u
     ends = v**3 * np.array(a) + u**3 * np.array(d)
     curve = ends + 3 * v * v * u * np.array(b) + 3 * v * u * u * np.array(c)

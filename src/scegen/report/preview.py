@@ -9,23 +9,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter, closest_encounter
-from scegen.motion.model import Path, Trace
+from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import box, document, letters
 from scegen.report.raster import wrapped
 from scegen.report.stage import Stage, make_stage, moment, overview
-from scegen.report.theme import LIGHT, Theme
+from scegen.report.theme import LIGHT
 from scegen.report.words import hazard_words, participant_words, thing_words
 from scegen.report.world import View
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
-
-Array = NDArray[np.float64]
 
 WIDTH = 900.0
 _GAP = 8.0
@@ -48,7 +45,6 @@ def preview_svg(
     network: RoadNetwork,
     paths: Mapping[str, Path],
     traces: Mapping[str, Trace] | None = None,
-    theme: Theme = LIGHT,
 ) -> str:
     """The scenario as an SVG document; the same input gives the same text.
 
@@ -57,15 +53,14 @@ def preview_svg(
         network: its roads.
         paths: the paths of its participants.
         traces: their movement, simulated here if not given.
-        theme: the colours.
     """
-    stage = make_stage(concrete, network, paths, traces or simulate(concrete, paths), theme)
+    stage = make_stage(concrete, network, paths, traces or simulate(concrete, paths), LIGHT)
     encounter = closest_encounter(concrete, stage.traces)
     low, high = extent(stage, encounter)
     size = high - low
     layout = _along if size[0] > _ALONG * size[1] else _beside
     picture, height = layout(stage, encounter, (low + high) / 2, size)
-    ground = box(0, 0, WIDTH, height, theme.panel)
+    ground = box(0, 0, WIDTH, height, LIGHT.panel)
     who = ", ".join(p.id for p in concrete.participants)
     return document(WIDTH, height, ground + picture, title=f"Plan of the ways of {who}")
 

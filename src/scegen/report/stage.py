@@ -10,10 +10,10 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter
-from scegen.motion.model import Path, Trace
-from scegen.report.bodies import body, braking, corners_at, ghost, haze, standing_at, swept
+from scegen.motion.model import Array, Path, Trace
+from scegen.report.bodies import body, braking, corners_at, ghost, standing_at, swept
 from scegen.report.corners import thing_corners
-from scegen.report.drawing import area, box, letters, line, lines
+from scegen.report.drawing import area, areas, box, letters, line, lines
 from scegen.report.labels import WAY_STEP_PX, Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
 from scegen.report.raster import text_width
@@ -23,11 +23,10 @@ from scegen.report.world import Surroundings, View
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
-Array = NDArray[np.float64]
-
 _NAME_PX = 12.0
 _ROUND_M = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 _HAZE = 0.2
+"""How strongly ground is drawn that somebody covered."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +97,8 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
     world = [stage.surroundings.drawn(view), stage.surroundings.lights(view, 0.0)]
     moving = [p for p in stage.concrete.participants if stage.traces[p.id].s_m[-1] > 0.0]
     world += [
-        haze(view.cut(swept(stage.traces[p.id]), closed=True), colour[p.id], _HAZE) for p in moving
+        areas(view.cut(swept(stage.traces[p.id]), closed=True), colour[p.id], fill_opacity=_HAZE)
+        for p in moving
     ]
     world += [_way(stage, p, view) for p in moving]
     if encounter is not None:
@@ -133,7 +133,7 @@ def moment(stage: Stage, view: View, step: int, title: str, encounter: Encounter
         trace = stage.traces[participant.id]
         if trace.s_m[-1] > 0.0:
             so_far = view.cut(swept(trace, 0, step), closed=True)
-            world.append(haze(so_far, stage.colour[participant.id], _HAZE))
+            world.append(areas(so_far, stage.colour[participant.id], fill_opacity=_HAZE))
             world.append(_way(stage, participant, view))
     world.append(stage.bodies(step, view, brakes))
     labels = []

@@ -31,7 +31,7 @@ from scegen.report.strokes import (
     walk,
 )
 from scegen.report.theme import LIGHT, Theme
-from scegen.report.words import REVERSES
+from scegen.report.words import REVERSES, plain
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import (
     Assignment,
@@ -42,7 +42,7 @@ from scegen.scenario.logical import (
     Walking,
 )
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import JunctionKind
 
 TILE_WIDTH = 240
 _PICTURE = 240
@@ -83,7 +83,31 @@ def _height(plan: Plan, arm: int, *, up: bool) -> float:
 
 def roads(functional: FunctionalScenario, theme: Theme = LIGHT) -> str:
     """The junction alone: the same in every tile."""
-    return _roads(make_plan(functional.junction), functional, theme)
+    plan = make_plan(functional.junction)
+    arms = range(len(plan.angles))
+    layers = []
+    beside = [(2 * _SHOULDER, theme.parking)] if plan.shoulder else []
+    for wider, paint in (*beside, (3.0, theme.kerb), (0.0, theme.road)):
+        for arm in arms:
+            half = plan.half(arm) + wider / 2
+            ends = ((0.0, half), (REACH, half), (REACH, -half), (0.0, -half))
+            layers.append(area(in_tile(plan.at(arm, *end) for end in ends), paint))
+        if plan.kind is not JunctionKind.STRAIGHT or plan.bends:
+            radius = RING + plan.lane if plan.is_ring else max(plan.half(arm) for arm in arms)
+            layers.append(circle(MIDDLE, MIDDLE, radius + wider / 2, paint))
+    if aside := auxiliary_area(plan):
+        layers.append(area(in_tile(aside), theme.road))
+    if plan.is_ring:
+        island = RING - plan.lane
+        layers.append(
+            circle(MIDDLE, MIDDLE, island, theme.ground, stroke=theme.kerb, stroke_width=1.5)
+        )
+    for arm in arms:
+        layers.append(_marks(plan, arm, theme, crosswalk=arm in functional.junction.crosswalks))
+        a = plan.angles[arm]
+        ((x, y),) = in_tile([((REACH + _NUMBER_AT) * cos(a), (REACH + _NUMBER_AT) * sin(a))])
+        layers.append(letters(str(arm), x, y + 4, 11, theme.text_soft, text_anchor="middle"))
+    return "".join(layers)
 
 
 def tile_body(
@@ -173,9 +197,9 @@ def moves_words(pattern: tuple[int, ...]) -> str:
 def way(assignment: Assignment) -> str:
     """What one participant does, in a few words."""
     if isinstance(assignment, Drive):
-        words = _words(assignment.turn)
+        words = plain(assignment.turn)
         if assignment.maneuver is not assignment.turn:
-            words = f"{_words(assignment.maneuver)}, {words}"
+            words = f"{plain(assignment.maneuver)}, {words}"
         if assignment.reverses is not None:
             words = f"{REVERSES[assignment.reverses]}, {words}"
         return f"{assignment.entry} → {assignment.exit}, {words}"
@@ -188,10 +212,6 @@ def way(assignment: Assignment) -> str:
     return f"stands at {assignment.arm}, {assignment.side}"
 
 
-def _words(maneuver: Maneuver) -> str:
-    return maneuver.replace("_", " ")
-
-
 def _spreads(drives: tuple[Drive, ...]) -> dict[str, float]:
     """Sideways shifts that keep arrows on the same arm apart."""
     shared: dict[str, float] = {}
@@ -200,37 +220,6 @@ def _spreads(drives: tuple[Drive, ...]) -> dict[str, float]:
         at, count = mates.index(drive.participant), len(mates)
         shared[drive.participant] = (at - (count - 1) / 2) * min(4.4, 9.0 / max(count - 1, 1))
     return shared
-
-
-def _roads(plan: Plan, functional: FunctionalScenario, theme: Theme) -> str:
-    arms = range(len(plan.angles))
-    layers = []
-    beside = [(2 * _SHOULDER, theme.parking)] if plan.shoulder else []
-    for wider, paint in (*beside, (3.0, theme.kerb), (0.0, theme.road)):
-        for arm in arms:
-            half = plan.half(arm) + wider / 2
-            ends = ((0.0, half), (REACH, half), (REACH, -half), (0.0, -half))
-            layers.append(area(in_tile(plan.at(arm, *end) for end in ends), paint))
-        if plan.kind is not JunctionKind.STRAIGHT or plan.bends:
-            radius = RING + plan.lane if plan.is_ring else _core(plan)
-            layers.append(circle(MIDDLE, MIDDLE, radius + wider / 2, paint))
-    if aside := auxiliary_area(plan):
-        layers.append(area(in_tile(aside), theme.road))
-    if plan.is_ring:
-        island = RING - plan.lane
-        layers.append(
-            circle(MIDDLE, MIDDLE, island, theme.ground, stroke=theme.kerb, stroke_width=1.5)
-        )
-    for arm in arms:
-        layers.append(_marks(plan, arm, theme, crosswalk=arm in functional.junction.crosswalks))
-        a = plan.angles[arm]
-        ((x, y),) = in_tile([((REACH + _NUMBER_AT) * cos(a), (REACH + _NUMBER_AT) * sin(a))])
-        layers.append(letters(str(arm), x, y + 4, 11, theme.text_soft, text_anchor="middle"))
-    return "".join(layers)
-
-
-def _core(plan: Plan) -> float:
-    return max(plan.half(arm) for arm in range(len(plan.angles)))
 
 
 def _marks(plan: Plan, arm: int, theme: Theme, *, crosswalk: bool) -> str:

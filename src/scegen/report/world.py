@@ -12,9 +12,8 @@ from math import atan2, cos, degrees, pi, sin
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from scegen.motion.model import Path
+from scegen.motion.model import Array, Path
 from scegen.report.corners import thing_corners
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
 from scegen.report.lane_shapes import RoadShapes, bays, road_shapes
@@ -27,8 +26,6 @@ from scegen.scenario.control import LIGHTS
 from scegen.scenario.objects import ObjectCategory, StaticObject
 from scegen.scenario.signals import SignalState
 from scegen.scenario.vocabulary import Control
-
-Array = NDArray[np.float64]
 
 _MARK_M, _DASHES = 0.15, "3 4.5"
 _STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, *LIGHTS})

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer
 
 from scegen.scenario.definitions import Word
-from scegen.scenario.model import FrozenModel, Identifier, Interval
+from scegen.scenario.model import CheckedModel, FrozenModel, Identifier, Interval
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
 
@@ -174,7 +175,7 @@ When = Annotated[
 ]
 
 
-class Act(FrozenModel):
+class Act(CheckedModel):
     """Something that ``participant`` does; amounts are None where the text gives none.
 
     ``target_speed_mps`` is the speed that it ends at, ``rate_mps2`` how fast its speed changes
@@ -200,13 +201,12 @@ class Act(FrozenModel):
     lateral_mps: Interval | None = None
     when: When | None = None
 
-    @model_validator(mode="after")
-    def _may_last(self) -> Act:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         does = self.kind.replace("_", " ")
         if self.duration_s is not None and self.kind not in LASTING:
             msg = f"acts.{self.id}: how long it takes to {does} follows from ways and speeds; "
-            raise ValueError(f"{msg}leave duration_s out")
+            yield f"{msg}leave duration_s out"
         if self.distance_m is not None and self.kind not in FAR:
             msg = f"acts.{self.id}: how far one goes to {does} is not made; "
-            raise ValueError(f"{msg}leave distance_m out")
-        return self
+            yield f"{msg}leave distance_m out"

@@ -92,10 +92,6 @@ def _sentence(item: ErrorDetails, models: Models) -> str:
     return f"{value} cannot be used"
 
 
-def _missing(_: ErrorDetails, __: Models) -> str:
-    return "is missing"
-
-
 def _unknown_field(item: ErrorDetails, models: Models) -> str:
     known = [name for model in models for name in model.model_fields]
     return f"there is no such field{_nearest(item['loc'][-1], known)}"
@@ -136,7 +132,7 @@ def _own_words(item: ErrorDetails, _: Models) -> str:
 
 
 _SENTENCES: Mapping[str, Callable[[ErrorDetails, Models], str]] = {
-    "missing": _missing,
+    "missing": lambda _, __: "is missing",
     "extra_forbidden": _unknown_field,
     "enum": _unknown_word,
     "literal_error": _unknown_word,

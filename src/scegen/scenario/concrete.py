@@ -6,14 +6,15 @@ along a drive are metres travelled from the outer end of the entry arm.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from scegen.scenario.bodies import BODIES, LENGTHS_M, WIDTHS_M, Body
 from scegen.scenario.functional import MAX_ARMS, MAX_LANES, Environment, Hazard
 from scegen.scenario.logical import LogicalScenario
-from scegen.scenario.model import ArmSet, FrozenModel, Identifier, VocabularySet
+from scegen.scenario.model import ArmSet, CheckedModel, FrozenModel, Identifier, VocabularySet
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import Reversal
 from scegen.scenario.roadway import (
@@ -350,7 +351,7 @@ class Change(FrozenModel):
     rejected: Rejected | None = None
 
 
-class ConcreteScenario(FrozenModel):
+class ConcreteScenario(CheckedModel):
     """All numbers of one scenario; ``hazards`` may name objects as their cause.
 
     ``signals`` is what its lights show, on its own clock; None where there are none.
@@ -370,33 +371,27 @@ class ConcreteScenario(FrozenModel):
     signals: SignalPlan | None = None
     provenance: tuple[Change, ...] = ()
 
-    @model_validator(mode="after")
-    def _one_ego(self) -> ConcreteScenario:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
-            msg = f"exactly one participant must have the role ego, found {egos or 'none'}"
-            raise ValueError(msg)
+            yield f"exactly one participant must have the role ego, found {egos or 'none'}"
         ids = [p.id for p in self.participants]
         everything = [entity.id for entity in self.entities]
         if len(set(everything)) != len(everything):
-            msg = f"ids of participants and objects are not unique: {sorted(everything)}"
-            raise ValueError(msg)
+            yield f"ids of participants and objects are not unique: {sorted(everything)}"
         for participant in self.participants:
             if isinstance(motion := participant.motion, SwingingMotion):
                 on = {p.id: (p.body, p.motion) for p in self.participants}
                 if on.get(motion.vehicle) != (motion.of, motion.stands):
-                    msg = f"{participant.id} does not hang on {motion.vehicle}, as that one stands"
-                    raise ValueError(msg)
+                    yield f"{participant.id} does not hang on {motion.vehicle}, as that one stands"
             for phase in participant.speed_program:
                 reference = getattr(phase.trigger, "participant", None)
                 if reference is not None and reference not in ids:
-                    msg = f"a trigger of {participant.id} names the unknown {reference!r}"
-                    raise ValueError(msg)
+                    yield f"a trigger of {participant.id} names the unknown {reference!r}"
             struck = participant.on_contact
             if struck is not None and struck.participant not in {*everything} - {participant.id}:
-                msg = f"on_contact of {participant.id} names the unknown {struck.participant!r}"
-                raise ValueError(msg)
-        return self
+                yield f"on_contact of {participant.id} names the unknown {struck.participant!r}"
 
     @property
     def latest_end_s(self) -> float:

@@ -57,15 +57,19 @@ def from_data(cls: type[M], data: object, *, where: str) -> M:
         raise VocabularyError(in_words(error, cls, data), where=where) from error
 
 
-def read_text(path: Path) -> str:
-    """A file's text, without a byte order mark; InputError if it cannot be read."""
+def read_bytes(path: Path) -> bytes:
+    """A file's bytes; InputError if it is missing or cannot be read."""
     try:
-        content = path.read_bytes()
+        return path.read_bytes()
     except OSError as error:
         raise InputError(
             f"cannot be read: {error.strerror}", where=str(path), hint="check the path"
         ) from error
-    return text_of(content, where=str(path))
+
+
+def read_text(path: Path) -> str:
+    """A file's text, without a byte order mark; InputError if it cannot be read."""
+    return text_of(read_bytes(path), where=str(path))
 
 
 def text_of(content: bytes, *, where: str) -> str:
@@ -88,6 +92,11 @@ def load(path: Path, cls: type[M]) -> M:
             f"is a {level} file, not a {wanted} scenario", where=str(path), hint=_MADE_BY[wanted]
         )
     return _whole(cls, data, str(path))
+
+
+def load_if_there(path: Path, cls: type[M]) -> M | None:
+    """Read one level from a file; None if there is no file."""
+    return load(path, cls) if path.is_file() else None
 
 
 def load_any(path: Path) -> AnyLevel | None:

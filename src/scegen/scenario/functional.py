@@ -6,10 +6,10 @@ A set holds every value that the text allows; an empty set leaves the choice to 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from scegen.scenario.acts import (
     Act,
@@ -23,6 +23,7 @@ from scegen.scenario.bends import Bend
 from scegen.scenario.bodies import BODIES, LENGTHS_M, WIDTHS_M, Body
 from scegen.scenario.model import (
     ArmSet,
+    CheckedModel,
     FrozenModel,
     Identifier,
     Interval,
@@ -81,7 +82,7 @@ ARM_COUNTS: dict[JunctionKind, tuple[int, int]] = {
 """Fewest and most arms of each junction kind."""
 
 
-class Junction(FrozenModel):
+class Junction(CheckedModel):
     """The road network that a description speaks of.
 
     ``arm_angles_deg`` are the directions of the arms seen from the centre, in degrees
@@ -125,69 +126,52 @@ class Junction(FrozenModel):
         """How wide its lanes are, where nothing is said as wide as is usual."""
         return self.lane_width_m or LANE_WIDTH_M
 
-    @model_validator(mode="after")
-    def _fits_its_kind(self) -> Junction:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         fewest, most = ARM_COUNTS[self.kind]
         if not fewest <= self.arms <= most:
             wanted = f"{fewest}" if fewest == most else f"{fewest} to {most}"
-            msg = f"a {self.kind} junction has {wanted} arms, not {self.arms}"
-            raise ValueError(msg)
+            yield f"a {self.kind} junction has {wanted} arms, not {self.arms}"
         if self.arm_angles_deg and len(self.arm_angles_deg) != self.arms:
-            msg = f"arm_angles_deg gives {len(self.arm_angles_deg)} angles for {self.arms} arms"
-            raise ValueError(msg)
+            yield f"arm_angles_deg gives {len(self.arm_angles_deg)} angles for {self.arms} arms"
         if list(self.arm_angles_deg) != sorted(a % 360 for a in self.arm_angles_deg):
-            msg = "arm_angles_deg must rise from arm to arm within [0, 360)"
-            raise ValueError(msg)
+            yield "arm_angles_deg must rise from arm to arm within [0, 360)"
         if self.lanes and len(self.lanes) != self.arms:
-            msg = f"lanes gives {len(self.lanes)} numbers for {self.arms} arms"
-            raise ValueError(msg)
+            yield f"lanes gives {len(self.lanes)} numbers for {self.arms} arms"
         most = MAX_LANES if self.kind is JunctionKind.STRAIGHT else MAX_LANES - 1
         if any(not 1 <= count <= most for count in self.lanes):
-            msg = "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
-            raise ValueError(msg)
+            yield "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
         if self.bend is not None and self.arm_angles_deg:
-            msg = "a road has a bend or arm_angles_deg, not both"
-            raise ValueError(msg)
+            yield "a road has a bend or arm_angles_deg, not both"
         if self.bend is not None and self.auxiliary is not None:
-            msg = "a road has a bend or an auxiliary lane, not both"
-            raise ValueError(msg)
+            yield "a road has a bend or an auxiliary lane, not both"
         if any(not 0 <= arm < self.arms for arm in self.crosswalks):
-            msg = f"crosswalks names an arm outside 0..{self.arms - 1}"
-            raise ValueError(msg)
+            yield f"crosswalks names an arm outside 0..{self.arms - 1}"
         if self.kind is JunctionKind.STRAIGHT and len(self.crosswalks) > 1:
-            msg = "a road without a junction has one crosswalk at most"
-            raise ValueError(msg)
+            yield "a road without a junction has one crosswalk at most"
         if self.crosswalks and self.auxiliary is not None:
-            msg = "a road has a crosswalk or an auxiliary lane, not both"
-            raise ValueError(msg)
-        return self
+            yield "a road has a crosswalk or an auxiliary lane, not both"
+        yield from self._fits_along()
 
-    @model_validator(mode="after")
-    def _fits_along(self) -> Junction:
+    def _fits_along(self) -> Iterator[str]:
         """What lies along the road goes with its kind, and with what else lies there."""
         if self.kind is not JunctionKind.STRAIGHT:
             for field in ("carriageway", "bend", "auxiliary"):
                 if getattr(self, field) != Junction.model_fields[field].default:
-                    msg = f"{field} is only for a road without a junction, kind straight"
-                    raise ValueError(msg)
+                    yield f"{field} is only for a road without a junction, kind straight"
             if interrupted := self.strips & PLAIN_ROAD_STRIPS:
-                msg = f"strips: {min(interrupted)} is only for a road without a junction"
-                raise ValueError(msg)
+                yield f"strips: {min(interrupted)} is only for a road without a junction"
         beside = self.strips & NOT_BESIDE_A_SHOULDER
         if Strip.HARD_SHOULDER in self.strips and beside:
-            msg = f"strips: a road has a hard_shoulder or a {min(beside)}, not both"
-            raise ValueError(msg)
+            yield f"strips: a road has a hard_shoulder or a {min(beside)}, not both"
         if self.auxiliary_length_m is not None and self.auxiliary is None:
-            msg = "auxiliary_length_m is of an auxiliary lane; say which in auxiliary"
-            raise ValueError(msg)
+            yield "auxiliary_length_m is of an auxiliary lane; say which in auxiliary"
         beside = self.strips - BESIDE_AN_AUXILIARY_LANE
         if self.auxiliary is not None and beside:
-            msg = f"strips: no {min(beside)} lies beside an auxiliary lane"
-            raise ValueError(msg)
-        return self
+            yield f"strips: no {min(beside)} lies beside an auxiliary lane"
 
 
-class Participant(FrozenModel):
+class Participant(CheckedModel):
     """Somebody or something in traffic.
 
     ``approaches`` are relative to the ego, ``adjacent`` with ``left`` or ``right`` is the lane
@@ -226,18 +210,14 @@ class Participant(FrozenModel):
     length_m: Annotated[Interval, between(*LENGTHS_M)] | None = None
     width_m: Annotated[Interval, between(*WIDTHS_M)] | None = None
 
-    @model_validator(mode="after")
-    def _somebody(self) -> Participant:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if self.kind is ParticipantKind.DOOR:
-            msg = f"{self.id}: a door is no participant; its vehicle has the act open_door"
-            raise ValueError(msg)
+            yield f"{self.id}: a door is no participant; its vehicle has the act open_door"
         if self.green_delay_s is not None and self.light is not AtLight.WAITS:
-            msg = f"{self.id}: green_delay_s is of one who waits for green, with `light: waits`"
-            raise ValueError(msg)
+            yield f"{self.id}: green_delay_s is of one who waits for green, with `light: waits`"
         if self.on_call and self.kind is not ParticipantKind.EMERGENCY_VEHICLE:
-            msg = f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}"
-            raise ValueError(msg)
-        return self
+            yield f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}"
 
     @property
     def body(self) -> Body:
@@ -266,7 +246,7 @@ class Hazard(FrozenModel):
     to: tuple[Identifier, ...] = ()
 
 
-class Group(FrozenModel):
+class Group(CheckedModel):
     """So many of the ``members``, no matter which, do one of these maneuvers; the others do not.
 
     What a text says of some of several alike ("three of the ten turn left") stands here and not
@@ -277,12 +257,10 @@ class Group(FrozenModel):
     number: int = Field(ge=0)
     maneuvers: VocabularySet[Maneuver] = Field(min_length=1)
 
-    @model_validator(mode="after")
-    def _not_more_than_there_are(self) -> Group:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if self.number > len(self.members):
-            msg = f"{self.number} of {len(self.members)} members are more than there are"
-            raise ValueError(msg)
-        return self
+            yield f"{self.number} of {len(self.members)} members are more than there are"
 
 
 class Environment(FrozenModel):
@@ -300,7 +278,7 @@ class Environment(FrozenModel):
     visual_range_m: float | None = Field(default=None, gt=0, le=100_000)
 
 
-class Evidence(FrozenModel):
+class Evidence(CheckedModel):
     """What one field rests on.
 
     ``field`` is a path such as ``junction.kind`` or ``participants.car_1.maneuvers``;
@@ -316,15 +294,12 @@ class Evidence(FrozenModel):
     end: int | None = Field(default=None, ge=0)
     reason: str | None = None
 
-    @model_validator(mode="after")
-    def _rests_on_something(self) -> Evidence:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if self.source is EvidenceSource.STATED and self.text is None:
-            msg = f"stated field {self.field} names no words of the text"
-            raise ValueError(msg)
+            yield f"stated field {self.field} names no words of the text"
         if self.source is not EvidenceSource.STATED and not self.reason:
-            msg = f"field {self.field} is {self.source} without a reason"
-            raise ValueError(msg)
-        return self
+            yield f"field {self.field} is {self.source} without a reason"
 
 
 class Unsupported(FrozenModel):
@@ -343,7 +318,7 @@ def _twice(names: Collection[str]) -> str | None:
     return next(name for name, times in Counter(names).items() if times > 1)
 
 
-class FunctionalScenario(FrozenModel):
+class FunctionalScenario(CheckedModel):
     """A description, understood. Exactly one participant is the ego."""
 
     level: Literal["functional"] = "functional"
@@ -371,57 +346,48 @@ class FunctionalScenario(FrozenModel):
         counted = "1 phrase is" if len(phrases) == 1 else f"{len(phrases)} phrases are"
         return f"{counted} not expressed and not judged: {shown}"
 
-    @model_validator(mode="after")
-    def _consistent(self) -> FunctionalScenario:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         ids = [p.id for p in self.participants]
         if doubled := _twice(ids):
-            msg = f"two participants are called {doubled!r}"
-            raise ValueError(msg)
+            yield f"two participants are called {doubled!r}"
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
             named = ", ".join(egos) or "none"
-            msg = f"exactly one participant must have the role ego, found {named}"
-            raise ValueError(msg)
+            yield f"exactly one participant must have the role ego, found {named}"
         for participant in self.participants:
             if any(not 0 <= arm < self.junction.arms for arm in participant.entries):
-                msg = (
+                yield (
                     f"{participant.id} enters at an arm outside 0..{self.junction.arms - 1}: "
                     f"{sorted(participant.entries)}"
                 )
-                raise ValueError(msg)
             if participant.strip is not None and participant.strip not in self.junction.strips:
-                msg = (
+                yield (
                     f"{participant.id} is on the strip {participant.strip}, which is not one of "
                     "junction.strips"
                 )
-                raise ValueError(msg)
-            self._has_a_light(participant)
+            yield from self._has_a_light(participant)
         for thing in self.objects:
             if thing.id in ids:
-                msg = f"an object has the name of another, {thing.id!r}"
-                raise ValueError(msg)
+                yield f"an object has the name of another, {thing.id!r}"
             ids.append(thing.id)
-        self._names_known(ids)
-        return self
+        yield from self._names_known(ids)
 
-    def _has_a_light(self, participant: Participant) -> None:
+    def _has_a_light(self, participant: Participant) -> Iterator[str]:
         """Whoever meets a light in some way has one that can show it."""
         if participant.light is None:
             return
         if self.junction.control is not Control.SIGNALS:
-            msg = f"{participant.id} has a light, but junction.control is not signals"
-            raise ValueError(msg)
+            yield f"{participant.id} has a light, but junction.control is not signals"
         if participant in self.crossers and participant.light not in {AtLight.GREEN, AtLight.RED}:
-            msg = f"{participant.id} crosses: its light is green or red, not {participant.light}"
-            raise ValueError(msg)
+            yield f"{participant.id} crosses: its light is green or red, not {participant.light}"
         if participant.light is AtLight.WAITS and participant.maneuvers == {Maneuver.STAY}:
-            msg = (
+            yield (
                 f"{participant.id} waits at its light, so it goes on at green: it does not `stay`. "
                 "Leave the maneuver out; who stands there at first has speed_mps 0"
             )
-            raise ValueError(msg)
 
-    def _names_known(self, known: Collection[str]) -> None:
+    def _names_known(self, known: Collection[str]) -> Iterator[str]:
         """Whoever is named takes part (or is an object), and every act that is named happens."""
         named = [
             (name, "relations") for r in self.relations for name in (r.participant, r.reference)
@@ -451,27 +417,24 @@ class FunctionalScenario(FrozenModel):
             if name not in known:
                 msg = f"{place} names the unknown participant {name!r}; "
                 msg += f"known: {', '.join(sorted(known))}"
-                raise ValueError(msg)
-        self._moments_known(moments)
+                yield msg
+        yield from self._moments_known(moments)
 
-    def _moments_known(self, moments: Collection[str]) -> None:
+    def _moments_known(self, moments: Collection[str]) -> Iterator[str]:
         """Every act that is named as a moment is told of, and has one."""
         acts = [act.id for act in self.acts]
         if doubled := _twice(acts):
-            msg = f"two acts are called {doubled!r}"
-            raise ValueError(msg)
+            yield f"two acts are called {doubled!r}"
         for moment in moments:
             if moment not in acts:
-                msg = f"the unknown act {moment!r} is named; known: {', '.join(acts) or 'none'}"
-                raise ValueError(msg)
+                yield f"the unknown act {moment!r} is named; known: {', '.join(acts) or 'none'}"
         for act in self.acts:
             if act.kind is ActKind.GIVE_WAY and act.into is None:
-                msg = f"acts.{act.id} gives way to nobody: say in `into` to whom"
-                raise ValueError(msg)
+                yield f"acts.{act.id} gives way to nobody: say in `into` to whom"
             if act.kind is ActKind.GIVE_WAY and act.id in moments:
                 msg = f"acts.{act.id} gives way, which has no moment of its own: "
                 msg += "leave out the trigger or spacing that names it, or let it `wait`"
-                raise ValueError(msg)
+                yield msg
 
     @property
     def ego(self) -> Participant:

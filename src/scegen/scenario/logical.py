@@ -183,6 +183,11 @@ class LogicalScenario(FrozenModel):
     parameters: tuple[ParameterRange, ...] = ()
 
     @property
+    def name(self) -> str:
+        """Its number and its slug, as people call it."""
+        return f"{self.index:03d}-{self.slug}"
+
+    @property
     def drives(self) -> tuple[Drive, ...]:
         """The assignments of vehicles that drive."""
         return tuple(a for a in self.assignments if isinstance(a, Drive))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from enum import Enum
 from typing import Annotated, Any, Self, TypeVar
 
@@ -42,6 +42,20 @@ class FrozenModel(BaseModel):
         return made
 
 
+class CheckedModel(FrozenModel):
+    """One whose fields have to fit together, too."""
+
+    def misfits(self) -> Iterator[str]:
+        """What does not fit, in words; the first of these is told."""
+        raise NotImplementedError
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        for misfit in self.misfits():
+            raise ValueError(misfit)
+        return self
+
+
 def _in_order(values: Iterable[Any]) -> list[Any]:
     """Sets are written in the order of the vocabulary, so that files never differ by chance."""
 
@@ -61,7 +75,7 @@ Identifier = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=40)]
 """Names of participants: lower case, usable as file, XML and ASP constants."""
 
 
-class Interval(FrozenModel):
+class Interval(CheckedModel):
     """A closed range of a quantity in SI units; ``low == high`` is an exact statement.
 
     In files a plain number stands for the range of that one value.
@@ -76,12 +90,10 @@ class Interval(FrozenModel):
         number = isinstance(data, int | float) and not isinstance(data, bool)
         return {"low": data, "high": data} if number else data
 
-    @model_validator(mode="after")
-    def _ordered(self) -> Interval:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if self.low > self.high:
-            msg = f"low {self.low:g} lies above high {self.high:g}"
-            raise ValueError(msg)
-        return self
+            yield f"low {self.low:g} lies above high {self.high:g}"
 
     @property
     def middle(self) -> float:
@@ -103,8 +115,9 @@ def between(least: float, most: float) -> AfterValidator:
 
     def inside(said: Interval) -> Interval:
         if not least <= said.low <= said.high <= most:
-            msg = f"it is between {least:g} and {most:g}, not {said.low:g} to {said.high:g}"
-            raise ValueError(msg)
+            raise ValueError(
+                f"it is between {least:g} and {most:g}, not {said.low:g} to {said.high:g}"
+            )
         return said
 
     return AfterValidator(inside)

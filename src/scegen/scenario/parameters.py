@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from pydantic import model_validator
+from collections.abc import Iterator
 
-from scegen.scenario.model import FrozenModel
+from scegen.scenario.model import CheckedModel
 
 
-class ParameterRange(FrozenModel):
+class ParameterRange(CheckedModel):
     """A parameter that concretization may choose within ``[low, high]``; ``name`` ends in its unit.
 
     ``name`` is of whom and what: ``<participant>.speed_mps``, ``<act>.rate_mps2`` (and every other
@@ -22,9 +22,7 @@ class ParameterRange(FrozenModel):
     default: float
     reason: str
 
-    @model_validator(mode="after")
-    def _ordered(self) -> ParameterRange:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if not self.low <= self.default <= self.high:
-            msg = f"{self.name}: default {self.default:g} outside [{self.low:g}, {self.high:g}]"
-            raise ValueError(msg)
-        return self
+            yield f"{self.name}: default {self.default:g} outside [{self.low:g}, {self.high:g}]"

@@ -7,7 +7,7 @@ from typing import Literal
 from scegen.scenario.concrete import Change
 from scegen.scenario.model import FrozenModel, Identifier
 from scegen.scenario.vocabulary import HazardKind
-from scegen.scenario.wording import counted
+from scegen.scenario.wording import change, counted, figure
 
 
 class PartProof(FrozenModel):
@@ -103,6 +103,11 @@ class MeasureProof(FrozenModel):
     unit: str
     before: float | None
     after: float | None
+
+    @property
+    def in_words(self) -> str:
+        """Such as ``0.83 → 0.78 s``; only one figure where it stays."""
+        return f"{change(figure(self.before), figure(self.after))} {self.unit}"
 
 
 class Advice(FrozenModel):

@@ -6,11 +6,12 @@ Before and after that part it drives forwards as any other.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from scegen.scenario.model import FrozenModel
+from scegen.scenario.model import CheckedModel, FrozenModel
 from scegen.scenario.vocabulary import Side
 
 MOST_BACK_M = 100.0
@@ -25,7 +26,7 @@ class BacksUp(FrozenModel):
     length_m: float = Field(gt=0, le=MOST_BACK_M)
 
 
-class BacksOut(FrozenModel):
+class BacksOut(CheckedModel):
     """Starts beside the road or on a side arm and comes out backwards, rear first.
 
     It has come out where the drive starts (``start_m``), and drives on from there. It begins
@@ -42,12 +43,10 @@ class BacksOut(FrozenModel):
     radius_m: float = Field(default=5.0, ge=2.0, le=50)
     straight_m: float | None = Field(default=None, gt=0, le=MOST_BACK_M)
 
-    @model_validator(mode="after")
-    def _from_one_place(self) -> BacksOut:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         if (self.side is None) == (self.arm is None):
-            msg = "one that backs out does so from a side of its road, or from an arm"
-            raise ValueError(msg)
-        return self
+            yield "one that backs out does so from a side of its road, or from an arm"
 
 
 Reversal = Annotated[BacksUp | BacksOut, Field(discriminator="type")]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Literal
 
 from pydantic import Field, model_validator
 
 from scegen.scenario.definitions import Word
-from scegen.scenario.model import FrozenModel, Identifier, Interval
+from scegen.scenario.model import CheckedModel, Identifier, Interval
 from scegen.scenario.vocabulary import Side
 
 START, CONTACT = "start", "contact"
@@ -67,7 +68,7 @@ LENGTHWISE = frozenset({Measure.GAP_M, Measure.HEADWAY_S, Measure.TTC_S})
 """Measures along the road."""
 
 
-class Spacing(FrozenModel):
+class Spacing(CheckedModel):
     """The ``measure`` of ``participant`` to ``reference`` is ``value``.
 
     ``at`` says when: ``start``, ``contact``, or the id of an act: ``since`` its begin, or its end
@@ -85,16 +86,13 @@ class Spacing(FrozenModel):
     since: Literal["begin", "end"] = "begin"
     side: Side | None = None
 
-    @model_validator(mode="after")
-    def _of_two(self) -> Spacing:
+    def misfits(self) -> Iterator[str]:
+        """See CheckedModel."""
         alone = self.participant == self.reference
         if alone and self.measure is not Measure.LATERAL_OFFSET_M:
-            msg = f"{self.participant} has a {self.measure} to itself; name another as reference"
-            raise ValueError(msg)
+            yield f"{self.participant} has a {self.measure} to itself; name another as reference"
         if self.since == "end" and self.at in {START, CONTACT}:
-            msg = f"`since: end` is of an act; `at` names none but {self.at!r}"
-            raise ValueError(msg)
-        return self
+            yield f"`since: end` is of an act; `at` names none but {self.at!r}"
 
     @model_validator(mode="before")
     @classmethod

@@ -18,6 +18,11 @@ def with_article(noun: str) -> str:
     return f"an {noun}" if noun[:1].lower() in {*"aeiou"} else f"a {noun}"
 
 
+def figure(value: float | None) -> str:
+    """``0.83``; a dash where there is nothing to measure."""
+    return "–" if value is None else f"{value:.2f}"
+
+
 def change(before: str, after: str) -> str:
     """``0.83 → 0.78``; only the figure where it stays."""
     return after if before == after else f"{before} → {after}"

@@ -15,7 +15,7 @@ from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet
 from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.web import tasks
-from scegen.web.jobs import Job, Jobs
+from scegen.web.jobs import Job, Jobs, Task
 from scegen.web.undertakings import Undertakings
 
 LONGEST_RULES = 20_000
@@ -33,12 +33,14 @@ class Listing:
     notes: tuple[str, ...] = ()
     scenarios: list[LogicalScenario] = field(default_factory=list)
     whole: bool = False
+    _by_index: dict[int, LogicalScenario] = field(default_factory=dict)
     _meetings: dict[int, frozenset[Meeting]] = field(default_factory=dict)
 
     def add(self, scenarios: Iterable[LogicalScenario]) -> None:
         """Take in more; who meets whom in them is worked out now, not when it is looked at."""
         for scenario in scenarios:
             self.scenarios.append(scenario)
+            self._by_index.setdefault(scenario.index, scenario)
             self._meetings[scenario.index] = meetings(self.functional, scenario)
 
     def meetings_of(self, scenario: LogicalScenario) -> frozenset[Meeting]:
@@ -64,13 +66,9 @@ class Listing:
         Raises:
             InputError: there is none.
         """
-        listed = self.scenarios
-        if 0 <= index < len(listed) and listed[index].index == index:
-            return listed[index]
-        for candidate in listed:
-            if candidate.index == index:
-                return candidate
-        raise InputError(f"there is no scenario {index}")
+        if index not in self._by_index:
+            raise InputError(f"there is no scenario {index}")
+        return self._by_index[index]
 
     def matching(self, where: str, scenarios: Iterable[LogicalScenario]) -> list[int]:
         """The numbers of those for which an expression holds; of all if it is empty.
@@ -165,17 +163,16 @@ class Choice(Undertakings):
 
     def choose_covering(self) -> None:
         """Choose the fewest of those shown that hold every meeting of them."""
-        if self.listing is not None and self.shown:
-            chosen = tuple(self.listing.scenario(i) for i in self.shown)
-            functional = self.listing.functional
-            self._begin("choosing", self._chosen, tasks.cover, chosen, functional)
+        self._choose_by(tasks.cover)
 
     def choose_diverse(self, size: int) -> None:
         """Choose so many of those shown that differ as much as possible."""
+        self._choose_by(tasks.sample, size)
+
+    def _choose_by(self, task: Task, *more: object) -> None:
         if self.listing is not None and self.shown:
-            chosen = tuple(self.listing.scenario(i) for i in self.shown)
-            functional = self.listing.functional
-            self._begin("choosing", self._chosen, tasks.sample, chosen, functional, size)
+            shown = tuple(self.listing.scenario(i) for i in self.shown)
+            self._begin("choosing", self._chosen, task, shown, self.listing.functional, *more)
 
     @property
     def edition(self) -> int:

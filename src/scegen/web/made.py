@@ -9,17 +9,14 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from scegen.checking.subject import FUNCTIONAL_FILE
+from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, read_proof
 from scegen.criticality.careful_driver import Verdict
 from scegen.errors import InputError
-from scegen.pipeline.export import CONCRETE_FILE
 from scegen.pipeline.folder import SUMMARY_FILE
-from scegen.pipeline.raising import PROOF_FILE
 from scegen.pipeline.source import GIVEN_FILE
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_data, load, read_text
+from scegen.scenario.files import load, load_if_there, read_text
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.parsing import parse
 from scegen.scenario.proof import Proof
 from scegen.scenario.rule_file import RULES_FILE
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -85,9 +82,6 @@ def read_made(folder: Path) -> Made:
     Raises:
         InputError: a file in it cannot be used; names it by its place in the folder.
     """
-    functional = None
-    if (folder / FUNCTIONAL_FILE).is_file():
-        functional = load(folder / FUNCTIONAL_FILE, FunctionalScenario)
     summary = _summary(folder)
     enumeration = summary.get("enumeration") or {}
     scenarios = []
@@ -96,25 +90,18 @@ def read_made(folder: Path) -> Made:
         if place.resolve().parent != (folder / _SCENARIOS).resolve():
             raise InputError("names a scenario outside its folder", where=SUMMARY_FILE)
         concrete = load(place / CONCRETE_FILE, ConcreteScenario)
-        scenarios.append(MadeScenario(str(row["name"]), concrete, _proof(place), row))
+        scenarios.append(MadeScenario(str(row["name"]), concrete, read_proof(place), row))
     return Made(
         folder,
-        functional,
+        load_if_there(folder / FUNCTIONAL_FILE, FunctionalScenario),
         Reduction(enumeration.get("reduction", Reduction.EXACT)),
         ArmsMode(enumeration.get("arms", ArmsMode.DISTINCT)),
         read_text(folder / RULES_FILE) if (folder / RULES_FILE).is_file() else "",
-        load(folder / GIVEN_FILE, ConcreteScenario) if (folder / GIVEN_FILE).is_file() else None,
+        load_if_there(folder / GIVEN_FILE, ConcreteScenario),
         tuple(scenarios),
         {str(k): str(v) for k, v in summary.get("skipped", {}).items()},
         summary,
     )
-
-
-def _proof(place: Path) -> Proof | None:
-    file = place / PROOF_FILE
-    if not file.is_file():
-        return None
-    return from_data(Proof, parse(read_text(file), where=PROOF_FILE), where=PROOF_FILE)
 
 
 def _summary(folder: Path) -> dict[str, Any]:

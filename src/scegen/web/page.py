@@ -15,7 +15,7 @@ from scegen.errors import ScegenError
 from scegen.report.player.bundle import player_css
 from scegen.report.theme import css
 from scegen.scenario.wording import counted
-from scegen.web.elements import button, node
+from scegen.web.elements import button, mark, node
 from scegen.web.steps.choose import Choose
 from scegen.web.steps.danger import Danger
 from scegen.web.steps.describe import Describe
@@ -138,22 +138,22 @@ class Page:
             notes["choose"] = f"{len(work.picked)} of {work.listing.certificate.count:,}"
         if work.busy("making"):
             notes["danger"] = "searching"
-        if work.made is not None and work.made.scenarios:
-            notes["watch"] = f"{len(work.made.scenarios)} made"
+        made = work.made.scenarios if work.made is not None else ()
+        if made:
+            notes["watch"] = f"{len(made)} made"
         possible = {
             "describe": True,
             "choose": work.listing is not None,
             "danger": work.functional is not None or work.given is not None,
-            "watch": work.made is not None and bool(work.made.scenarios),
-            "take": work.made is not None and bool(work.made.scenarios),
+            "watch": bool(made),
+            "take": bool(made),
         }
-        for name, (mark, note) in self._marks.items():
+        for name, (shown, note) in self._marks.items():
             note.text = notes[name]
-            mark.classes(add="here" if name == self._step else "", remove="here")
-            mark.props.set_bool("disabled", not possible[name] and name != self._step)
-            mark.props.set_optional("aria-current", "step" if name == self._step else None)
-            if name == self._step:
-                mark.classes(add="here")
+            here = name == self._step
+            mark(shown, "here", on=here)
+            shown.props.set_bool("disabled", not possible[name] and not here)
+            shown.props.set_optional("aria-current", "step" if here else None)
         self._place.text = work.folder.name if work.folder is not None else ""
 
     def _complain(self, error: Exception) -> None:

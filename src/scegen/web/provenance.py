@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.paths import NOWHERE, value_at
 from scegen.scenario.vocabulary import EvidenceSource
 from scegen.web.form import Spec, form_spec
 
 BY_HAND, CONFIRMED = "set by hand", "confirmed by hand"
-_NOWHERE = object()
 _NAMING = frozenset({"by", "to", "hides", "in_way_of", "into", "between"})
 """Fields that name participants, objects or acts and can do without."""
 
@@ -23,7 +23,7 @@ def carried_over(old: FunctionalScenario, new: FunctionalScenario) -> tuple[Evid
     kept = []
     for item in old.evidence:
         value = value_at(after, item.field)
-        if value is _NOWHERE:
+        if value is NOWHERE:
             continue
         same = value == value_at(before, item.field)
         kept.append(item if same else _from_hand(item.field, BY_HAND))
@@ -43,31 +43,6 @@ def confirmed(scenario: FunctionalScenario, field: str) -> FunctionalScenario:
 
 def _from_hand(field: str, reason: str) -> Evidence:
     return Evidence(field=field, source=EvidenceSource.INFERRED, reason=reason)
-
-
-def value_at(data: Any, path: str) -> Any:  # noqa: ANN401 - JSON-able data
-    """What stands at the path of a field; :data:`_NOWHERE` if nothing does.
-
-    Hazards are named by kind: the value is all of that kind.
-    """
-    head, _, rest = path.partition(".")
-    if head == "hazards" and rest:
-        kind, _, part = rest.partition(".")
-        alike = [h for h in data["hazards"] if h["kind"] == kind]
-        if not alike:
-            return _NOWHERE
-        return [h.get(part) for h in alike] if part else alike
-    here = data
-    for part in path.split("."):
-        if isinstance(here, dict):
-            here = here.get(part, _NOWHERE)
-        elif isinstance(here, list):
-            named = [x for x in here if isinstance(x, dict) and x.get("id") == part]
-            index = int(part) if part.isdigit() else len(here)
-            here = named[0] if named else here[index] if index < len(here) else _NOWHERE
-        else:
-            return _NOWHERE
-    return here
 
 
 def renamed(scenario: FunctionalScenario, old: str, new: str) -> dict[str, Any]:

@@ -43,7 +43,6 @@ class Work(Choice):
         self.draft = ""
         self.report: ParseReport | None = None
         self.understood: tasks.Understood | None = None
-        self.edited = False
         self.form_trouble: str | None = None
         self.options = Options()
         self.given: LogicalSet | ConcreteScenario | None = None
@@ -71,13 +70,9 @@ class Work(Choice):
 
     def edit(self, data: dict[str, Any]) -> None:
         """Change the functional scenario to what the form says, if that is one."""
-        try:
-            new = from_data(FunctionalScenario, data, where="form")
-        except ScegenError as error:
-            self.form_trouble = error.message
-            self._changed("form")
+        new, old = self._of_form(data), self.functional
+        if new is None:
             return
-        old = self.functional
         if old is not None:
             new = new.model_copy(
                 update={
@@ -86,7 +81,6 @@ class Work(Choice):
                     "unsupported": old.unsupported,
                 }
             )
-        self.edited = True
         self.take(new)
 
     def forget(self, name: str) -> None:
@@ -98,14 +92,18 @@ class Work(Choice):
         """Give a participant, an object or an act another name, wherever it is named."""
         if self.functional is None or new == old:
             return
+        found = self._of_form(renamed(self.functional, old, new))
+        if found is not None:
+            self.take(found)
+
+    def _of_form(self, data: dict[str, Any]) -> FunctionalScenario | None:
+        """The functional scenario that a form holds; None, and why not, if that is none."""
         try:
-            found = from_data(FunctionalScenario, renamed(self.functional, old, new), where="form")
+            return from_data(FunctionalScenario, data, where="form")
         except ScegenError as error:
             self.form_trouble = error.message
             self._changed("form")
-            return
-        self.edited = True
-        self.take(found)
+            return None
 
     def confirm(self, *paths: str) -> None:
         """What was assumed of fields is meant."""
@@ -124,11 +122,10 @@ class Work(Choice):
 
     def _understood(self, job: Job) -> None:
         found: tasks.Understood = job.result
-        self.understood, self.report, self.edited = found, found.report, False
+        self.understood, self.report = found, found.report
         if self.models is not None and found.usage is not None:
             self.models.spend(found.usage)
-        self.folder = self.kept = None
-        self.rules = ""
+        self._begin_anew()
         if found.functional is not None:
             self.take(found.functional)
         else:
@@ -136,10 +133,14 @@ class Work(Choice):
             self._changed("form", "listing", "choice")
         self._changed("text")
 
-    def _taken_in(self, job: Job) -> None:
-        self.understood = None
+    def _begin_anew(self) -> None:
+        """What comes now has no folder and no rules yet."""
         self.folder = self.kept = None
         self.rules = ""
+
+    def _taken_in(self, job: Job) -> None:
+        self.understood = None
+        self._begin_anew()
         if isinstance(job.result, str):
             self.understand(job.result)
         elif isinstance(job.result, FunctionalScenario):
@@ -286,7 +287,7 @@ class Work(Choice):
         made: Made = job.result
         self._show(made)
         self.made_of = made.functional
-        self.understood, self.edited = None, False
+        self.understood = None
         if made.functional is not None:
             self.draft = made.functional.description
             self.reduction, self.arms, self.rules = made.reduction, made.arms, made.rules

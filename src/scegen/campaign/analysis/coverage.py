@@ -73,7 +73,9 @@ class Coverage:
 def coverage(store: Store, table: pa.Table) -> Coverage:
     """The coverage of the rows of a table with the columns ``NEEDED``."""
     rows: list[dict[str, Any]] = table.select(list(NEEDED)).to_pylist()
-    held = tuple(_held(row) for row in rows)
+    held = tuple(
+        frozenset({*(row["covered"] or ()), *speed_cells(row)} if good(row) else ()) for row in rows
+    )
     counts = Counter(cell for cells in held for cell in cells)
     reasons: dict[str, Counter[str]] = {}
     for row in rows:
@@ -118,10 +120,6 @@ def good(row: dict[str, Any]) -> bool:
         and "failed" not in dict(row["checks"] or ()).values()
         and row["confirmed"] != "failed"
     )
-
-
-def _held(row: dict[str, Any]) -> frozenset[str]:
-    return frozenset({*(row["covered"] or ()), *speed_cells(row)} if good(row) else ())
 
 
 def _why(row: dict[str, Any], cell: str) -> str:

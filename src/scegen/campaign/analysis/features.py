@@ -18,10 +18,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
+from scegen.motion.batch.arrays import Floats, Ints
 
 WORDS = (
     "junction",

@@ -9,9 +9,10 @@ import numpy as np
 import pyarrow as pa
 
 from scegen.campaign.analysis.coverage import Coverage
-from scegen.campaign.analysis.features import Features, Floats, criticality
+from scegen.campaign.analysis.features import Features, criticality
 from scegen.enumeration.choosing.covering import fewest
 from scegen.errors import InputError
+from scegen.motion.batch.arrays import Floats
 
 FOR_COVERAGE, FOR_DANGER = "covers", "critical and different"
 _MOST_CONFLICTS = 50_000

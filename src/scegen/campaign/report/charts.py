@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from scegen.campaign.analysis.features import Floats
+from scegen.motion.batch.arrays import Floats
 from scegen.report.drawing import box, document, letters, line
 
 _WIDTH, _HEIGHT, _LEFT, _RIGHT, _BOTTOM, _TOP = 420.0, 190.0, 44.0, 26.0, 30.0, 24.0

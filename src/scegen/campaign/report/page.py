@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from base64 import b64encode
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from hashlib import sha256
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from scegen.campaign.analysis.coverage import Coverage, good
@@ -29,6 +24,7 @@ from scegen.campaign.analysis.features import (
 from scegen.campaign.report.charts import bars, histogram
 from scegen.campaign.report.unmet import unmet
 from scegen.campaign.rows import MADE, MEASURES, SECONDS
+from scegen.report.one_file import as_json, asset, page
 from scegen.report.theme import css
 
 MOST_GROUPS = 10
@@ -109,53 +105,36 @@ def campaign_page(
         links: pages of the player by number of row.
         manifest: of the campaign.
     """
-    environment = Environment(
-        loader=PackageLoader("scegen.campaign.report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
     rows: list[dict[str, Any]] = table.to_pylist()
     danger = criticality(table)
-    script = _asset("campaign.js")
-    sheet = files("scegen.report").joinpath("templates", "report.css").read_text(encoding="utf-8")
-    return environment.get_template(
-        "campaign.html.j2"
-    ).render(
-        facts=_facts(rows, covered, found),
-        plots=[
+    content: dict[str, object] = {
+        "facts": _facts(rows, covered, found),
+        "plots": [
             # Our own drawings; what comes from outside is escaped there.
             Markup(plot)  # noqa: S704
             for title, unit, name, critical in _DISTRIBUTIONS
             if (plot := histogram(title, unit, numbers_of(table, name), critical))
         ],
-        charts=[Markup(chart) for chart in _charts(rows) if chart],  # noqa: S704
-        cells=sorted(covered.counts.items()),
-        why_not=covered.why_not,
-        left_out=covered.left_out,
-        critical=[_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.critical],
-        different=[_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.different],
-        alike=[
+        "charts": [Markup(chart) for chart in _charts(rows) if chart],  # noqa: S704
+        "cells": sorted(covered.counts.items()),
+        "why_not": covered.why_not,
+        "left_out": covered.left_out,
+        "critical": [_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.critical],
+        "different": [_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.different],
+        "alike": [
             (len(group), _name(rows[group[0]]), _measured(rows[group[0]]))
             for group in found.alike[:MOST_GROUPS]
         ],
-        ranges=covered.ranges,
-        unmet=[
+        "ranges": covered.ranges,
+        "unmet": [
             (heading, [(one, _name(rows[one.example]), links.get(one.example)) for one in listed])
             for heading, listed in unmet(rows).items()
         ],
-        manifest=manifest,
-        data=_data(rows, links),
-        style=Markup(css() + sheet + _asset("campaign.css")),  # noqa: S704
-        script=Markup(script),  # noqa: S704
-        digest=b64encode(sha256(f"\n{script}".encode()).digest()).decode(),
-    )
-
-
-def _asset(name: str) -> str:
-    place = files("scegen.campaign.report").joinpath("templates", name)
-    return place.read_text(encoding="utf-8")
+        "manifest": manifest,
+        "data": _data(rows, links),
+    }
+    style = css() + asset("scegen.report", "report.css") + asset(__package__, "campaign.css")
+    return page(__package__, "campaign.html.j2", style, asset(__package__, "campaign.js"), content)
 
 
 def _facts(rows: list[dict[str, Any]], covered: Coverage, found: Outlook) -> list[tuple[str, str]]:
@@ -257,10 +236,7 @@ def _data(rows: list[dict[str, Any]], links: Mapping[int, str]) -> Markup:
     ]
     heads = [name.replace("_mps2", ", m/s²").replace("_mps", ", m/s").replace("_", " ")
              for name in _LISTED]  # fmt: skip
-    text = json.dumps({"heads": heads, "rows": listed}, ensure_ascii=False, separators=(",", ":"))
-    for sign in "<>&\u2028\u2029":
-        text = text.replace(sign, f"\\u{ord(sign):04x}")
-    return Markup(text)  # noqa: S704 - no markup is left in it
+    return as_json({"heads": heads, "rows": listed})
 
 
 def _shown(value: object) -> object:

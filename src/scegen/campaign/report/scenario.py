@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from scegen.campaign.rows import FILE_COLUMNS
-from scegen.campaign.store import Store, digest, write_whole
+from scegen.campaign.store import Store, write_whole
 from scegen.errors import InputError
+from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import judge
 from scegen.report.contents import CheckRow
 from scegen.report.html import ConcreteEntry, ReportInput, report_html
@@ -18,16 +18,6 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import from_text
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
-
-
-@dataclass(frozen=True, slots=True)
-class Kept:
-    """A scenario as it lies in the store."""
-
-    functional: FunctionalScenario
-    concrete: ConcreteScenario
-    proof: Proof | None
-    checks: tuple[CheckRow, ...]
 
 
 def files_of(store: Store, row: Mapping[str, Any]) -> dict[str, bytes]:
@@ -50,8 +40,8 @@ def _sound(store: Store, name: str) -> bytes:
     return content
 
 
-def kept(store: Store, row: Mapping[str, Any]) -> Kept:
-    """A scenario, read back.
+def page(store: Store, row: Mapping[str, Any], folder: str) -> str:
+    """A page with the player; ``folder`` is where its files lie, seen from the page.
 
     Raises:
         InputError: a file is missing or broken.
@@ -63,28 +53,21 @@ def kept(store: Store, row: Mapping[str, Any]) -> Kept:
         raise InputError("is no concrete scenario", where=str(row["concrete"]))
     proof = Proof.model_validate_json(_sound(store, row["proof"])) if row["proof"] else None
     findings = "\n".join(row["check_findings"] or ())
-    checks = tuple(
-        CheckRow(checker, status, findings if status == "failed" else "")
-        for checker, status in sorted(dict(row["checks"] or ()).items())
-    )
-    return Kept(functional, concrete, proof, checks)
-
-
-def page(store: Store, row: Mapping[str, Any], folder: str) -> str:
-    """A page with the player; ``folder`` is where its files lie, seen from the page."""
-    found = kept(store, row)
-    judged = judge(found.concrete, found.proof)
+    judged = judge(concrete, proof)
     entry = ConcreteEntry(
-        concrete=found.concrete,
+        concrete=concrete,
         folder=folder,
-        scene=scene_of(found.concrete, found.proof),
-        checks=found.checks,
+        scene=scene_of(concrete, proof),
+        checks=tuple(
+            CheckRow(checker, status, findings if status == "failed" else "")
+            for checker, status in sorted(dict(row["checks"] or ()).items())
+        ),
         verdict=judged.verdict,
         sensitivity=judged.sensitivity,
-        proof=found.proof,
+        proof=proof,
         files=tuple(file for file, name in FILE_COLUMNS.items() if row[name]),
     )
-    return report_html(ReportInput(found.functional, None, (entry,)))
+    return report_html(ReportInput(functional, None, (entry,)))
 
 
 def write_folder(store: Store, row: Mapping[str, Any], folder: Path) -> None:

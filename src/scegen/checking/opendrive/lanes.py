@@ -30,20 +30,12 @@ def reference(road: Road, s: float) -> tuple[complex, float, float]:
 
 def geometry_at(road: Road, s: float) -> Geometry:
     """The geometry that covers ``s`` (the last one begun)."""
-    found = road.geometries[0]
-    for geometry in road.geometries:
-        if geometry.s <= s + 1e-9:
-            found = geometry
-    return found
+    return piece_at(road.geometries, s) or road.geometries[0]
 
 
 def section_at(road: Road, s: float) -> LaneSection:
     """The lane section that covers ``s``."""
-    found = road.sections[0]
-    for section in road.sections:
-        if section.s <= s + 1e-9:
-            found = section
-    return found
+    return piece_at(road.sections, s) or road.sections[0]
 
 
 def lane_width(section: LaneSection, lane: int, s: float) -> float:
@@ -160,14 +152,13 @@ def junction_joints(network: Network, junction: Junction) -> Iterator[LaneJoint]
 
 
 def _road_joints(network: Network, road: Road, contact: str) -> Iterator[LaneJoint]:
-    link = road.link(contact)
-    other = network.roads.get(link.id) if link and link.element == "road" else None
-    if link is None or other is None or link.contact not in {START, END}:
+    if (joined := network.joined(road, contact)) is None:
         return
+    other, end = joined
     for lane in road.section(contact).lanes.values():
         target = lane.link(contact)
-        if lane.id != 0 and target and target in other.section(link.contact).lanes:
-            yield LaneJoint(road, contact, lane.id, other, link.contact, target, "lane link")
+        if lane.id != 0 and target and target in other.section(end).lanes:
+            yield LaneJoint(road, contact, lane.id, other, end, target, "lane link")
 
 
 def end_at_junction(

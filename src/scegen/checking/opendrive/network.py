@@ -6,9 +6,9 @@ Ids are strings, as in the file; lengths are metres, angles radians.
 from __future__ import annotations
 
 from cmath import exp
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,13 +40,20 @@ class Poly3:
         return self.b + u * (2 * self.c + u * 3 * self.d)
 
 
-def piece_at(pieces: tuple[Poly3, ...], s: float) -> Poly3 | None:
+class Piece(Protocol):
+    """A part of a road that begins at ``s``."""
+
+    @property
+    def s(self) -> float:
+        """Where it begins, along the road."""
+
+
+P = TypeVar("P", bound=Piece)
+
+
+def piece_at(pieces: Sequence[P], s: float) -> P | None:
     """The last piece that has begun at ``s``; None before the first."""
-    found = None
-    for piece in pieces:
-        if piece.s <= s + 1e-9:
-            found = piece
-    return found
+    return next((piece for piece in reversed(pieces) if piece.s <= s + 1e-9), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,6 +198,14 @@ class Network:
     version: tuple[str, str]
     roads: dict[str, Road]
     junctions: dict[str, Junction]
+
+    def joined(self, road: Road, contact: str) -> tuple[Road, str] | None:
+        """The road to which one end of a road is linked, and which end of that one is meant."""
+        link = road.link(contact)
+        other = self.roads.get(link.id) if link and link.element == "road" else None
+        if link is None or other is None or link.contact not in {START, END}:
+            return None
+        return other, link.contact
 
     def connecting_roads(self, junction: str) -> Iterator[Road]:
         """The roads that say they belong to a junction."""

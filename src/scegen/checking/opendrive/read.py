@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple, TypeVar
 
 from lxml import etree
 
@@ -18,10 +19,10 @@ from scegen.checking.opendrive.network import (
     Network,
     Poly3,
     Road,
-    road_place,
 )
 from scegen.checking.results import Finding, error
 
+N = TypeVar("N", Road, Junction)
 READABLE = "xodr.readable"
 MPS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 """Units of speed (OpenDRIVE e_unitSpeed) in m/s."""
@@ -46,35 +47,30 @@ class _UnreadableError(Exception):
 def read_network(document: Document) -> ReadNetwork:
     """Read roads and junctions; a road that cannot be read is left out and reported."""
     findings: list[Finding] = []
-    roads: dict[str, Road] = {}
-    junctions: dict[str, Junction] = {}
-    for element in document.root.iterfind("road"):
-        place = road_place(element.get("id", "?"), f"(line {element.sourceline})")
-        try:
-            road = _road(element)
-        except _UnreadableError as problem:
-            findings.append(error(READABLE, place, str(problem)))
-            continue
-        if road.id in roads:
-            findings.append(error(READABLE, place, "the id is used by an earlier road"))
-        roads.setdefault(road.id, road)
-    for element in document.root.iterfind("junction"):
-        place = f"junction {element.get('id', '?')} (line {element.sourceline})"
-        try:
-            junction = _junction(element)
-        except _UnreadableError as problem:
-            findings.append(error(READABLE, place, str(problem)))
-            continue
-        if junction.id in junctions:
-            findings.append(error(READABLE, place, "the id is used by an earlier junction"))
-        junctions.setdefault(junction.id, junction)
+    roads = _by_id(document, "road", _road, findings)
+    junctions = _by_id(document, "junction", _junction, findings)
     if not roads and not findings:
         findings.append(error(READABLE, document.name, "has no road"))
-    header = document.root.find("header")
-    version = ("?", "?")
-    if header is not None:
-        version = (header.get("revMajor", "?"), header.get("revMinor", "?"))
-    return ReadNetwork(Network(document.name, version, roads, junctions), tuple(findings))
+    network = Network(document.name, document.version, roads, junctions)
+    return ReadNetwork(network, tuple(findings))
+
+
+def _by_id(
+    document: Document, tag: str, read: Callable[[etree._Element], N], findings: list[Finding]
+) -> dict[str, N]:
+    """What can be read of the elements with a tag; the first of those with the same id."""
+    found: dict[str, N] = {}
+    for element in document.root.iterfind(tag):
+        place = f"{tag} {element.get('id', '?')} (line {element.sourceline})"
+        try:
+            one = read(element)
+        except _UnreadableError as problem:
+            findings.append(error(READABLE, place, str(problem)))
+            continue
+        if one.id in found:
+            findings.append(error(READABLE, place, f"the id is used by an earlier {tag}"))
+        found.setdefault(one.id, one)
+    return found
 
 
 def _text(element: etree._Element, name: str) -> str:

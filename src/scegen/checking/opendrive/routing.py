@@ -86,14 +86,12 @@ def _after(
     if 0 <= index + step < len(road.sections):
         return _driving(network, road.id, index + step, target)
     link = road.link(ahead)
-    if link is None:
-        return ()
-    if link.element == "junction":
+    if link is not None and link.element == "junction":
         return tuple(connected[road.id, ahead, number])
-    other = network.roads.get(link.id)
-    if other is None or link.contact not in {START, END}:
+    if (joined := network.joined(road, ahead)) is None:
         return ()
-    return _driving(network, other.id, _index(other, link.contact), target)
+    other, end = joined
+    return _driving(network, other.id, _index(other, end), target)
 
 
 def _driving(network: Network, road: str, index: int, lane: int | None) -> tuple[Node, ...]:

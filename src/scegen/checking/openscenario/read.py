@@ -83,14 +83,10 @@ class _Reader:
 
     def storyboard(self) -> Storyboard:
         root = self.document.root
-        header = root.find("FileHeader")
-        revision = ("?", "?")
-        if header is not None:
-            revision = (header.get("revMajor", "?"), header.get("revMinor", "?"))
         logic = root.find("RoadNetwork/LogicFile")
         return Storyboard(
             name=self.document.name,
-            version=".".join(revision),
+            version=".".join(self.document.version),
             road_file=None if logic is None else self.text(logic, "filepath"),
             entities=tuple(self.entity(e) for e in root.iterfind("Entities/ScenarioObject")),
             starts=tuple(self.starts(root)),

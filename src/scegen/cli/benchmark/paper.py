@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
 from scegen.cli.console import result_json, working
-from scegen.cli.options import JsonFlag
-from scegen.scenario.wording import change
+from scegen.cli.options import JsonFlag, SeedOption
 
 if TYPE_CHECKING:
     from scegen.benchmark.paper import Row
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
 
 def paper(
     json: JsonFlag = False,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    seed: SeedOption = 0,
 ) -> None:
     """The source paper's eleven sentences: understood, made, and passed by every checker."""
     from scegen.benchmark.paper import PAPER_CASES, PAPER_SUCCESSES, PAPER_TRUE, run
@@ -111,9 +110,4 @@ def _danger(hazard: HazardProof) -> str:
 
 def _before_after(proof: Proof) -> str:
     measure = proof.of(proof.measure)
-    if measure is None:
-        return "-"
-    before, after = (
-        "-" if value is None else f"{value:.2f}" for value in (measure.before, measure.after)
-    )
-    return f"{measure.name} {change(before, after)} {measure.unit}"
+    return "-" if measure is None else f"{measure.name} {measure.in_words}"

@@ -17,7 +17,7 @@ from scegen.cli.llm import (
     UrlOption,
     llm_settings,
 )
-from scegen.cli.options import JsonFlag
+from scegen.cli.options import JsonFlag, SeedOption
 
 if TYPE_CHECKING:
     from scegen.benchmark.said import Row
@@ -30,7 +30,7 @@ def said(
     only: Annotated[
         list[str] | None, typer.Option("--only", help="Id of a description; may be repeated.")
     ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="Seed of everything random.")] = 0,
+    seed: SeedOption = 0,
     judge: Annotated[
         Path | None,
         typer.Option(

@@ -1,17 +1,15 @@
 """A smallest set of scenarios that covers everything coverable, by answer set optimisation."""
 
-# mypy does not follow clorm.
-# mypy: allow-subclassing-any
-
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar
 
-from clorm import Predicate, unify
+from clorm import unify
 
 from scegen.enumeration.choosing.coverage import meetings
+from scegen.enumeration.facts import fact
 from scegen.enumeration.programs import Part, grounded
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
@@ -28,17 +26,8 @@ class _Sortable(Protocol):
 T = TypeVar("T", bound=_Sortable)
 
 
-class Covers(Predicate):
-    """A meeting occurs in a scenario."""
-
-    scenario: int
-    meeting: int
-
-
-class Chosen(Predicate):
-    """A scenario belongs to the cover."""
-
-    scenario: int
+Covers = fact("covers", "A meeting occurs in a scenario.", scenario=int, meeting=int)
+Chosen = fact("chosen", "A scenario belongs to the cover.", scenario=int)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,17 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from scegen.scenario.logical import (
-    Assignment,
-    ConflictKind,
-    Crossing,
-    Drive,
-    InLine,
-    LogicalScenario,
-    Reverses,
-    Standing,
-    Walking,
-)
+from scegen.scenario.logical import Assignment, ConflictKind, Drive, LogicalScenario, Reverses
 from scegen.scenario.vocabulary import Maneuver, ParticipantKind, Role, Side
 
 Value = int | str | bool | None
@@ -61,49 +51,46 @@ class Attribute:
 def attributes(kinds: dict[str, str], roles: dict[str, str]) -> dict[str, Attribute]:
     """The attributes by name, for participants of these kinds and roles."""
     sides = _words(*Side)
+    fields = {
+        "entry": NUMBER,
+        "exit": NUMBER,
+        "move": NUMBER,
+        "arm": NUMBER,
+        "turn": _words(*TURNS),
+        "reverses": _words(*Reverses),
+        "beside": _words(*kinds),
+        "lane": NUMBER,
+        "beside_on": sides,
+        "changes_to": sides,
+        "start": sides,
+        "side": sides,
+    }
     return {
-        "entry": Attribute(NUMBER, lambda a: a.entry if isinstance(a, Drive) else None),
-        "exit": Attribute(NUMBER, lambda a: a.exit if isinstance(a, Drive) else None),
-        "move": Attribute(NUMBER, lambda a: a.move if isinstance(a, Drive) else None),
+        **{name: Attribute(type_, _field(name)) for name, type_ in fields.items()},
         "rank": Attribute(NUMBER, lambda a: a.rank if isinstance(a, Drive) else None),
-        "arm": Attribute(NUMBER, lambda a: None if isinstance(a, Drive) else a.arm),
-        "turn": Attribute(_words(*TURNS), lambda a: _word(_turn(a))),
-        "maneuver": Attribute(_words(*Maneuver), lambda a: _word(_maneuver(a))),
-        "reverses": Attribute(
-            _words(*Reverses), lambda a: _word(a.reverses if isinstance(a, Drive) else None)
-        ),
-        "beside": Attribute(_words(*kinds), lambda a: a.beside if isinstance(a, InLine) else None),
-        "lane": Attribute(NUMBER, lambda a: a.lane if isinstance(a, InLine) else None),
-        "beside_on": Attribute(
-            sides, lambda a: _word(a.beside_on if isinstance(a, InLine) else None)
-        ),
-        "changes_to": Attribute(
-            sides, lambda a: _word(a.changes_to if isinstance(a, Drive) else None)
-        ),
-        "start": Attribute(sides, lambda a: _word(a.start if isinstance(a, Crossing) else None)),
-        "side": Attribute(
-            sides, lambda a: _word(a.side if isinstance(a, Standing | Walking) else None)
-        ),
+        "maneuver": Attribute(_words(*Maneuver), _maneuver),
         "kind": Attribute(_words(*ParticipantKind), lambda a: kinds[a.participant]),
         "role": Attribute(_words(*Role), lambda a: roles[a.participant]),
     }
 
 
-def _turn(assignment: Assignment) -> Maneuver | None:
-    return assignment.turn if isinstance(assignment, Drive) else None
+def _field(name: str) -> Callable[[Assignment], Value]:
+    """A field that some assignments have and others have not."""
+
+    def read(assignment: Assignment) -> Value:
+        value = getattr(assignment, name, None)
+        return str(value) if isinstance(value, str) else value
+
+    return read
 
 
-def _maneuver(assignment: Assignment) -> Maneuver | None:
+def _maneuver(assignment: Assignment) -> str:
     if isinstance(assignment, Drive):
-        return assignment.maneuver
+        return str(assignment.maneuver)
     others = {
         "crossing": Maneuver.CROSS, "standing": Maneuver.STAY, "walking": Maneuver.STRAIGHT
     }  # fmt: skip
-    return others[assignment.type]
-
-
-def _word(word: str | None) -> str | None:
-    return None if word is None else str(word)
+    return str(others[assignment.type])
 
 
 def conflicts(scenario: LogicalScenario, kind: str | None, name: str | None) -> int:

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from scegen.claims.hazards.scenes import judged_pairs, occlusions
 from scegen.criticality.encounter import closest_encounter
@@ -27,7 +26,6 @@ from scegen.report.corners import box_corners
 from scegen.report.player.series import compact, points
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
-Array = NDArray[np.float64]
 Data = dict[str, Any]
 
 EYE_M = 1.08

@@ -11,7 +11,7 @@ import numpy as np
 from scegen.motion.model import Trace
 from scegen.report.player.meetings import Meetings
 from scegen.scenario.concrete import ConcreteScenario, CrossingMotion, DriveMotion
-from scegen.scenario.proof import ClaimProof, HazardProof, Proof
+from scegen.scenario.proof import ClaimProof, Proof
 
 Data = dict[str, Any]
 
@@ -46,9 +46,17 @@ def moments(
     meetings: Meetings,
 ) -> list[Data]:
     """What is marked on the time line, in its order."""
-    found: list[Data] = []
-    for hazard in proof.hazards if proof else ():
-        found += _danger(hazard)
+    found: list[Data] = [
+        {
+            "time_s": round(hazard.time_s, 2),
+            "kind": "danger",
+            "label": hazard.kind.replace("_", " "),
+            "holds": hazard.happened,
+            "who": [*hazard.by, *hazard.to],
+        }
+        for hazard in (proof.hazards if proof else ())
+        if hazard.time_s is not None
+    ]
     for claim in proof.claims if proof else ():
         data = claim_data(claim, concrete, traces)
         lasts = claim.kind in _LASTING or data["shown_s"] == 0.0
@@ -75,20 +83,6 @@ def moments(
             }
         )
     return sorted(found, key=lambda moment: moment["time_s"])
-
-
-def _danger(hazard: HazardProof) -> list[Data]:
-    if hazard.time_s is None:
-        return []
-    return [
-        {
-            "time_s": round(hazard.time_s, 2),
-            "kind": "danger",
-            "label": hazard.kind.replace("_", " "),
-            "holds": hazard.happened,
-            "who": [*hazard.by, *hazard.to],
-        }
-    ]
 
 
 def _named(claim: ClaimProof, concrete: ConcreteScenario) -> list[str]:

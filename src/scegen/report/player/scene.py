@@ -11,11 +11,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scegen.criticality.search.proving import PROOF_DT_S
 from scegen.motion import build_paths, simulate
-from scegen.motion.model import Path, Trace
+from scegen.motion.model import Array, Path, Trace
 from scegen.report.player.meetings import Meetings, meetings_of
 from scegen.report.player.moments import claim_data, moments
 from scegen.report.player.roads import road_data
@@ -26,7 +25,6 @@ from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.proof import Proof
 
-Array = NDArray[np.float64]
 Data = dict[str, Any]
 
 STEP_S = 0.05

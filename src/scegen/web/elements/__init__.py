@@ -40,6 +40,11 @@ def button(
     return made
 
 
+def mark(element: Element, name: str, *, on: bool) -> Element:
+    """Give an element this class, or take it away."""
+    return element.classes(add=name if on else "", remove="" if on else name)
+
+
 def drawn(svg: str, classes: str = "", tag: str = "div") -> Element:
     """A picture of the project's own making, which escapes what comes from outside itself."""
     element = Element(tag).classes(classes)
@@ -204,5 +209,6 @@ __all__ = [
     "button",
     "choice",
     "drawn",
+    "mark",
     "node",
 ]

@@ -12,20 +12,20 @@ from scegen.scenario.glossary import meaning_of
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.scenario.wording import counted
 from scegen.web.choice import LONGEST_RULES
-from scegen.web.elements import Entry, Gallery, Handler, Rules, button, choice, drawn, node
+from scegen.web.elements import Entry, Gallery, Handler, Rules, button, choice, drawn, mark, node
 from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
-from scegen.web.steps.step import Activity, Go
+from scegen.web.steps.step import Activity, Go, StepView
 from scegen.web.work import Work
 
 _DIVERSE = 8
 
 
-class Choose:
+class Choose(StepView):
     """The filters on the left, the tiles in the middle, coverage on the right."""
 
     def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
+        super().__init__(work, go)
         self._filters: Filters | None = None
         self._only = False
         self._told: tuple[int, bool] | None = None
@@ -100,9 +100,8 @@ class Choose:
     def _show_tiles(self) -> None:
         work = self._work
         self._only = self._only and bool(work.picked)
-        self._chosen_only.classes(
-            add="on" if self._only else "", remove="" if self._only else "on"
-        ).props(f"aria-pressed={'true' if self._only else 'false'}")
+        mark(self._chosen_only, "on", on=self._only)
+        self._chosen_only.props(f"aria-pressed={'true' if self._only else 'false'}")
         self._chosen_only.text = f"Chosen ({len(work.picked)})"
         shown = sorted(work.picked) if self._only else work.shown
         self._gallery.show(shown, work.picked, work.edition)

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from enum import StrEnum
+from functools import partial
 from typing import Any
 
 from scegen.criticality.target import AVOIDED, BANDS, COLLISION, NEAR_MISS
 from scegen.pipeline.options import CheckDepth, EgoMode, OscVersion
 from scegen.pipeline.raising import NO_SEARCH
-from scegen.web.elements import Entry, Form, button, choice, drawn, node
-from scegen.web.form import form_spec, standings
+from scegen.web.elements import Entry, Form, button, choice, drawn, mark, node
+from scegen.web.form import form_spec
 from scegen.web.jobs import Step
-from scegen.web.pictures import participant_colours, tile_picture
+from scegen.web.pictures import tile_picture
 from scegen.web.steps.outcome import outcome_cards
-from scegen.web.steps.step import Activity, Go
-from scegen.web.work import Work
+from scegen.web.steps.step import Activity, StepView, show_form
 
 _TARGETS = {
     "": ("As described", "the outcome that the text tells, a near miss if it tells none"),
@@ -33,16 +34,19 @@ _USUAL = {
     "headway": (0.3, 0.8),
     "drac": (3.0, 6.0),
 }
+_CHOICES: tuple[tuple[str, type[StrEnum], str, str | None], ...] = (
+    ("osc", OscVersion, "OpenSCENARIO", None),
+    ("ego", EgoMode, "ego", "external: your own driver steers the ego"),
+    ("depth", CheckDepth, "checks", "full adds the ASAM checkers; none leaves all out"),
+)
+"""Options that are one of some words: name, words, label and tip."""
 _BAND = re.compile(r"([a-z]+)=(.+)\.\.(.+)")
 _NUMBERS = re.compile(r"[0-9.,]+")
 _MOST_TILES, _MOST_STEPS = 24, 12
 
 
-class Danger:
+class Danger(StepView):
     """The demands on the left, the chosen scenarios and what came of them on the right."""
-
-    def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
 
     def build(self) -> None:
         """Make the elements."""
@@ -75,7 +79,7 @@ class Danger:
         if changed & {"options"}:
             self._show_targets()
         if changed & {"form"}:
-            self._show_hazards()
+            show_form(self._hazards, self._work)
         if changed & {"choice", "listing"}:
             self._show_chosen()
         if changed & {"making", "looking", "choice", "listing", "made", "form"}:
@@ -128,6 +132,9 @@ class Danger:
             Entry(low, lambda v: self._set_band(measure, v, high), label="from", **ends)
             Entry(high, lambda v: self._set_band(measure, low, v), label="to", **ends)
 
+    def _set_word(self, option: str, words: type[StrEnum], value: str) -> None:
+        self._work.set_options(**{option: words(value)})
+
     def _aim(self, word: str) -> None:
         if word == "band":
             self._set_band("pet", *_USUAL["pet"])
@@ -159,38 +166,14 @@ class Danger:
                 step=1,
                 tip="Different ways to reach the target",
             )
-            Entry(
-                options.osc.value,
-                lambda v: work.set_options(osc=OscVersion(v)),
-                label="OpenSCENARIO",
-                options=_words(OscVersion),
-            )
-            Entry(
-                options.ego.value,
-                lambda v: work.set_options(ego=EgoMode(v)),
-                label="ego",
-                options=_words(EgoMode),
-                tip="external: your own driver steers the ego",
-            )
-            Entry(
-                options.depth.value,
-                lambda v: work.set_options(depth=CheckDepth(v)),
-                label="checks",
-                options=_words(CheckDepth),
-                tip="full adds the ASAM checkers; none leaves all out",
-            )
-
-    def _show_hazards(self) -> None:
-        functional = self._work.functional
-        self._hazards.set_visibility(functional is not None)
-        if functional is not None:
-            colours = participant_colours(functional)
-            self._hazards.show(
-                functional.model_dump(mode="json"),
-                standings(self._work.report),
-                colours,
-                self._work.form_trouble,
-            )
+            for name, words, label, tip in _CHOICES:
+                Entry(
+                    getattr(options, name).value,
+                    partial(self._set_word, name, words),
+                    label=label,
+                    options=choice([(word.value, word.value) for word in words]),
+                    tip=tip,
+                )
 
     def _show_chosen(self) -> None:
         work = self._work
@@ -217,7 +200,7 @@ class Danger:
         )
         self._make.text = "Search again" if fresh else "Search"
         self._make.props.set_bool("disabled", busy or not ready)
-        self._make.classes(add="secondary" if fresh else "", remove="" if fresh else "secondary")
+        mark(self._make, "secondary", on=fresh)
         self._watch.set_visibility(fresh and not busy)
         self._chosen.set_visibility(not fresh or busy)
         self._results.set_visibility(not busy)
@@ -241,10 +224,6 @@ def told_once(steps: Sequence[Step]) -> list[Step]:
         alike = kept and _NUMBERS.sub("", kept[-1].text) == _NUMBERS.sub("", step.text)
         kept[-1:] = [step] if alike else [*kept[-1:], step]
     return kept
-
-
-def _words(words: Any) -> list[dict[str, str]]:  # noqa: ANN401 - an enumeration
-    return choice([(word.value, word.value) for word in words])
 
 
 def _whole(value: Any, otherwise: int) -> int:  # noqa: ANN401 - as typed

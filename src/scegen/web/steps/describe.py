@@ -6,13 +6,14 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
+from scegen.report.evidence import STANDS_FOR
 from scegen.scenario.wording import counted
 from scegen.understanding import MAX_CHARACTERS, Finding, Standing, passages
-from scegen.web.elements import Description, Form, button, drawn, node
-from scegen.web.form import form_spec, standings
-from scegen.web.pictures import junction, participant_colours, tile_picture
+from scegen.web.elements import Description, Form, button, drawn, mark, node
+from scegen.web.form import form_spec
+from scegen.web.pictures import junction, tile_picture
 from scegen.web.steps.opening import entry_row
-from scegen.web.steps.step import Activity, Go
+from scegen.web.steps.step import Activity, StepView, show_form
 from scegen.web.work import Work
 
 _SECTIONS = (
@@ -43,21 +44,10 @@ _PROMISE = (
     "OpenDRIVE and OpenSCENARIO, in which every statement of it is checked."
 )
 _RECENT = 4
-_MEANINGS = {
-    Standing.UNDERSTOOD: "said in the text",
-    Standing.INFERRED: "concluded from the text",
-    Standing.ASSUMED: "not said: a default",
-    Standing.CONTRADICTED: "said in two ways",
-    Standing.UNSUPPORTED: "matters, but cannot be expressed",
-}
 
 
-class Describe:
+class Describe(StepView):
     """The text on the left, the form in the middle, the plan on the right."""
-
-    def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
-        self._spec = form_spec()
 
     def build(self) -> None:
         """Make the elements."""
@@ -83,7 +73,7 @@ class Describe:
                 self._found = node("div", "found")
                 self._model = node("div", "model-box")
             with node("section", "pane fields", aria_label="What was understood"):
-                self._form = Form(self._spec, _SECTIONS)
+                self._form = Form(form_spec(), _SECTIONS)
                 self._form.when(self._work)
                 self._wrong = node("div", "problem", role="alert")
             with node("section", "pane plan", aria_label="Plan"):
@@ -124,27 +114,15 @@ class Describe:
         work = self._work
         self._text.show(work.draft, _spans(work))
         blank = work.functional is None and work.report is None
-        self._whole.classes(add="blank" if blank else "", remove="" if blank else "blank")
-        self._button.classes(
-            add="" if work.functional is None else "secondary",
-            remove="secondary" if work.functional is None else "",
-        )
+        mark(self._whole, "blank", on=blank)
+        mark(self._button, "secondary", on=work.functional is not None)
         self._show_found()
         self._model.clear()
         with self._model:
             model_line(self._work)
-        functional = work.functional
-        self._form.set_visibility(functional is not None)
+        show_form(self._form, work)
         self._wrong.set_visibility(work.form_trouble is not None)
         self._wrong.text = work.form_trouble or ""
-        if functional is not None:
-            colours = participant_colours(functional)
-            self._form.show(
-                functional.model_dump(mode="json"),
-                standings(work.report),
-                colours,
-                work.form_trouble,
-            )
         self._show_plan()
 
     def _show_found(self) -> None:
@@ -162,7 +140,7 @@ class Describe:
                 for standing in Standing:
                     count = len(report.of(standing))
                     if count:
-                        with node("li", "", data_tip=_MEANINGS[standing]):
+                        with node("li", "", data_tip=STANDS_FOR[standing]):
                             node("span", f"dot {standing}")
                             node("span", "", f"{count} {standing}")
             for standing in (Standing.CONTRADICTED, Standing.UNSUPPORTED):

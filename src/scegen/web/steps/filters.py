@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.web.choice import Listing
-from scegen.web.elements import Element, Entry, node
+from scegen.web.elements import Element, Entry, mark, node
 from scegen.web.work import Work
 
 
@@ -82,7 +82,7 @@ class Filters:
     def _mark(self) -> None:
         for key, chip in self._chips.items():
             on = key in self._on
-            chip.classes(add="on" if on else "", remove="" if on else "on")
+            mark(chip, "on", on=on)
             chip.props["aria-pressed"] = "true" if on else "false"
 
     def _written(self) -> str:

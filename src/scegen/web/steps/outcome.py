@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from scegen.report.contents import VERDICTS
 from scegen.report.judgement import verdict_words
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
+from scegen.scenario.wording import figure
 from scegen.web.elements import drawn, node
 from scegen.web.made import MadeScenario
 from scegen.web.pictures import tile_picture
 from scegen.web.work import Work
-
-_MARKS = {"passed": "held", "failed": "failed", "not_run": "open"}
 
 
 def outcome_cards(work: Work) -> None:
@@ -47,9 +47,8 @@ def _figures(made: MadeScenario) -> None:
         node("p", "verdict", verdict_words(made.verdict))
     with node("ul", "chips checks", aria_label="Checks"):
         for checker, status in made.summary.get("checks", {}).items():
-            node(
-                "li", f"check {_MARKS.get(status, 'open')}", f"{checker} {status.replace('_', ' ')}"
-            )
+            state = VERDICTS.get(status, "open")
+            node("li", f"check {state}", f"{checker} {status.replace('_', ' ')}")
 
 
 def _proof(proof: Proof) -> None:
@@ -67,10 +66,11 @@ def _proof(proof: Proof) -> None:
     if measure is not None:
         with node("div", "before-after"):
             node("span", "measure", measure.name.upper() if len(measure.name) < 5 else measure.name)
-            if _value(measure.before) != _value(measure.after):
-                node("span", "figure", _value(measure.before))
+            before, after = figure(measure.before), figure(measure.after)
+            if before != after:
+                node("span", "figure", before)
                 node("span", "arrow", "→", aria_label="becomes")
-            node("span", "figure", _value(measure.after))
+            node("span", "figure", after)
             node("span", "unit", measure.unit)
     if proof.blocked_by and not proof.in_band:
         node("p", "note", proof.blocked_by)
@@ -90,7 +90,3 @@ def _proof(proof: Proof) -> None:
             node("span", "dot failed")
             words = f" (“{claim.words}”)" if claim.words else ""
             node("span", "", f"{claim.statement}{words}: {claim.found}")
-
-
-def _value(value: float | None) -> str:
-    return "–" if value is None else f"{value:.2f}"

@@ -3,24 +3,48 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Protocol
 
-from scegen.web.elements import button, node
+from scegen.web.elements import Form, button, node
+from scegen.web.form import standings
 from scegen.web.jobs import JobState, Trouble
+from scegen.web.pictures import participant_colours
 from scegen.web.work import Work
 
 Go = Callable[[str], None]
 """Shows another step, by name."""
 
 
-class StepView(Protocol):
-    """A step while it is shown."""
+class StepView:
+    """A step while it is shown.
+
+    Args:
+        work: of whom it shows.
+        go: shows another step.
+    """
+
+    def __init__(self, work: Work, go: Go) -> None:
+        self._work, self._go = work, go
 
     def build(self) -> None:
         """Make its elements in the present slot."""
+        raise NotImplementedError
 
     def refresh(self, changed: set[str]) -> None:
         """Draw again what has changed, by the parts of the work's revision."""
+        raise NotImplementedError
+
+
+def show_form(form: Form, work: Work) -> None:
+    """Put the functional scenario into a form, which is there if that is."""
+    functional = work.functional
+    form.set_visibility(functional is not None)
+    if functional is not None:
+        form.show(
+            functional.model_dump(mode="json"),
+            standings(work.report),
+            participant_colours(functional),
+            work.form_trouble,
+        )
 
 
 class Activity:

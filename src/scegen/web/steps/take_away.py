@@ -13,8 +13,7 @@ from scegen.report.cinema import VIDEO_HINT
 from scegen.web.elements import button, node
 from scegen.web.made import Made
 from scegen.web.steps.outcome import outcome_cards
-from scegen.web.steps.step import Activity, Go
-from scegen.web.work import Work
+from scegen.web.steps.step import Activity, StepView
 
 _COPY = "() => navigator.clipboard.writeText(document.getElementById('again').textContent)"
 MODEL_SPOKE = (
@@ -37,11 +36,8 @@ _LEVELS = {
 }
 
 
-class TakeAway:
+class TakeAway(StepView):
     """Downloads on the left, what was checked on the right."""
-
-    def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
 
     def build(self) -> None:
         """Make the elements."""

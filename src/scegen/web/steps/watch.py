@@ -6,15 +6,11 @@ from urllib.parse import quote
 
 from scegen.report.player.bundle import ENTRY
 from scegen.web.elements import Cinema, button, node
-from scegen.web.steps.step import Activity, Go
-from scegen.web.work import Work
+from scegen.web.steps.step import Activity, StepView
 
 
-class Watch:
+class Watch(StepView):
     """The player of the scenario that is chosen among those made."""
-
-    def __init__(self, work: Work, go: Go) -> None:
-        self._work, self._go = work, go
 
     def build(self) -> None:
         """Make the elements."""

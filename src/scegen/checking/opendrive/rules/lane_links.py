@@ -16,13 +16,11 @@ def check_lane_links(network: Network) -> Iterator[Finding]:
     """``xodr.lane_link``: at every end that is linked to a road."""
     for road in network.roads.values():
         for contact in (START, END):
-            link = road.link(contact)
-            other = network.roads.get(link.id) if link and link.element == "road" else None
-            if link is None or other is None or link.contact not in {START, END}:
+            if (joined := network.joined(road, contact)) is None:
                 continue
             for lane in road.section(contact).lanes.values():
                 if lane.id != 0:
-                    yield from _lane(road, contact, lane, other, link.contact)
+                    yield from _lane(road, contact, lane, *joined)
 
 
 def _lane(

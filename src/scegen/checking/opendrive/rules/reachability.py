@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.checking.opendrive.arms import Arm, open_ends
+from scegen.checking.opendrive.arms import open_ends
 from scegen.checking.opendrive.network import Network, lane_place
-from scegen.checking.opendrive.routing import LaneGraph, lane_graph, outer_node
+from scegen.checking.opendrive.routing import lane_graph, outer_node
 from scegen.checking.results import Finding, error
 
 RULE = "xodr.reachable"
@@ -34,7 +34,7 @@ def check_reachability(network: Network) -> Iterator[Finding]:
     }
     reached_lanes: set[tuple[int, int]] = set()
     for i, arm in enumerate(arms):
-        reached = _from_arm(graph, arm)
+        reached = {node for lane in arm.inward for node in graph.reach(outer_node(arm, lane))}
         lanes = {key for key, node in leaving.items() if node in reached}
         reached_lanes |= {key for key in lanes if key[0] != i}
         two_way = arm.inward and arm.outward
@@ -47,7 +47,3 @@ def check_reachability(network: Network) -> Iterator[Finding]:
     for i, lane in sorted(set(leaving) - reached_lanes):
         place = lane_place(arms[i].road.id, lane)
         yield error(RULE, place, "is not reached from any other arm")
-
-
-def _from_arm(graph: LaneGraph, arm: Arm) -> set[tuple[str, int, int]]:
-    return {node for lane in arm.inward for node in graph.reach(outer_node(arm, lane))}
