@@ -72,7 +72,8 @@ def stand(clause: Clause, context: Context) -> None:
         _stand_in_the_lane([e for e in vehicles if e.sets_off < 0], clause.words)
         return
     if any(p.kind in _LINES for p in places) and _waits_there(event, context):
-        for entity in clause.actors:
+        lit = any(p.kind == "signal" for p in places)
+        for entity in [e for e in clause.actors if lit or e.sets_off < 0]:
             entity.held = entity.held or clause.words
     if not stands:
         return
