@@ -31,7 +31,7 @@ LeftHand = fact("left_hand", "Traffic keeps left.")
 
 Vehicle = fact("vehicle", "One who enters and leaves the junction.", id=WORD)
 Crosser = fact("crosser", "One who crosses an arm.", id=WORD)
-OnStrip = fact("onStrip", "A vehicle on a strip beside the lanes at first.", id=WORD)
+OnStrip = fact("on_strip", "A vehicle on a strip beside the lanes at first.", id=WORD)
 SquareToRoad = fact(
     "square_to_road",
     "A vehicle that goes straight back, square to the road, if it backs out.",
