@@ -36,6 +36,8 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         part = found[-3:-2] == [named] and found[-2].value == "of"
         if isinstance(found[-1], Place) and found[-1].kind in _LANES and not part:
             named = found[-1]
+        elif isinstance(chunk, Event) and tokens[chunk.j - 1].base == "lane":
+            named = Place(chunk.j - 1, chunk.j, [], None, kind="lane")  # "leaves its lane"
     return found
 
 
@@ -74,11 +76,13 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
         return _as_lane(chunk, chunk) if named_side and part and word not in {"to", "on"} else None
     if not isinstance(chunk, Mention):
         return None
+    used = isinstance(before, Event) and before.name == "use"
     if chunk.pronoun == "one":
         side = before if isinstance(before, Place) and before.kind == "side" else chunk
         meant = (whole or named) is not None and _sided(side)
+        if used and chunk.has("dir", "opposite"):
+            return _as_lane(chunk, chunk)  # "leaves its lane and uses the oncoming one"
         return _as_lane(side, chunk) if meant and side.head in (None, chunk.head) else None
-    used = isinstance(before, Event) and before.name == "use"
     if chunk.pronoun == "it" and named is not None and (used or word == "in"):
         return replace(_as_lane(chunk, chunk), mods=named.ways)
     return None

@@ -48,5 +48,7 @@ def lemmas(word: str) -> tuple[tuple[str, str], ...]:
     found = [(word, "base")]
     if word in lexicon.irregular:
         found.append(lexicon.irregular[word])
-    found += [(base, form) for base, form in _candidates(word) if base in lexicon.words]
+    known = [(base, form) for base, form in _candidates(word) if base in lexicon.words]
+    whole = (word[:-1], "s") in known  # "uses" are those of "use", not of "us"
+    found += [k for k in known if not (whole and k == (word[:-2], "s"))]
     return tuple(dict.fromkeys(found))

@@ -52,7 +52,7 @@ def _names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
     """Whether a bare side is a turn."""
     if term.cat != "dir" or term.value not in {"left", "right"} or not terms:
         return False
-    of = low_at(tokens, term.j) in {"of", "side", "hand"}
+    of = low_at(tokens, term.j) in {"of", "side", "hand", "one"}
     if of or begins(tokens, term.j, *_OF_A_NOUN):
         return False  # the side of something
     k = len(terms) - 1
