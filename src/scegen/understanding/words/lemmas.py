@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from scegen.understanding.lexicon import load
+from scegen.understanding.lexicon import load, word_list
 
 _MIN_STEM = 2
 
@@ -48,7 +48,6 @@ def lemmas(word: str) -> tuple[tuple[str, str], ...]:
     found = [(word, "base")]
     if word in lexicon.irregular:
         found.append(lexicon.irregular[word])
-    known = [(base, form) for base, form in _candidates(word) if base in lexicon.words]
-    whole = (word[:-1], "s") in known  # "uses" are those of "use", not of "us"
-    found += [k for k in known if not (whole and k == (word[:-2], "s"))]
+    bases = lexicon.words - word_list("uninflected")  # "uses" are those of "use", not of "us"
+    found += [(base, form) for base, form in _candidates(word) if base in bases]
     return tuple(dict.fromkeys(found))
