@@ -127,8 +127,11 @@ def _between(
 def to_a_thing(figure: Figure) -> bool:
     """``a mattress lies 60 m ahead``, ``60 m ahead of the ego lies a mattress``."""
     text = figure.text
-    here = [x for x in text.found.items if figure.start <= (x.basis.i or 0) < figure.end]
-    if not here or any(not e.ego for e in text.spoken_of(figure.start, figure.i)):
+    verb = figure.verb
+    lies = verb is not None and verb.lemma in word_list("lying") and not verb.doers
+    start = 0 if lies else figure.start  # "loses a pallet; it lies 60 m ahead"
+    here = [x for x in text.found.items if start <= (x.basis.i or 0) < figure.end]
+    if not here or not (lies or all(e.ego for e in text.spoken_of(figure.start, figure.i))):
         return False
     nearest = min(here, key=lambda x: x.basis.i or 0)
     text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, _with_place(figure)))

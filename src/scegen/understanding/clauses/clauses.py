@@ -20,6 +20,7 @@ from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     by_follows,
     event_follows,
+    is_word,
     only_a_noun_follows,
     view_of,
 )
@@ -100,7 +101,7 @@ class ClauseReader:
             state.resumed = subjects.main_in_sentence(state)
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
-        if word.cat == "rel" and _is_thing(self._state.at(-1)):
+        if word.cat == "rel" and _is_thing(state.at(-1 - is_word(state.at(-1), ","))):
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None

@@ -8,6 +8,7 @@ from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.tokens import Token
 
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
+_LOST = frozenset({"object", "obstacle"})
 _NEAR = 2
 
 
@@ -28,7 +29,12 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         for p in e.pps
         if any(m.pronoun == "all" and m.head is None for m in e.subject)
     }
+    lying = {id(m) for e in events if e.lemma in word_list("lying") for m in e.subject}
     for k, chunk in enumerate(chunks):
+        if id(chunk) in lying and isinstance(chunk, Mention) and chunk.pronoun == "it":
+            chunk.negated = any(
+                isinstance(c, Thing) and c.kind in _LOST for c in chunks[:k]
+            )  # "loses a pallet; it lies ahead"
         if not isinstance(chunk, Mention) or chunk.head is None:
             continue
         if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
