@@ -209,6 +209,8 @@ class ClauseReader:
             return False
         if _is_thing(before):
             return event.form == "ing" and not self._state.between
+        if event.name == "wait" and _is_thing(self._state.at(1)):
+            return True  # "60 m ahead of the ego lies a mattress"
         view = view_of(self._state.before(3))
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"
