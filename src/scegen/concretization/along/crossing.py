@@ -10,7 +10,7 @@ import numpy as np
 
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.along.sideways import edge_y_m
+from scegen.concretization.along.sideways import edge_y_m, strip_m
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m, gained
 from scegen.concretization.profile import NEVER_S
@@ -39,15 +39,14 @@ BEFORE_WALKER_M = 0.9
 _LOOK_S = 0.05
 
 
-def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
-    """The walks of all who go across; ``strips`` is how wide those are beside each side's lanes."""
+def cross(story: Story) -> None:
+    """Let all go across who do, one after another."""
     for crossing in story.logical.crossings:
-        story.walks.append(_walk(story, crossing, strips, story.walks))
+        story.walks[crossing.participant] = _walk(story, crossing)
         react(story)
-    return story.walks
 
 
-def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: list[Walk]) -> Walk:
+def _walk(story: Story, crossing: Crossing) -> Walk:
     participant = story.functional.participant(crossing.participant)
     body = participant.body
     width = edge_y_m(story, left=True) - edge_y_m(story, left=False)
@@ -58,7 +57,7 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     who = participant.id, participant.kind, body, crossing, pace, act
     walk = Walk(*who, from_left, meets=meets.id)
     into = -1 if from_left else 1
-    edge, strip = edge_y_m(story, left=from_left), strips.get("left" if from_left else "right", 0.0)
+    edge, strip = edge_y_m(story, left=from_left), strip_m(story, left=from_left)
     middle = (meets.y_m(0.0) - edge) * into - body.centre_ahead_m
     met = meets.id, meets.body, meets.speed_mps
     to_left = into * meets.sign
@@ -85,18 +84,19 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     if said is not None and said.at == START:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
         walk.setback_m = max(0.0, (edge - meets.y_m(0.0) - meets.sign * left) * into)
-    takes, number = walk.runs_s(to_aim + walk.setback_m), len(walks)
+    takes = walk.runs_s(to_aim + walk.setback_m)
     if far is not None:
         walk.stops_after_m = walk.setback_m + far
         if stands:
             takes = walk.rests_s() + STOOD_S
     _time(story, walk, meets, takes)
-    if walks and crossing.arm in story.functional.junction.crosswalks:
-        walk.x_m = walks[0].x_m
+    first = next(iter(story.walks.values()), None)
+    if first is not None and crossing.arm in story.functional.junction.crosswalks:
+        walk.x_m = first.x_m
         if not walk.timed:
-            walk.sets_off_s = max(walks[0].arrives_s - takes, _LEAST_LEAD_S)
+            walk.sets_off_s = max(first.arrives_s - takes, _LEAST_LEAD_S)
     walk.arrives_s = walk.sets_off_s + takes
-    walk.x_m += abreast_m(number)
+    walk.x_m += abreast_m(len(story.walks))
     walk.from_y_m = edge - into * walk.setback_m
     return walk
 

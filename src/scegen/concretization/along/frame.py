@@ -10,7 +10,6 @@ from scegen.concretization.along.auxiliary import fitted, gaps_m, joint_m, room_
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import Walk
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M
@@ -97,12 +96,7 @@ class Frame:
 
 
 def frame_of(
-    story: Story,
-    walks: list[Walk],
-    parked: list[Parked],
-    road: RoadParameters,
-    closest_s: float,
-    lasts_s: float,
+    story: Story, parked: list[Parked], road: RoadParameters, closest_s: float, lasts_s: float
 ) -> Frame:
     """A road long enough for everybody until the end, with the joint where their arms need it.
 
@@ -115,9 +109,9 @@ def frame_of(
             low, high = runner.ends_m(time_s)
             lows.append(low)
             highs.append(high)
-    own = [w.x_m for w in walks if w.crossing.arm == arm]
+    own = [w.x_m for w in story.walks.values() if w.crossing.arm == arm]
     own += [p.x_m + p.body.length_m for p in parked if p.standing.arm == arm]
-    far = [w.x_m for w in walks if w.crossing.arm != arm]
+    far = [w.x_m for w in story.walks.values() if w.crossing.arm != arm]
     far += [p.x_m - p.body.length_m for p in parked if p.standing.arm != arm]
     forward = [r.ends_m(0.0)[1] for r in story.runners.values() if r.forward]
     backward = [r.ends_m(0.0)[0] for r in story.runners.values() if not r.forward]
@@ -127,7 +121,7 @@ def frame_of(
     least = max([*own, *forward], default=begin) + _JOINT_CLEAR_M
     most = min([*far, *backward], default=end) - _JOINT_CLEAR_M
     joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
-    marked = [w for w in walks if w.crossing.arm in road.crosswalks]
+    marked = [w for w in story.walks.values() if w.crossing.arm in road.crosswalks]
     if marked:
         beyond = CROSSWALK_MIDDLE_M if marked[0].crossing.arm == arm else -CROSSWALK_MIDDLE_M
         joint = marked[0].x_m + beyond

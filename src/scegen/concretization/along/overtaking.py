@@ -10,8 +10,8 @@ import numpy as np
 
 from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.moments import perform_waiting
-from scegen.concretization.along.parked import standings_beside
 from scegen.concretization.along.runner import Move, Runner
+from scegen.concretization.along.sideways import standings_beside
 from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING

@@ -34,10 +34,7 @@ def place_just_missed(
     until_s = move.ends_s + _AROUND_S
 
     def missed(gap: float) -> bool:
-        tie = GapAt(
-            who.id, other.id, Measure.GAP_M, gap, move.begins_s, ahead=who is front, said=False
-        )
-        who.at_m = place(tie, who, other)
+        place(GapAt(who, other, Measure.GAP_M, gap, move.begins_s, ahead=who is front))
         return keep_apart(front, back, room_m, move.begins_s, until_s)
 
     closing = max(back.speed_at_mps(move.begins_s) - front.speed_at_mps(move.begins_s), 1.0)
@@ -66,26 +63,25 @@ _FAR_M = 1e4
 class GapAt:
     """The ``measure`` of two is ``value`` at ``time_s``; ``ahead``: ``who`` is ahead of ``other``.
 
-    ``said`` tells a statement of the text from what is usual.
+    That is as ``other`` drives: in its direction.
     """
 
-    who: str
-    other: str
+    who: Runner
+    other: Runner
     measure: Measure
     value: float
     time_s: float
     ahead: bool
-    said: bool
 
 
-def place(tie: GapAt, who: Runner, other: Runner) -> float:
-    """Where ``who`` starts so that the tie holds; ``other`` has its place."""
-    # Ahead as ``other`` drives: in its direction.
+def place(tie: GapAt) -> None:
+    """Let ``who`` start so that the tie holds; ``other`` has its place."""
+    who, other = tie.who, tie.other
     away = _FAR_M if tie.ahead == other.forward else -_FAR_M
     at = np.array([tie.time_s])
     who.at_m = away
     missing = missing_m(tie.measure, tie.value, other.track(at), who.track(at))
-    return away - float(missing[0]) * (1 if away > 0 else -1)
+    who.at_m = away - float(missing[0]) * (1 if away > 0 else -1)
 
 
 def level(who: Runner, other: Runner, time_s: float) -> float:
