@@ -160,10 +160,3 @@ def lasting_s(act: Act, width_m: float, usual_s: float) -> float:
     if act.lateral_mps is not None:
         return width_m * pi / 2 / max(act.lateral_mps.middle, 0.1)
     return usual_s
-
-
-def pace_across_mps(acts: Sequence[Act], name: str, width_m: float) -> float | None:
-    """How fast somebody goes over a road of whom it is said how long that takes."""
-    own = (a for a in acts if a.participant == name and a.kind is ActKind.CROSS)
-    lasts = next((a.duration_s for a in own if a.duration_s is not None), None)
-    return None if lasts is None else width_m / max(lasts.middle, 0.1)

@@ -10,7 +10,7 @@ from scegen.concretization.amounts import change_of_speed, falls_back, goes_on_w
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
-from scegen.concretization.moments import begins_s
+from scegen.concretization.moments import during_s
 from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s
@@ -78,7 +78,7 @@ def lead_in_missing_s(scene: Setup) -> float:
     Who goes across stands for a moment before.
     """
     begins = [
-        begins_s(scene, act)
+        during_s(scene, act)[0]
         for draft in scene.drives.values()
         for act in (scene.act(mark.act) for mark in draft.steps if mark.act is not None)
         if not isinstance(act.when, AfterStart)

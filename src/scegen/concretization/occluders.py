@@ -8,7 +8,7 @@ counting more.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -58,21 +58,6 @@ _LONG_M = 12.0
 """As long as what can be as long as needed is, where it is to hide a vehicle."""
 _ACROSS = 0.95
 """A thing across the road is worth a little less than one along it: few stand like that."""
-
-
-@dataclass(frozen=True, slots=True)
-class _Places:
-    """Poses of a thing's middle to try; ``worth`` weighs them."""
-
-    x_m: Array
-    y_m: Array
-    heading_rad: Array
-    worth: Array
-
-    def only(self, chosen: NDArray[np.bool_]) -> _Places:
-        return _Places(
-            self.x_m[chosen], self.y_m[chosen], self.heading_rad[chosen], self.worth[chosen]
-        )
 
 
 def hide(
@@ -181,25 +166,21 @@ def _best_place(
     mark = points[0]
     nearest = int(np.hypot(*(eye - mark)).argmin())
     places = _places(eye, mark, observer, target, thing, nearest)
-    cos, sin = np.cos(places.heading_rad), np.sin(places.heading_rad)
-    tried = Boxes(places.x_m, places.y_m, cos, sin, thing.length_m / 2, thing.width_m / 2)
     shapely.prepare(ground)
-    free = ~shapely.intersects(ground, outlines(tried))
-    if not free.any():
+    tried = box_at(*places[:3], thing.body, np.zeros(1))
+    places = places[:, ~shapely.intersects(ground, outlines(tried))]
+    if not places.size:
         return None
-    places = places.only(free)
+    boxes = box_at(*places[:3], thing.body, np.zeros(1))
     first = max(0, nearest - round(_LOOK_S / _STEP_S))
-    hidden = np.ones((len(places.x_m), nearest - first), dtype=np.bool_)
+    hidden = np.ones((len(boxes.x), nearest - first), dtype=np.bool_)
     for point in points:
-        hidden &= _cut(places, thing, eye[:, first:nearest], point[:, first:nearest])
+        hidden &= _cut(boxes, eye[:, first:nearest], point[:, first:nearest])
     before_s = (nearest - np.arange(first, nearest)) * _STEP_S
-    worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * places.worth
+    worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * places[3]
     worth[hidden.sum(axis=1) * _STEP_S < _LEAST_S] = 0.0
     n = int(worth.argmax())
-    if worth[n] <= 0.0:
-        return None
-    x, y, heading = (float(row[n]) for row in (places.x_m, places.y_m, places.heading_rad))
-    return float(worth[n]), Pose(x, y, heading)
+    return (float(worth[n]), Pose(*places[:3, n].tolist())) if worth[n] > 0.0 else None
 
 
 def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:
@@ -211,8 +192,11 @@ def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:
 
 def _places(
     eye: Array, mark: Array, observer: Trace, target: Trace, thing: Shape, nearest: int
-) -> _Places:
-    """Places on lines of sight before the encounter, near either end; along the road first."""
+) -> Array:
+    """Places on lines of sight before the encounter, near either end; along the road first.
+
+    Their x, y, heading and how much each is worth, (4, n).
+    """
     rows = []
     for before_s in np.arange(_LATEST_S, _EARLIEST_S, _EVERY_S):
         t = nearest - round(before_s / _STEP_S)
@@ -238,18 +222,17 @@ def _places(
     along, aside = shifts[:, :1], shifts[:, 1:]
     c, s = np.cos(heading), np.sin(heading)
     x, y = x + along * c - aside * s, y + along * s + aside * c
-    return _Places(*(values.T.ravel() for values in (x, y, heading, worth)))
+    return np.array([values.T.ravel() for values in (x, y, heading, worth)])
 
 
-def _cut(places: _Places, thing: Shape, eye: Array, point: Array) -> NDArray[np.bool_]:
+def _cut(boxes: Boxes, eye: Array, point: Array) -> NDArray[np.bool_]:
     """Whether each box cuts the straight line between two points, (place, t)."""
-    c, s = np.cos(places.heading_rad)[:, None], np.sin(places.heading_rad)[:, None]
+    x, y, c, s = (row[:, None] for row in boxes[:4])
     low, high = np.zeros((len(c), eye.shape[1])), np.ones((len(c), eye.shape[1]))
-    ax, ay = eye[0] - places.x_m[:, None], eye[1] - places.y_m[:, None]
-    bx, by = point[0] - places.x_m[:, None], point[1] - places.y_m[:, None]
+    ax, ay, bx, by = eye[0] - x, eye[1] - y, point[0] - x, point[1] - y
     sides = (
-        (ax * c + ay * s, bx * c + by * s, thing.length_m / 2),
-        (ay * c - ax * s, by * c - bx * s, thing.width_m / 2),
+        (ax * c + ay * s, bx * c + by * s, boxes.half_length),
+        (ay * c - ax * s, by * c - bx * s, boxes.half_width),
     )
     for start, end, half in sides:
         step = np.where(np.abs(end - start) < 1e-9, 1e-9, end - start)

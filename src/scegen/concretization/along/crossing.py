@@ -18,6 +18,7 @@ from scegen.concretization.walkers import (
     BEHIND_KERB_M,
     OWES,
     STOOD_S,
+    Met,
     aim_m,
     goes_far_m,
     pace_mps,
@@ -59,17 +60,13 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     into = -1 if from_left else 1
     edge, strip = edge_y_m(story, left=from_left), strip_m(story, left=from_left)
     middle = (meets.y_m(0.0) - edge) * into - body.centre_ahead_m
-    met = meets.id, meets.body, meets.speed_mps
-    to_left = into * meets.sign
-    to_aim = aim_m(story, walk, *met, middle_m=middle, to_left=to_left)
+    met = Met(meets.id, meets.body, meets.speed_mps, middle, into * meets.sign)
+    to_aim = aim_m(story, walk, met)
     walk.stop = story.first_act(walk.id, ActKind.STOP)
     far, stands = goes_far_m(act), stops(story, walk.id)
     if far is None and stands:
         centre = -edge * into - body.centre_ahead_m
-        whom = meets.id, meets.body
-        far = STOPS_SHORT_M + rests_m(
-            story, walk, *whom, middle_m=middle, centre_m=centre, to_left=to_left
-        )
+        far = STOPS_SHORT_M + rests_m(story, walk, met, centre_m=centre)
     steady = to_aim if far is None else min(to_aim, far - walk.gains_m)
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)

@@ -34,13 +34,13 @@ def time_what_is_known(story: Story) -> tuple[list[Act], list[Act]]:
     following: list[Act] = []
     for act in story.acts:
         when = act.when
+        needs_place = isinstance(when, AfterDistance) or (
+            isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
+        )
+        follows = isinstance(when, AfterAct) and not story.is_loose(act.id)
         if isinstance(when, AfterAct) and _is_timed_last(story, when, following):
             following.append(act)
-            continue
-        placed = isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
-        placed = placed or isinstance(when, AfterDistance)
-        follows = isinstance(when, AfterAct) and when.act not in story.begins_s
-        if placed or (follows and not story.is_loose(act.id)):
+        elif needs_place or (follows and when.act not in story.begins_s):
             waiting.append(act)
         else:
             perform(story, act, _moment_s(story, act))
@@ -70,8 +70,11 @@ def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:
     return when.reference in reached
 
 
-def _moment_s(story: Story, act: Act) -> float:
+def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
+    """When an act begins; ``placed``: everybody has a place, so that distances tell it, too."""
     when = act.when
+    if isinstance(when, WhenMeasure) and placed:
+        return _when_measured_s(story, when)
     if isinstance(when, AfterStart):
         return when.delay_s.middle
     if isinstance(when, AfterDistance):
@@ -81,6 +84,8 @@ def _moment_s(story: Story, act: Act) -> float:
         return runner.profile.time_s(when.distance_m.middle)
     if isinstance(when, AfterAct) and not story.is_loose(act.id):
         known = story.ends_s if when.since == "end" else story.begins_s
+        if when.act not in known:
+            return NEVER_S
         delay = 0.0 if goes_on_when_free(when) else when.later_s.middle
         alone = story.act(when.act).participant == act.participant
         if alone and delay == 0.0 and when.since == "end":
@@ -103,13 +108,7 @@ def perform_waiting(story: Story, waiting: Sequence[Act]) -> list[Act]:
     """Acts that wait for a measure, now that places are known; those that never come."""
     never: list[Act] = []
     for act in waiting:
-        when = act.when
-        if isinstance(when, WhenMeasure):
-            moment = _when_measured_s(story, when)
-        elif isinstance(when, AfterAct) and when.act not in story.begins_s:
-            moment = NEVER_S
-        else:
-            moment = _moment_s(story, act)
+        moment = _moment_s(story, act, placed=True)
         if moment < NEVER_S:
             perform(story, act, moment)
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from math import pi, sqrt
 
@@ -17,7 +17,7 @@ from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.answering import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
-from scegen.concretization.profile import SpeedChange
+from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
@@ -273,16 +273,10 @@ def _when(true: Callable[[Array], Bools], from_s: float) -> float:
 def come_back(story: Story) -> None:
     """Who strays into the lane of those who come towards it is back as they meet."""
     strays: set[str] = set()
-    for runner in list(story.runners.values()):
-        astray = runner.moves and runner.moves[-1].lane == 0
-        if not astray:
-            continue
+    for runner in (r for r in story.runners.values() if r.moves and r.moves[-1].lane == 0):
         last = runner.moves[-1]
-        meets = _meeting_s(story, runner, last.begins_s)
-        if meets is None:
-            continue
-        name, time_s = meets
-        if story.contact_wanted(runner.id, name):
+        time_s, name = min(_meetings(story, runner, last.begins_s), default=(NEVER_S, ""))
+        if time_s >= NEVER_S or story.contact_wanted(runner.id, name):
             continue
         if story.innermost and _dodge(story.runners[name]) is not None:
             strays.add(runner.id)  # beyond a median it stays there: the other gets out of its way
@@ -302,14 +296,10 @@ def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bo
     return gap_m(first.track(times_s)[0], second.track(times_s)[0]) <= within_m
 
 
-def _meeting_s(story: Story, runner: Runner, from_s: float) -> tuple[str, float] | None:
-    """Whom one meets first that comes towards it, and when they are level."""
-    found: list[tuple[float, str]] = []
-    for other in story.runners.values():
-        if other.forward == runner.forward:
-            continue
+def _meetings(story: Story, runner: Runner, from_s: float) -> Iterator[tuple[float, str]]:
+    """When one is level with those who come towards it, and with whom."""
+    for other in (r for r in story.runners.values() if r.forward != runner.forward):
         are_level = partial(_level, runner, other, 0.0)
         moment = _when(are_level, from_s)
         if are_level(np.array([moment]))[0]:
-            found.append((moment, other.id))
-    return (min(found)[1], min(found)[0]) if found else None
+            yield moment, other.id
