@@ -165,22 +165,23 @@ def _best_place(
     eye, points = _points(concrete, observer)[0], _points(concrete, target)
     mark = points[0]
     nearest = int(np.hypot(*(eye - mark)).argmin())
-    places = _places(eye, mark, observer, target, thing, nearest)
+    x, y, heading, _ = places = _places(eye, mark, observer, target, thing, nearest)
     shapely.prepare(ground)
-    tried = box_at(*places[:3], thing.body, np.zeros(1))
-    places = places[:, ~shapely.intersects(ground, outlines(tried))]
-    if not places.size:
+    tried = box_at(x, y, heading, thing.body, np.zeros(1))
+    x, y, heading, worth = places[:, ~shapely.intersects(ground, outlines(tried))]
+    if not worth.size:
         return None
-    boxes = box_at(*places[:3], thing.body, np.zeros(1))
+    boxes = box_at(x, y, heading, thing.body, np.zeros(1))
     first = max(0, nearest - round(_LOOK_S / _STEP_S))
     hidden = np.ones((len(boxes.x), nearest - first), dtype=np.bool_)
     for point in points:
         hidden &= _cut(boxes, eye[:, first:nearest], point[:, first:nearest])
     before_s = (nearest - np.arange(first, nearest)) * _STEP_S
-    worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * places[3]
+    worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * worth
     worth[hidden.sum(axis=1) * _STEP_S < _LEAST_S] = 0.0
     n = int(worth.argmax())
-    return (float(worth[n]), Pose(*places[:3, n].tolist())) if worth[n] > 0.0 else None
+    pose = Pose(float(x[n]), float(y[n]), float(heading[n]))
+    return (float(worth[n]), pose) if worth[n] > 0.0 else None
 
 
 def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:

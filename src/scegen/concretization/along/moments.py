@@ -34,13 +34,15 @@ def time_what_is_known(story: Story) -> tuple[list[Act], list[Act]]:
     following: list[Act] = []
     for act in story.acts:
         when = act.when
-        needs_place = isinstance(when, AfterDistance) or (
-            isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
-        )
-        follows = isinstance(when, AfterAct) and not story.is_loose(act.id)
-        if isinstance(when, AfterAct) and _is_timed_last(story, when, following):
-            following.append(act)
-        elif needs_place or (follows and when.act not in story.begins_s):
+        waits = isinstance(when, AfterDistance)
+        if isinstance(when, WhenMeasure):
+            waits = _is_placed_otherwise(story, act, when)
+        elif isinstance(when, AfterAct):
+            if _is_timed_last(story, when, following):
+                following.append(act)
+                continue
+            waits = when.act not in story.begins_s and not story.is_loose(act.id)
+        if waits:
             waiting.append(act)
         else:
             perform(story, act, _moment_s(story, act))
