@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import combinations
 
 import numpy as np
 
@@ -130,14 +131,12 @@ def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None
     Raises:
         MotionInfeasibleError: bodies overlap.
     """
-    people = concrete.participants
-    for i, first in enumerate(people):
-        for second in people[i + 1 :]:
-            if overlap(paths[first.id].start, first.body, paths[second.id].start, second.body):
-                raise MotionInfeasibleError(
-                    f"{first.id} and {second.id} overlap at the start",
-                    hint="Fewer dangers at once, or another logical scenario.",
-                )
+    for first, second in combinations(concrete.participants, 2):
+        if overlap(paths[first.id].start, first.body, paths[second.id].start, second.body):
+            raise MotionInfeasibleError(
+                f"{first.id} and {second.id} overlap at the start",
+                hint="Fewer dangers at once, or another logical scenario.",
+            )
 
 
 def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:

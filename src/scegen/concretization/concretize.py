@@ -15,10 +15,7 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_lin
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.hazards.aside import (
-    brake_out_of_control,
-    leave_lanes,
-)
+from scegen.concretization.hazards.aside import brake_out_of_control, leave_lanes
 from scegen.concretization.hazards.reversing import (
     go_back_as_they_come,
     prepare_to_reverse,
@@ -36,11 +33,7 @@ from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import go_round_stationary, place_obstacles, place_stationary
 from scegen.concretization.tale import as_meant, pace_of
-from scegen.concretization.walkers import (
-    leaves_s,
-    place_walkers,
-    stop_in_the_way,
-)
+from scegen.concretization.walkers import leaves_s, place_walkers, stop_in_the_way
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
@@ -119,7 +112,10 @@ def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
 
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
-    _place(scene)
+    place_stationary(scene)
+    for drive in scene.logical.drives:
+        if drive.participant not in scene.stands:
+            scene.drives[drive.participant] = _draft(scene, drive)
     prepare_to_reverse(scene)
     choose_junction_lanes(scene)
     for draft in scene.drives.values():
@@ -138,14 +134,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     _start(scene, meetings)
     go_back_as_they_come(scene, backing)
     return hide(scene.functional, assemble(scene, seed), scene.network)
-
-
-def _place(scene: Setup) -> None:
-    """Who stands where, and who drives."""
-    place_stationary(scene)
-    for drive in scene.logical.drives:
-        if drive.participant not in scene.stands:
-            scene.drives[drive.participant] = _draft(scene, drive)
 
 
 def _draft(scene: Setup, drive: Drive) -> DriveDraft:
