@@ -12,7 +12,9 @@ from scegen.concretization.limits import (
     STOPPING_MPS2,
     SUDDEN_ACCELERATION_MPS2,
 )
-from scegen.scenario.acts import GAINING, LETS_BY, SLOWING, Act, ActKind, AfterAct, When
+from scegen.concretization.profile import Sort, SpeedChange
+from scegen.concretization.tale import Tale
+from scegen.scenario.acts import GAINING, LETS_BY, SLOWING, Act, ActKind, AfterAct, AfterStart, When
 from scegen.scenario.bodies import Body
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind
@@ -86,23 +88,18 @@ def goes_on_when_free(when: When | None) -> bool:
 
 
 def change_of_speed(
-    act: Act,
-    before_mps: float,
-    body: Body,
-    grip_mps2: float,
-    hazard: HazardKind | None,
-    usual_mps: float,
-) -> tuple[float, float]:
-    """(the speed that an act ends at, its rate): as the text says, else as is usual.
+    tale: Tale, act: Act, body: Body, before_mps: float, usual_mps: float
+) -> SpeedChange:
+    """The change of speed that an act is: as the text says, else as is usual.
 
     Args:
+        tale: what is told.
         act: a change of speed.
-        before_mps: the speed at which it begins.
         body: whose limits hold.
-        grip_mps2: what the tyres hold on this road.
-        hazard: the danger that the act is.
+        before_mps: the speed at which it begins.
         usual_mps: how fast one who sets off becomes, where nobody says.
     """
+    hazard = tale.hazard_of(act)
     rate = act.rate_mps2.middle if act.rate_mps2 else None
     target = _target_mps(act, before_mps, body, rate, usual_mps)
     change = abs(target - before_mps)
@@ -114,8 +111,9 @@ def change_of_speed(
         best = body.max_acceleration_mps2 if act.kind in GAINING else body.max_deceleration_mps2
         usual = STOPPING_MPS2 if act.kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
         usual = _RATES_MPS2.get(hazard, usual)
-        rate = min(usual, best, _OF_GRIP * grip_mps2)
-    return target, rate
+        rate = min(usual, best, _OF_GRIP * tale.grip_mps2)
+    timed = isinstance(act.when, AfterStart)
+    return SpeedChange(target, rate, act=act.id, hazard=hazard, sort=Sort.ACT, timed=timed)
 
 
 def _target_mps(

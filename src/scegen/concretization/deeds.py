@@ -109,10 +109,9 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         yield SpeedChange(0.0, rate, s_m=place - before**2 / (2 * rate), sort=Sort.ACT)
         before = 0.0
     for act in scene.speed_acts(draft.id):
-        hazard = scene.hazard_of(act)
-        target, rate = change_of_speed(act, before, draft.body, draft.grip_mps2, hazard, usual)
+        change = change_of_speed(scene, act, draft.body, before, usual)
         if falls_back(act):
-            target = min(_turning_mps(scene, draft), before)
+            change = replace(change, target_mps=min(_turning_mps(scene, draft), before))
         then: float | None = None
         when = act.when
         follows_own = isinstance(when, AfterAct) and when.act in own
@@ -128,12 +127,10 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         if isinstance(when, BeforeJunction) and when.participant is None and then is None:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
             if act.kind is ActKind.STOP:  # where it stands
-                place -= before**2 / (2 * rate)
-        yield SpeedChange(
-            target, rate, s_m=place, act=act.id, hazard=hazard, sort=Sort.ACT, then_s=then
-        )
-        took_s = abs(target - before) / rate
-        before = target
+                place -= before**2 / (2 * change.rate_mps2)
+        yield replace(change, s_m=place, then_s=then)
+        took_s = abs(change.target_mps - before) / change.rate_mps2
+        before = change.target_mps
         own.add(act.id)
     if not own and _stops_at_light(scene, draft):  # only the light is told
         yield SpeedChange(0.0, draft.braking_mps2(COMFORTABLE_BRAKING_MPS2), sort=Sort.ACT)
