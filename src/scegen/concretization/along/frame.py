@@ -103,12 +103,7 @@ def frame_of(
     A bend lies about where the ego is when the others come closest.
     """
     arm = story.ego_arm
-    lows, highs = [], []
-    for runner in story.runners.values():
-        for time_s in (0.0, lasts_s):
-            low, high = runner.ends_m(time_s)
-            lows.append(low)
-            highs.append(high)
+    spans = [r.ends_m(time_s) for r in story.runners.values() for time_s in (0.0, lasts_s)]
     own = [w.x_m for w in story.walks.values() if w.crossing.arm == arm]
     own += [p.x_m + p.body.length_m for p in parked if p.standing.arm == arm]
     far = [w.x_m for w in story.walks.values() if w.crossing.arm != arm]
@@ -116,8 +111,8 @@ def frame_of(
     forward = [r.ends_m(0.0)[1] for r in story.runners.values() if r.forward]
     backward = [r.ends_m(0.0)[0] for r in story.runners.values() if not r.forward]
     everything = [*own, *far]
-    begin = min([*lows, *everything]) - _ARM_MARGIN_M - _LEAST_ARM_M
-    end = max([*highs, *everything]) + _ARM_MARGIN_M + END_MARGIN_M
+    begin = min([*(low for low, _ in spans), *everything]) - _ARM_MARGIN_M - _LEAST_ARM_M
+    end = max([*(high for _, high in spans), *everything]) + _ARM_MARGIN_M + END_MARGIN_M
     least = max([*own, *forward], default=begin) + _JOINT_CLEAR_M
     most = min([*far, *backward], default=end) - _JOINT_CLEAR_M
     joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
