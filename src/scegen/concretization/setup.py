@@ -99,20 +99,8 @@ class Setup(Tale):
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
     objects: list[StaticObject] = field(default_factory=list)
-    caused: dict[Hazard, Hazard] = field(default_factory=dict)
     signals: SignalPlan | None = None
     paces: dict[tuple[int, float], float] = field(default_factory=dict)
-
-    @property
-    def hazards(self) -> tuple[Hazard, ...]:
-        """The dangers, with the things that cause them."""
-        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
-
-    def add_object(self, thing: StaticObject, hazard: Hazard, who: str) -> None:
-        """Place a thing, which causes a danger to somebody."""
-        self.objects.append(thing)
-        to = hazard.to or (who,)
-        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
 
     @property
     def ego(self) -> DriveDraft:

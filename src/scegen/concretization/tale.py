@@ -18,6 +18,7 @@ from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.spacings import Measure, Spacing
 from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 
 SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
@@ -104,6 +105,7 @@ class Tale:
     logical: LogicalScenario
     acts: Sequence[Act]
     changes: list[Change] = field(default_factory=list, init=False)
+    caused: dict[Hazard, Hazard] = field(default_factory=dict, init=False)
 
     def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
         """Record who set a parameter and why."""
@@ -116,6 +118,16 @@ class Tale:
                 reason=reason,
             )
         )
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with the things that cause them."""
+        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
+
+    def blame(self, thing: Thing, hazard: Hazard) -> None:
+        """Let a thing cause a danger, to whoever it lies in the way of if nobody is said to."""
+        to = hazard.to or (thing.in_way_of or self.functional.ego.id,)
+        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
 
     @property
     def grip_mps2(self) -> float:

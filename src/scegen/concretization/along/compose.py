@@ -205,20 +205,17 @@ def _written(
 
 def _caused(story: Story) -> tuple[Hazard, ...]:
     """The dangers, those by a thing or a door with that named."""
-    found, doors = [], opens(story.functional)
-    for hazard in story.functional.hazards:
-        by, to = tuple(door_of(n) if n in doors else n for n in hazard.by), hazard.to
-        if hazard.kind is HazardKind.OBSTACLE and story.things and not by:
-            thing = story.things[0]
-            by, to = (thing.id,), to or (thing.in_way_of or story.ego.id,)
-        found.append(hazard.model_copy(update={"by": by, "to": to}))
-    return tuple(found)
+    doors = opens(story.functional)
+    return tuple(
+        hazard.model_copy(update={"by": tuple(door_of(n) if n in doors else n for n in hazard.by)})
+        for hazard in story.hazards
+    )
 
 
 def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> StaticObject:
     """A thing in somebody's lane, at its pose in the world."""
     runner = story.runners[name]
-    thing = next(t for t in story.things if t.id == name)
+    thing = story.things[name]
     beyond, y = frame.centre_m(runner.x_m(0.0)), runner.y_m(0.0)
     line = network.arm_road(frame.ego_arm).line
     if frame.curve is not None and beyond > 0.0:

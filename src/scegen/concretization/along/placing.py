@@ -170,9 +170,9 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
     known = [n for n, r in story.runners.items() if r.at_m is not None]
     names = list(story.runners)
-    for thing in story.things:
-        if thing.id == name and thing.in_way_of in known:
-            return thing.in_way_of
+    thing = story.things.get(name)
+    if thing is not None and thing.in_way_of in known:
+        return thing.in_way_of
     for to in story.endangered_by(name):
         if to in known and _neighbours(story, name, to, order):
             return to

@@ -31,7 +31,7 @@ class Story(Tale):
     runners: dict[str, Runner] = field(default_factory=dict)
     walks: dict[str, Walk] = field(default_factory=dict)
     lane_count: int = 1
-    things: tuple[Thing, ...] = ()
+    things: dict[str, Thing] = field(default_factory=dict)
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
     seed: int = 0

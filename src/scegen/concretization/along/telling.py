@@ -27,7 +27,6 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind, Side
 
 _STANDS_MPS = 1.0
@@ -151,16 +150,12 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     story = Story(as_meant(functional, logical), logical, ())
     cast(story)
     cast_doors(story)
-    story.things = tuple(_things(story))
-    for thing in story.things:
-        blocked = story.runners[thing.in_way_of or ""]
-        body, forward = shape_of(thing).body, blocked.forward
-        story.add(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)
+    _lay_things(story)
     story.acts = all_acts(story)
     choose_lanes(story)
     put_on_strips(story)
     hang_doors(story)
-    for thing in story.things:
+    for thing in story.things.values():
         story.runners[thing.id].lane = story.runners[thing.in_way_of or ""].lane
     _keep_on_the_road(story)
     return story
@@ -187,10 +182,14 @@ def _keep_on_the_road(story: Story) -> None:
             )
 
 
-def _things(story: Story) -> list[Thing]:
+def _lay_things(story: Story) -> None:
     """What lies in somebody's lane: what is said, and what a danger needs that nobody causes."""
-    functional, runners = story.functional, story.runners
-    needed = [thing for _, thing in lying_in_the_way(functional, story.logical, runners)]
-    known = {thing.id for thing in needed}
-    said = [t for t in functional.objects if t.in_way_of in runners and t.id not in known]
-    return [*said, *needed]
+    said = [thing for thing in story.functional.objects if thing.in_way_of in story.runners]
+    needed = lying_in_the_way(story.functional, story.logical, story.runners)
+    for hazard, thing in needed:
+        story.blame(thing, hazard)
+    known = {thing.id for _, thing in needed}
+    for thing in (*(t for t in said if t.id not in known), *(thing for _, thing in needed)):
+        story.things[thing.id] = thing
+        body, forward = shape_of(thing).body, story.runners[thing.in_way_of or ""].forward
+        story.add(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)
