@@ -13,9 +13,8 @@ from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import NeedsLongerArms, Setup
-from scegen.concretization.triggers import as_they_come
 from scegen.concretization.walkers import leaves_s, partner_of
-from scegen.concretization.written import written, written_phase, written_scenario
+from scegen.concretization.written import as_they_come, written, written_phase, written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path, Trace

@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.limits import starting_mps2
-from scegen.concretization.triggers import Comes, as_they_come
+from scegen.concretization.written import Comes, as_they_come
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import crossing_path
 from scegen.road.model import RoadNetwork

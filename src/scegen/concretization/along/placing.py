@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
-from scegen.concretization.along.ahead import comes_in, is_ahead
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import (
     JUST_M,
     GapAt,
+    comes_in,
+    is_ahead,
     just_missed_s,
     level,
     place,

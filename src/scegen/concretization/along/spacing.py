@@ -1,6 +1,6 @@
-"""Spacings as places: where one starts so that a measure to another has a value at a moment.
+"""How two stand to each other: who is ahead, and where one starts so that they are so far apart.
 
-Or so that it just misses the other, with both boxes as they are turned.
+A measure has a value at a moment, or one just misses the other, with both boxes as they turn.
 """
 
 from __future__ import annotations
@@ -10,14 +10,51 @@ from dataclasses import dataclass
 import numpy as np
 
 from scegen.concretization.along.runner import Move, Runner
+from scegen.concretization.along.story import Story
 from scegen.concretization.answering import last_that
 from scegen.concretization.boxes import apart, missing_m
+from scegen.scenario.acts import ActKind
+from scegen.scenario.in_line import words_between
 from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import Approach
 
 JUST_M = 0.5
 """The room that is left between two of whom one just misses the other."""
 _LOOK_S = 0.05
 _AROUND_S = 3.0
+
+
+def is_ahead(story: Story, who: str, other: str) -> bool:
+    """Whether one is ahead of another as that one drives."""
+    first, second = story.runners[who], story.runners[other]
+    if first.forward != second.forward:
+        return True
+    for name, reference, sign in ((who, other, True), (other, who, False)):
+        words = words_between(story.functional, name, reference)
+        if (Approach.AHEAD in words) != (Approach.BEHIND in words):
+            return (Approach.AHEAD in words) == sign
+        into = any(
+            act.participant == name and act.into == reference
+            and act.kind is ActKind.CHANGE_LANE for act in story.acts
+        )  # fmt: skip
+        mover, stays = story.runners[name], story.runners[reference]
+        over = comes_in(mover, stays) is not None
+        if into or (over and not stays.moves):
+            return sign != story.lets_by(name, reference)
+    if first.stands != second.stands:
+        return first.stands
+    order = story.ranks()
+    if order[who] != order[other]:
+        return order[who] < order[other]
+    if story.ego.id in {who, other}:
+        return who != story.ego.id
+    names = list(story.runners)
+    return names.index(who) < names.index(other)
+
+
+def comes_in(mover: Runner, stays: Runner) -> Move | None:
+    """The move by which one comes into another's lane."""
+    return next((m for m in mover.moves if m.lane == stays.lane != mover.lane), None)
 
 
 def keep_apart(first: Runner, second: Runner, room_m: float, from_s: float, to_s: float) -> bool:

@@ -11,8 +11,7 @@ from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
 from scegen.concretization.profile import NEVER_S, SpeedChange
-from scegen.concretization.triggers import as_they_come
-from scegen.concretization.written import written, written_phase
+from scegen.concretization.written import as_they_come, written, written_phase
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M
 from scegen.motion.standing import crossing_path
