@@ -93,9 +93,7 @@ def _meet_after(story: Story, strays: set[str]) -> None:
                 continue
             moment = _meeting_when_back_s(story, stray, other, out, clears)
             if other is story.ego:
-                before = stray.at_m or 0.0
-                shift = level(stray, other, moment) - before
-                stray.at_m = before
+                shift = level(stray, other, moment) - (stray.at_m or 0.0)
                 for runner in story.runners.values():
                     if runner.forward == stray.forward and runner.at_m is not None:
                         runner.at_m += shift
@@ -179,26 +177,22 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         for each in story.acts
         if each.kind is ActKind.CHANGE_LANE and (each.side is None or each.side is not act.side)
     }
-    if all(each.lane != fast.lane or each.id in making_room for each in line):
-        past_m = 0.0 if back is None else _gap_at(story, back)
-        story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins)
-        story.ends_s[act.id] = past_s = _when(partial(_is_past, fast, foremost, past_m), begins)
-        if back is not None:
-            fast.moves.append(Move(past_s, lasts, slow.lane, 0.0, back.id, hazard))
-            story.begins_s[back.id], story.ends_s[back.id] = past_s, past_s + lasts
-        return
+    stays = all(each.lane != fast.lane or each.id in making_room for each in line)
     at_once = any(spacing.at == act.id for spacing in story.functional.spacings)
-    if not at_once and story.between(fast.id, slow.id, Measure.LATERAL_GAP_M) is None:
+    aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
+    if not stays and not at_once and aside is None:
         begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
-    clear_m = _CLEAR_M if back is None else _gap_at(story, back)
-    clear = _when(partial(_is_past, fast, foremost, clear_m), begins + lasts)
-    home = back.id if back is not None else act.id
-    story.begins_s[act.id] = begins
-    fast.moves = [
-        Move(begins, lasts, out_lane, offset, act.id, hazard),
-        Move(clear, lasts, fast.lane, 0.0, home, hazard),
-    ]
-    story.ends_s[act.id] = clear if back is not None else clear + lasts
+    clear_m = _gap_at(story, back) if back is not None else 0.0 if stays else _CLEAR_M
+    from_s = begins if stays else begins + lasts
+    clear = _when(partial(_is_past, fast, foremost, clear_m), from_s)
+    story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins) if stays else begins
+    story.ends_s[act.id] = clear if stays or back is not None else clear + lasts
+    if not stays:
+        fast.moves = [Move(begins, lasts, out_lane, offset, act.id, hazard)]
+        home = back.id if back is not None else act.id
+        fast.moves.append(Move(clear, lasts, fast.lane, 0.0, home, hazard))
+    elif back is not None:
+        fast.moves.append(Move(clear, lasts, slow.lane, 0.0, back.id, hazard))
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
 

@@ -5,7 +5,7 @@ A measure has a value at a moment, or one just misses the other, with both boxes
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -123,5 +123,5 @@ def place(tie: GapAt) -> None:
 
 def level(who: Runner, other: Runner, time_s: float) -> float:
     """Where ``who`` starts so that the middles of both are level at a moment."""
-    who.at_m = 0.0
-    return sum(other.ends_m(time_s)) / 2 - sum(who.ends_m(time_s)) / 2
+    from_0 = replace(who, at_m=0.0)
+    return sum(other.ends_m(time_s)) / 2 - sum(from_0.ends_m(time_s)) / 2
