@@ -114,10 +114,9 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
             change = replace(change, target_mps=min(_turning_mps(scene, draft), before))
         then: float | None = None
         when = act.when
-        follows_own = isinstance(when, AfterAct) and when.act in own
         if not own and before == 0.0:
             then = STOOD_S
-        elif follows_own and isinstance(when, AfterAct):
+        elif isinstance(when, AfterAct) and when.act in own:
             then = max(_delay_s(scene, draft, when, took_s), 0.0) or _HOLDS_S
             if when.since == "begin":
                 then = max(0.0, then - took_s)

@@ -78,16 +78,16 @@ def hide(
         if thing is not None and any(each.id == thing.id for each in concrete.objects):
             concrete = _by_nothing(concrete, hazard)  # it lies in somebody's way
             continue
-        shape = SCREEN if thing is None else shape_of(thing)
-        taken = {o.id for o in concrete.objects}
-        name = free_name(functional, shape.kind, taken) if thing is None else thing.id
-        named = thing if thing is not None else Thing(id=name, kind=shape.kind)
-        made = _hide(concrete, network, hazard, named, shape)
-        sized = named.length_m is not None or named.width_m is not None
+        if thing is None:
+            name = free_name(functional, SCREEN.kind, {o.id for o in concrete.objects})
+            thing = Thing(id=name, kind=SCREEN.kind)
+        shape = shape_of(thing)
+        made = _hide(concrete, network, hazard, thing, shape)
+        sized = thing.length_m is not None or thing.width_m is not None
         if made is concrete and not sized:  # too small for who is behind it
             wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
             larger = replace(shape, length_m=wider[0], width_m=wider[1])
-            made = _hide(concrete, network, hazard, named, larger)
+            made = _hide(concrete, network, hazard, thing, larger)
         concrete = _by_nothing(concrete, hazard) if made is concrete else made
     return concrete
 

@@ -78,13 +78,12 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
         return 1
     roundabout = functional.junction.kind is JunctionKind.ROUNDABOUT
     drives = logical.drives
-    entries = [drive.entry for drive in drives]
     kinds = {hazard.kind for hazard in functional.hazards}
     beside = any(drive.beside for drive in drives)
     sideways = any(drive.maneuver in SIDEWAYS and _among(drive, drives) for drive in drives)
     plain = functional.junction.kind is JunctionKind.STRAIGHT
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
-    together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
+    together = any(_among(drive, drives) for drive in drives) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
     swerves = roundabout and bool(kinds & SWERVING)
     wide = sideways or swerves or (together and not roundabout)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -73,14 +72,6 @@ def side_of(functional: FunctionalScenario, name: str, reference: str) -> Side |
     return Side(next(iter(sides)).value) if len(sides) == 1 else None
 
 
-def may_endanger(functional: FunctionalScenario, pair: set[str]) -> bool:
-    """Whether one of two causes a danger that the other suffers, or that nobody is said to."""
-    return any(
-        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
-        for hazard in functional.hazards
-    )
-
-
 def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str) -> ParameterRange:
     """How fast somebody may be who moves; of a logical scenario made by hand, as of one listed."""
     listed = (p for p in logical.parameters if p.name == f"{name}.speed_mps")
@@ -90,11 +81,6 @@ def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str)
         return pace
     exact = {"low": said.low, "high": said.high, "default": said.middle}
     return pace.model_copy(update=exact)
-
-
-def slug_name(logical: LogicalScenario) -> str:
-    """The name of a scenario: number and slug of the logical one."""
-    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
 
 
 @dataclass

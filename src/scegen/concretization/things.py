@@ -98,8 +98,8 @@ SHAPES: dict[ThingKind, Shape] = {
         Shape(_K.TRAILER, _O, 8.0, 2.5, 3.5, 6000, "container"),
     )
 }
-OBSTACLE, SCREEN = SHAPES[ThingKind.OBSTACLE], SHAPES[ThingKind.SCREEN]
-"""Where the text does not say what it is."""
+SCREEN = SHAPES[ThingKind.SCREEN]
+"""What hides somebody where the text does not say what does."""
 
 
 def shape_of(thing: Thing) -> Shape:
@@ -109,15 +109,14 @@ def shape_of(thing: Thing) -> Shape:
 
 def causes_it(functional: FunctionalScenario, hazard: Hazard) -> Thing | None:
     """The thing that causes a danger: the one that is named, else one that does such a thing."""
-    named = [thing for thing in functional.objects if thing.id in hazard.by]
-    if named or hazard.by:
-        return next(iter(named), None)
-    for thing in functional.objects:
-        hides = hazard.kind is HazardKind.OCCLUSION and bool(thing.hides)
-        blocks = hazard.kind is HazardKind.OBSTACLE and thing.in_way_of is not None
-        if hides or blocks:
-            return thing
-    return None
+    things, found = functional.objects, []
+    if hazard.by:
+        found = [thing for thing in things if thing.id in hazard.by]
+    elif hazard.kind is HazardKind.OCCLUSION:
+        found = [thing for thing in things if thing.hides]
+    elif hazard.kind is HazardKind.OBSTACLE:
+        found = [thing for thing in things if thing.in_way_of is not None]
+    return next(iter(found), None)
 
 
 def caused_by_nobody(functional: FunctionalScenario, hazard: Hazard) -> bool:

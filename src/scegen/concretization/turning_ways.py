@@ -12,7 +12,7 @@ from dataclasses import asdict
 from itertools import combinations
 from math import radians, tan
 
-from scegen.concretization.tale import may_endanger, outward, side_of
+from scegen.concretization.tale import outward, side_of
 from scegen.errors import MotionInfeasibleError
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.arms import arm_angles_deg, seen_from
@@ -66,9 +66,13 @@ def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tupl
 
 def _at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
     """Whether the danger is between the two: no other is asked for."""
+    pair = {drive.participant, other.participant}
     if not functional.hazards:
-        return functional.ego.id in {drive.participant, other.participant}
-    return may_endanger(functional, {drive.participant, other.participant})
+        return functional.ego.id in pair
+    return any(
+        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
+        for hazard in functional.hazards
+    )
 
 
 def _bend(functional: FunctionalScenario, drive: Drive) -> int:

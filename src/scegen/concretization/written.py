@@ -5,11 +5,12 @@ Triggers are read off the scenario as it was laid, so that it also reacts.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 from scegen.concretization.profile import SpeedChange
-from scegen.concretization.tale import Tale, slug_name
+from scegen.concretization.tale import Tale
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.scenario.concrete import (
     AtTime,
@@ -103,11 +104,12 @@ def written_scenario(
     signals: SignalPlan | None = None,
 ) -> ConcreteScenario:
     """The whole, with who set which parameter and why."""
+    logical = tale.logical
     return ConcreteScenario(
-        name=slug_name(tale.logical),
+        name=re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100],
         description=tale.functional.description,
         seed=seed,
-        logical=tale.logical,
+        logical=logical,
         road=road,
         participants=tuple(people),
         objects=tuple(objects),

@@ -52,8 +52,8 @@ def _from_rest(acts: list[Act]) -> Iterator[Act]:
             rolls = Interval(low=ROLLS_S, high=ROLLS_S)
             on = Act(id=f"on_of_{stopped.id}"[:40], participant=act.participant, kind=_ON)
             later = AfterAct(act=stopped.id, since="end")
-            timed = isinstance(when, AfterAct) and when.later_s.low > ROLLS_S
-            if timed and isinstance(when, AfterAct):  # so that it moves aside when it is said to
+            if isinstance(when, AfterAct) and when.later_s.low > ROLLS_S:
+                # So that it moves aside when it is said to.
                 early = when.later_s.low - ROLLS_S
                 sooner = Interval(low=early, high=early)
                 yield on.model_copy(update={"when": when.model_copy(update={"delay_s": sooner})})

@@ -134,7 +134,9 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
     moment = 0.0
     if act is not None:
-        moment = walk.sets_off_s + (_after_s(walk, since) if act is walk.stop else 0.0)
+        moment = walk.sets_off_s
+    if act is not None and act is walk.stop:
+        moment += walk.rests_s() if since == "end" else walk.slows_s()
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
     if act is None and not walk.timed:
@@ -146,11 +148,6 @@ def _unbraked(story: Story, meets: Runner) -> Runner:
     """Who is met as it drives until it brakes for whom it meets: when is found later."""
     loose = story.loose(meets.steps, meets.speed_mps)
     return replace(meets, steps=[step for step in meets.steps if step is not loose])
-
-
-def _after_s(walk: Walk, since: str) -> float:
-    """How long after setting off it begins to stop, or has come to rest."""
-    return walk.rests_s() if since == "end" else walk.slows_s()
 
 
 def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
