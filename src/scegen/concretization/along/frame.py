@@ -167,11 +167,9 @@ def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:
 def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
     """The road with arms as long as the frame."""
     near, beyond = -frame.centre_m(frame.begin_m), frame.centre_m(frame.end_m)
-    lengths = [
-        (near if arm.id == frame.ego_arm else beyond) - frame.gaps_m[arm.id] for arm in road.arms
-    ]
+    lengths = {frame.ego_arm: near, 1 - frame.ego_arm: beyond}
     arms = tuple(
-        arm.model_copy(update={"length_m": round(length, 3)})
-        for arm, length in zip(road.arms, lengths, strict=True)
+        arm.model_copy(update={"length_m": round(lengths[arm.id] - frame.gaps_m[arm.id], 3)})
+        for arm in road.arms
     )
     return road.model_copy(update={"arms": arms})

@@ -42,12 +42,13 @@ class Story(Tale):
     ) -> Runner:  # fmt: skip
         """Somebody or something more along this road, at rest; lanes may come later."""
         junction = self.functional.junction
-        runner = Runner(name, kind, body, forward, lane, 0.0, thing=thing)
-        runner.keeps_left = junction.driving_side is DrivingSide.LEFT
-        runner.inner_m = median_half_m(junction.carriageway)
-        runner.lane_width_m = junction.lanes_wide_m
-        self.runners[name] = runner
-        return runner
+        self.runners[name] = Runner(
+            name, kind, body, forward, lane, 0.0, thing=thing,
+            keeps_left=junction.driving_side is DrivingSide.LEFT,
+            inner_m=median_half_m(junction.carriageway),
+            lane_width_m=junction.lanes_wide_m,
+        )  # fmt: skip
+        return self.runners[name]
 
     @property
     def ego_arm(self) -> int:
