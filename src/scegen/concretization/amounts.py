@@ -17,7 +17,7 @@ from scegen.concretization.tale import Tale
 from scegen.scenario.acts import GAINING, LETS_BY, SLOWING, Act, ActKind, AfterAct, AfterStart, When
 from scegen.scenario.bodies import Body
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Side
 
 OUT_AND_BACK = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
 ASIDE = OUT_AND_BACK | {ActKind.CHANGE_LANE}
@@ -77,9 +77,17 @@ def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Ac
         if later is not None and later.kind is ActKind.SET_OFF:
             over[act.participant] = on
         else:
-            name = f"{act.id}_over"[:40]
-            found.append(Act(id=name, participant=act.participant, kind=ActKind.SET_OFF, when=on))
+            found.append(implied("over", act.id, act.participant, ActKind.SET_OFF, when=on))
     return tuple(found)
+
+
+def implied(
+    what: str, of: str, who: str, kind: ActKind, *, when: When | None = None,
+    into: str | None = None, side: Side | None = None,
+) -> Act:  # fmt: skip
+    """An act that no word tells, named by what it is and of whom, or of which act."""
+    name = f"{what}_of_{of}"[:40]
+    return Act(id=name, participant=who, kind=kind, when=when, into=into, side=side)
 
 
 def goes_on_when_free(when: When | None) -> bool:
