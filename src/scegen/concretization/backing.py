@@ -188,8 +188,7 @@ def back_straight(scene: Setup, draft: DriveDraft, speed: float, stop: SpeedChan
 
 def reversing_mps(scene: Setup, draft: DriveDraft) -> float:
     """How fast it goes back."""
-    said = scene.functional.participant(draft.id).speed_mps
-    return said.middle if said is not None else sum(REVERSING_MPS) / 2
+    return scene.driven_mps(draft.id, sum(REVERSING_MPS) / 2)
 
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:

@@ -143,8 +143,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     at_red = stands_at_red(participant)
     waits_s = STOOD_S if at_red else WAITS_S if participant.light is AtLight.WAITS else None
     if scene.sets_off(participant.id) or at_red:
-        said = participant.speed_mps
-        cruise = said.middle if said is not None and said.high > 0 else scene.limit_mps
+        cruise = scene.driven_mps(participant.id, scene.limit_mps)
     fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(
         id=participant.id,

@@ -95,9 +95,8 @@ def lead_in_missing_s(scene: Setup) -> float:
 def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The marks of one's acts, the first of each chain at place 0."""
     before = draft.cruise_mps
-    said = scene.functional.participant(draft.id).speed_mps
     pulls_out = draft.parked_s_m is not None
-    usual = said.middle if pulls_out and said is not None else draft.cruise_mps
+    usual = scene.driven_mps(draft.id, before) if pulls_out else before
     own: set[str] = set()
     took_s = 0.0
     if scene.sets_off(draft.id):

@@ -133,6 +133,11 @@ class Tale:
         """Whether the text says how fast somebody is."""
         return self.functional.participant(name).speed_mps is not None
 
+    def driven_mps(self, name: str, usual_mps: float) -> float:
+        """How fast somebody drives who does: as is said, else as is usual."""
+        said = self.functional.participant(name).speed_mps
+        return said.middle if said is not None and said.high > 0 else usual_mps
+
     def kinds_by(self, name: str) -> set[HazardKind]:
         """The dangers that somebody causes."""
         return {hazard.kind for hazard in self.functional.hazards if name in hazard.by}

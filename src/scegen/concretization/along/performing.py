@@ -48,10 +48,8 @@ def perform(story: Story, act: Act, begins_s: float) -> None:
 
 
 def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> SpeedChange:
-    said = story.functional.participant(runner.id).speed_mps
-    usual = min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
-    if said is not None and said.high > 0:
-        usual = said.middle
+    traffic = min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
+    usual = story.driven_mps(runner.id, traffic)
     before = runner.speed_at_mps(begins_s)
     change = change_of_speed(story, act, runner.body, before, usual)
     answered, rate = story.stopped_before(act), change.rate_mps2

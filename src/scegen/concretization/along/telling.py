@@ -187,7 +187,8 @@ def _lay_things(story: Story) -> None:
     said = [thing for thing in story.functional.objects if thing.in_way_of in story.runners]
     needed = lying_in_the_way(story.functional, story.logical, story.runners)
     for hazard, thing in needed:
-        story.blame(thing, hazard)
+        if not hazard.by:
+            story.blame(thing, hazard)
     known = {thing.id for _, thing in needed}
     for thing in (*(t for t in said if t.id not in known), *(thing for _, thing in needed)):
         story.things[thing.id] = thing
