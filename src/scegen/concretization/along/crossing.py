@@ -132,9 +132,7 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
     measure, value, act, since = spacing
     if act is not None and not walk.timed:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
-    moment = 0.0
-    if act is not None:
-        moment = walk.sets_off_s
+    moment = 0.0 if act is None else walk.sets_off_s
     if act is not None and act is walk.stop:
         moment += walk.rests_s() if since == "end" else walk.slows_s()
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)

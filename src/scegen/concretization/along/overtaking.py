@@ -188,9 +188,11 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins) if stays else begins
     story.ends_s[act.id] = clear if stays or back is not None else clear + lasts
     if not stays:
-        fast.moves = [Move(begins, lasts, out_lane, offset, act.id, hazard)]
         home = back.id if back is not None else act.id
-        fast.moves.append(Move(clear, lasts, fast.lane, 0.0, home, hazard))
+        fast.moves = [
+            Move(begins, lasts, out_lane, offset, act.id, hazard),
+            Move(clear, lasts, fast.lane, 0.0, home, hazard),
+        ]
     elif back is not None:
         fast.moves.append(Move(clear, lasts, slow.lane, 0.0, back.id, hazard))
     if back is not None:
