@@ -9,7 +9,12 @@ from itertools import takewhile
 from scegen.concretization.amounts import change_of_speed, falls_back, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
-from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
+from scegen.concretization.limits import (
+    COMFORTABLE_BRAKING_MPS2,
+    FAST_LATERAL_MPS2,
+    HOLDS_S,
+    LEAD_IN_S,
+)
 from scegen.concretization.moments import during_s
 from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
@@ -21,8 +26,6 @@ from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
 STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""
 STANDS_FIRST_S = 0.5
-_HOLDS_S = 1.5
-"""Between two acts of one driver, where no time is said: long enough to see the speed held."""
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 _AFTER_WALKER_S = 0.5
@@ -116,11 +119,11 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         if not own and before == 0.0:
             then = STOOD_S
         elif isinstance(when, AfterAct) and when.act in own:
-            then = max(_delay_s(scene, draft, when, took_s), 0.0) or _HOLDS_S
+            then = max(_delay_s(scene, draft, when, took_s), 0.0) or HOLDS_S
             if when.since == "begin":
                 then = max(0.0, then - took_s)
         elif own and when is None:
-            then = _HOLDS_S
+            then = HOLDS_S
         place = 0.0
         if isinstance(when, BeforeJunction) and when.participant is None and then is None:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle

@@ -217,9 +217,9 @@ def _usual(story: Story, count: int) -> Iterator[Wish[int]]:
         beside = beside or story.functional.participant(name).strip is not None
         if name != ego and runner.forward and not beside:
             yield _beside(name, ego, USUAL, 0, f"{name} is in line")
-        changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE
-        side = assignment.changes_to if isinstance(assignment, Drive) and changes else None
-        if name not in story.exiting and side is not None:
-            step = outward(story.functional, side)
+        if not isinstance(assignment, Drive) or assignment.maneuver is not Maneuver.LANE_CHANGE:
+            continue
+        if name not in story.exiting and assignment.changes_to is not None:
+            step = outward(story.functional, assignment.changes_to)
             words = f"{name} has a lane to change into"
             yield Wish((name,), LIKELY, _room(name, step, count), words)

@@ -12,14 +12,13 @@ from scegen.concretization.along.performing import perform
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import goes_on_when_free
 from scegen.concretization.boxes import missing_m
+from scegen.concretization.limits import HOLDS_S
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT, LENGTHWISE
 
-_HOLDS_S = 1.5
-"""Between two acts of one participant, where nothing is said: long enough to see the speed held."""
 _AT_ONCE_S = 0.3
-"""The same where the next follows at once: long enough to be two acts."""
+"""Between two acts of one driver where the next follows at once: long enough to be two acts."""
 _LATE_S, _LOOK_S = 60.0, 0.02
 _SHIES_S = 0.3
 """Who swerves for a door that opens does so sooner than one brakes: a simple reaction."""
@@ -92,12 +91,12 @@ def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
         alone = story.act(when.act).participant == act.participant
         if alone and delay == 0.0 and when.since == "end":
             at_once = when.delay_s is not None and when.delay_s.high == 0.0
-            delay = _AT_ONCE_S if at_once else _HOLDS_S
+            delay = _AT_ONCE_S if at_once else HOLDS_S
         return known[when.act] + delay
     own = [story.ends_s[a.id] for a in story.acts if a.participant == act.participant
            and a.id in story.ends_s]  # fmt: skip
     if own:
-        return max(own) + _HOLDS_S
+        return max(own) + HOLDS_S
     door = door_before(story, act.participant)
     if act.kind is ActKind.SWERVE and door is not None:
         return door.appears_s + _SHIES_S
