@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from scegen.concretization.triggers import as_they_come
+from scegen.concretization.written import as_they_come
 from scegen.scenario.concrete import AtTime, Travelled
 
 

@@ -12,10 +12,12 @@ from scegen.concretization.limits import (
     STOPPING_MPS2,
     SUDDEN_ACCELERATION_MPS2,
 )
-from scegen.scenario.acts import GAINING, LETS_BY, SLOWING, Act, ActKind, AfterAct, When
+from scegen.concretization.profile import Sort, SpeedChange
+from scegen.concretization.tale import Tale
+from scegen.scenario.acts import GAINING, LETS_BY, SLOWING, Act, ActKind, AfterAct, AfterStart, When
 from scegen.scenario.bodies import Body
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Side
 
 OUT_AND_BACK = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
 ASIDE = OUT_AND_BACK | {ActKind.CHANGE_LANE}
@@ -75,9 +77,17 @@ def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Ac
         if later is not None and later.kind is ActKind.SET_OFF:
             over[act.participant] = on
         else:
-            name = f"{act.id}_over"[:40]
-            found.append(Act(id=name, participant=act.participant, kind=ActKind.SET_OFF, when=on))
+            found.append(implied("over", act.id, act.participant, ActKind.SET_OFF, when=on))
     return tuple(found)
+
+
+def implied(
+    what: str, of: str, who: str, kind: ActKind, *, when: When | None = None,
+    into: str | None = None, side: Side | None = None,
+) -> Act:  # fmt: skip
+    """An act that no word tells, named by what it is and of whom, or of which act."""
+    name = f"{what}_of_{of}"[:40]
+    return Act(id=name, participant=who, kind=kind, when=when, into=into, side=side)
 
 
 def goes_on_when_free(when: When | None) -> bool:
@@ -86,23 +96,18 @@ def goes_on_when_free(when: When | None) -> bool:
 
 
 def change_of_speed(
-    act: Act,
-    before_mps: float,
-    body: Body,
-    grip_mps2: float,
-    hazard: HazardKind | None,
-    usual_mps: float,
-) -> tuple[float, float]:
-    """(the speed that an act ends at, its rate): as the text says, else as is usual.
+    tale: Tale, act: Act, body: Body, before_mps: float, usual_mps: float
+) -> SpeedChange:
+    """The change of speed that an act is: as the text says, else as is usual.
 
     Args:
+        tale: what is told.
         act: a change of speed.
-        before_mps: the speed at which it begins.
         body: whose limits hold.
-        grip_mps2: what the tyres hold on this road.
-        hazard: the danger that the act is.
+        before_mps: the speed at which it begins.
         usual_mps: how fast one who sets off becomes, where nobody says.
     """
+    hazard = tale.hazard_of(act)
     rate = act.rate_mps2.middle if act.rate_mps2 else None
     target = _target_mps(act, before_mps, body, rate, usual_mps)
     change = abs(target - before_mps)
@@ -114,8 +119,9 @@ def change_of_speed(
         best = body.max_acceleration_mps2 if act.kind in GAINING else body.max_deceleration_mps2
         usual = STOPPING_MPS2 if act.kind in SLOWING else COMFORTABLE_ACCELERATION_MPS2
         usual = _RATES_MPS2.get(hazard, usual)
-        rate = min(usual, best, _OF_GRIP * grip_mps2)
-    return target, rate
+        rate = min(usual, best, _OF_GRIP * tale.grip_mps2)
+    timed = isinstance(act.when, AfterStart)
+    return SpeedChange(target, rate, act=act.id, hazard=hazard, sort=Sort.ACT, timed=timed)
 
 
 def _target_mps(
@@ -160,10 +166,3 @@ def lasting_s(act: Act, width_m: float, usual_s: float) -> float:
     if act.lateral_mps is not None:
         return width_m * pi / 2 / max(act.lateral_mps.middle, 0.1)
     return usual_s
-
-
-def pace_across_mps(acts: Sequence[Act], name: str, width_m: float) -> float | None:
-    """How fast somebody goes over a road of whom it is said how long that takes."""
-    own = (a for a in acts if a.participant == name and a.kind is ActKind.CROSS)
-    lasts = next((a.duration_s for a in own if a.duration_s is not None), None)
-    return None if lasts is None else width_m / max(lasts.middle, 0.1)

@@ -129,11 +129,8 @@ def _answer(
     traffic: Traffic, contact: Contact, own: SpeedChange | None
 ) -> tuple[SpeedChange, list[float]]:
     """The braking of one for another, as slow as that one at least, and how hard it may be."""
-    tale, body, to_mps = (
-        traffic.tale,
-        traffic.movers[contact.who].body,
-        _slowest_mps(traffic, contact),
-    )
+    tale, body = traffic.tale, traffic.movers[contact.who].body
+    to_mps = _slowest_mps(traffic, contact)
     said = tale.act(own.act) if own is not None and own.act is not None else None
     kinds = sorted(tale.kinds_by(contact.who) & BRAKING)
     if own is None:

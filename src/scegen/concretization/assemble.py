@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import combinations
 
 import numpy as np
 
@@ -12,9 +13,8 @@ from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import NeedsLongerArms, Setup
-from scegen.concretization.triggers import as_they_come
 from scegen.concretization.walkers import leaves_s, partner_of
-from scegen.concretization.written import written, written_phase, written_scenario
+from scegen.concretization.written import as_they_come, written, written_phase, written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path, Trace
@@ -53,17 +53,16 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
     )  # fmt: skip
     paths = {p.id: build_path(p.motion, p.body, scene.network, p.id) for p in concrete.participants}
     require_apart(concrete, paths)
-    _check_turns(concrete, paths)
-    duration = _duration_s(scene, concrete, paths)
-    if duration is None:
-        longer = concrete.model_copy(update={"duration_s": LONGEST_DURATION_S})
-        duration = _duration_s(scene, longer, paths)
-    if duration is None:
-        raise MotionInfeasibleError(
-            f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
-            hint="Raise the speeds or take a smaller junction.",
-        )
-    return put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
+    for lasts_s in (MAX_DURATION_S, LONGEST_DURATION_S):
+        traces = play(concrete.model_copy(update={"duration_s": lasts_s}), paths)
+        _check_turns(traces, paths)
+        duration = _duration_s(scene, traces, paths)
+        if duration is not None:
+            return put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
+    raise MotionInfeasibleError(
+        f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
+        hint="Raise the speeds or take a smaller junction.",
+    )
 
 
 def _participant(scene: Setup, name: str) -> ConcreteParticipant:
@@ -130,21 +129,17 @@ def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None
     Raises:
         MotionInfeasibleError: bodies overlap.
     """
-    people = concrete.participants
-    for i, first in enumerate(people):
-        for second in people[i + 1 :]:
-            if overlap(paths[first.id].start, first.body, paths[second.id].start, second.body):
-                raise MotionInfeasibleError(
-                    f"{first.id} and {second.id} overlap at the start",
-                    hint="Fewer dangers at once, or another logical scenario.",
-                )
+    for first, second in combinations(concrete.participants, 2):
+        if overlap(paths[first.id].start, first.body, paths[second.id].start, second.body):
+            raise MotionInfeasibleError(
+                f"{first.id} and {second.id} overlap at the start",
+                hint="Fewer dangers at once, or another logical scenario.",
+            )
 
 
-def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
+def _check_turns(traces: Mapping[str, Trace], paths: Mapping[str, Path]) -> None:
     """Nobody goes from forwards to backwards, or on again, at speed."""
-    if not any(path.backwards for path in paths.values()):
-        return
-    for name, trace in play(concrete, paths).items():
+    for name, trace in traces.items():
         for place in (place for part in paths[name].backwards for place in part):
             passed = np.flatnonzero((trace.s_m[1:] > place) & (trace.s_m[:-1] <= place))
             if place > 0.0 and passed.size and trace.speed_mps[passed[0]] > _TURNS_MPS:
@@ -156,9 +151,10 @@ def _check_turns(concrete: ConcreteScenario, paths: dict[str, Path]) -> None:
                 )
 
 
-def _duration_s(scene: Setup, concrete: ConcreteScenario, paths: dict[str, Path]) -> float | None:
+def _duration_s(
+    scene: Setup, traces: Mapping[str, Trace], paths: Mapping[str, Path]
+) -> float | None:
     """Until everybody has left the junction and everything has happened; None if never."""
-    traces = play(concrete, paths)
     ends: dict[str, float] = {}
     for name, trace in traces.items():
         goal = _goal_m(scene, name, paths[name])

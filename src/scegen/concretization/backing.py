@@ -125,24 +125,18 @@ def _up_and_back(
 def back_out(scene: Setup, draft: DriveDraft) -> None:
     """Let it come out backwards into its lane from where it stands, and drive on."""
     body = draft.body
-    entry_end_m = draft.laid.turning_starts_m
     if draft.from_arm is not None:
-        draft.joins_m = round(entry_end_m - _BEFORE_JUNCTION_M, 3)
-        draft.reversal = BacksOut(
-            arm=draft.from_arm, setback_m=round(body.rear_m + _OUT_OF_ARM_M, 3)
-        )
+        setback = round(body.rear_m + _OUT_OF_ARM_M, 3)
+        _come_to(scene, draft, _BEFORE_JUNCTION_M, BacksOut(arm=draft.from_arm, setback_m=setback))
     else:
         side = Side.RIGHT if draft.drive.reverses is Reverses.FROM_RIGHT else Side.LEFT
         road, sign = scene.network.arm_road(draft.drive.entry), side_sign(side)
         lane = road.lane_centre_t_m(arm_lane_id(road, draft.entry_lane, inbound=True))
         radius = round(_TIGHTEST * body.wheelbase_m, 3)
         aside = radius - abs(road.edge_t_m(sign) - lane)
-        draft.joins_m = round(entry_end_m - _BEFORE_END_M, 3)
-        draft.reversal = BacksOut(
-            side=side, setback_m=round(max(aside, body.rear_m) + _ROOM_M, 3), radius_m=radius
-        )
-    require_room(draft.id, draft.joins_m, _LEAST_RUN_UP_M)
-    draft.lay(scene.network)
+        setback = round(max(aside, body.rear_m) + _ROOM_M, 3)
+        back = BacksOut(side=side, setback_m=setback, radius_m=radius)
+        _come_to(scene, draft, _BEFORE_END_M, back)
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
     draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
     _go_back(scene, draft, _WAITS_S)
@@ -158,15 +152,19 @@ def stand_square(
     plain = scene.network.plain
     off_m = draft.body.rear_m + (_ROOM_M if plain else _OUT_OF_ARM_M) + more_m
     kerb = Side(scene.functional.junction.driving_side.value)
-    draft.joins_m = round(
-        draft.laid.turning_starts_m - (_BEFORE_END_M if plain else _BEFORE_JUNCTION_M), 3
-    )
-    draft.reversal = BacksOut(
+    back = BacksOut(
         side=kerb if plain else None,
         arm=None if plain else draft.drive.entry,
         setback_m=round(off_m, 3),
         straight_m=round(straight_m + _WAY_ON_M, 3),
     )
+    _come_to(scene, draft, _BEFORE_END_M if plain else _BEFORE_JUNCTION_M, back)
+
+
+def _come_to(scene: Setup, draft: DriveDraft, before_m: float, back: BacksOut) -> None:
+    """Let it come out backwards to a place so far before the end of its arm."""
+    draft.joins_m = round(draft.laid.turning_starts_m - before_m, 3)
+    draft.reversal = back
     require_room(draft.id, draft.joins_m, _LEAST_RUN_UP_M)
     draft.lay(scene.network)
 
@@ -190,8 +188,7 @@ def back_straight(scene: Setup, draft: DriveDraft, speed: float, stop: SpeedChan
 
 def reversing_mps(scene: Setup, draft: DriveDraft) -> float:
     """How fast it goes back."""
-    said = scene.functional.participant(draft.id).speed_mps
-    return said.middle if said is not None else sum(REVERSING_MPS) / 2
+    return scene.driven_mps(draft.id, sum(REVERSING_MPS) / 2)
 
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:

@@ -15,10 +15,7 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_lin
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.hazards.aside import (
-    brake_out_of_control,
-    leave_lanes,
-)
+from scegen.concretization.hazards.aside import brake_out_of_control, leave_lanes
 from scegen.concretization.hazards.reversing import (
     go_back_as_they_come,
     prepare_to_reverse,
@@ -36,11 +33,7 @@ from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import go_round_stationary, place_obstacles, place_stationary
 from scegen.concretization.tale import as_meant, pace_of
-from scegen.concretization.walkers import (
-    leaves_s,
-    place_walkers,
-    stop_in_the_way,
-)
+from scegen.concretization.walkers import leaves_s, place_walkers, stop_in_the_way
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
@@ -119,7 +112,10 @@ def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
 
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:
-    _place(scene)
+    place_stationary(scene)
+    for drive in scene.logical.drives:
+        if drive.participant not in scene.stands:
+            scene.drives[drive.participant] = _draft(scene, drive)
     prepare_to_reverse(scene)
     choose_junction_lanes(scene)
     for draft in scene.drives.values():
@@ -140,14 +136,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 
-def _place(scene: Setup) -> None:
-    """Who stands where, and who drives."""
-    place_stationary(scene)
-    for drive in scene.logical.drives:
-        if drive.participant not in scene.stands:
-            scene.drives[drive.participant] = _draft(scene, drive)
-
-
 def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
     others = {each.participant for each in scene.logical.drives}
@@ -155,8 +143,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     at_red = stands_at_red(participant)
     waits_s = STOOD_S if at_red else WAITS_S if participant.light is AtLight.WAITS else None
     if scene.sets_off(participant.id) or at_red:
-        said = participant.speed_mps
-        cruise = said.middle if said is not None and said.high > 0 else scene.limit_mps
+        cruise = scene.driven_mps(participant.id, scene.limit_mps)
     fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(
         id=participant.id,

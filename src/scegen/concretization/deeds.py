@@ -9,8 +9,13 @@ from itertools import takewhile
 from scegen.concretization.amounts import change_of_speed, falls_back, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import ahead_on_arm, happens_s_m, stops_for_walkers
-from scegen.concretization.limits import COMFORTABLE_BRAKING_MPS2, FAST_LATERAL_MPS2, LEAD_IN_S
-from scegen.concretization.moments import begins_s
+from scegen.concretization.limits import (
+    COMFORTABLE_BRAKING_MPS2,
+    FAST_LATERAL_MPS2,
+    HOLDS_S,
+    LEAD_IN_S,
+)
+from scegen.concretization.moments import during_s
 from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s
@@ -21,8 +26,6 @@ from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
 STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""
 STANDS_FIRST_S = 0.5
-_HOLDS_S = 1.5
-"""Between two acts of one driver, where no time is said: long enough to see the speed held."""
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 _AFTER_WALKER_S = 0.5
@@ -78,7 +81,7 @@ def lead_in_missing_s(scene: Setup) -> float:
     Who goes across stands for a moment before.
     """
     begins = [
-        begins_s(scene, act)
+        during_s(scene, act)[0]
         for draft in scene.drives.values()
         for act in (scene.act(mark.act) for mark in draft.steps if mark.act is not None)
         if not isinstance(act.when, AfterStart)
@@ -95,9 +98,8 @@ def lead_in_missing_s(scene: Setup) -> float:
 def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The marks of one's acts, the first of each chain at place 0."""
     before = draft.cruise_mps
-    said = scene.functional.participant(draft.id).speed_mps
     pulls_out = draft.parked_s_m is not None
-    usual = said.middle if pulls_out and said is not None else draft.cruise_mps
+    usual = scene.driven_mps(draft.id, before) if pulls_out else before
     own: set[str] = set()
     took_s = 0.0
     if scene.sets_off(draft.id):
@@ -109,31 +111,27 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         yield SpeedChange(0.0, rate, s_m=place - before**2 / (2 * rate), sort=Sort.ACT)
         before = 0.0
     for act in scene.speed_acts(draft.id):
-        hazard = scene.hazard_of(act)
-        target, rate = change_of_speed(act, before, draft.body, draft.grip_mps2, hazard, usual)
+        change = change_of_speed(scene, act, draft.body, before, usual)
         if falls_back(act):
-            target = min(_turning_mps(scene, draft), before)
+            change = replace(change, target_mps=min(_turning_mps(scene, draft), before))
         then: float | None = None
         when = act.when
-        follows_own = isinstance(when, AfterAct) and when.act in own
         if not own and before == 0.0:
             then = STOOD_S
-        elif follows_own and isinstance(when, AfterAct):
-            then = max(_delay_s(scene, draft, when, took_s), 0.0) or _HOLDS_S
+        elif isinstance(when, AfterAct) and when.act in own:
+            then = max(_delay_s(scene, draft, when, took_s), 0.0) or HOLDS_S
             if when.since == "begin":
                 then = max(0.0, then - took_s)
         elif own and when is None:
-            then = _HOLDS_S
+            then = HOLDS_S
         place = 0.0
         if isinstance(when, BeforeJunction) and when.participant is None and then is None:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
             if act.kind is ActKind.STOP:  # where it stands
-                place -= before**2 / (2 * rate)
-        yield SpeedChange(
-            target, rate, s_m=place, act=act.id, hazard=hazard, sort=Sort.ACT, then_s=then
-        )
-        took_s = abs(target - before) / rate
-        before = target
+                place -= before**2 / (2 * change.rate_mps2)
+        yield replace(change, s_m=place, then_s=then)
+        took_s = abs(change.target_mps - before) / change.rate_mps2
+        before = change.target_mps
         own.add(act.id)
     if not own and _stops_at_light(scene, draft):  # only the light is told
         yield SpeedChange(0.0, draft.braking_mps2(COMFORTABLE_BRAKING_MPS2), sort=Sort.ACT)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from math import sqrt
 
 from scegen.concretization.courses import Course, course_of
 from scegen.concretization.limits import (
@@ -14,7 +15,6 @@ from scegen.concretization.limits import (
     STOPS_FOR_S,
 )
 from scegen.concretization.profile import Sort, SpeedChange
-from scegen.concretization.turning import turning_changes
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.paths import lay_towards
 from scegen.motion.polyline import LaidDrive
@@ -28,7 +28,9 @@ from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
-_ENDS_M = 1.0
+_WORTH_IT, _ENDS_M = 0.98, 1.0
+_SHORT_M = 1.0
+"""From the front bumper of one who stops to the stop line, and as early before a bend."""
 
 
 @dataclass
@@ -223,19 +225,34 @@ class DriveDraft:
         self.marks.append(replace(mark, then=on))
 
     def road_changes(self) -> list[SpeedChange]:
-        """Slowing down for turns and at stop lines (red, a sign), and speeding up after them."""
-        stop = None
+        """Slowing down for bends and at stop lines (red, a sign), and speeding up after them.
+
+        The comfortable speed in a bend is sqrt(lateral acceleration * radius) of the lane driven;
+        from the first to the last bend that is too narrow for ``cruise_mps`` the least of these is
+        kept.
+        """
+        lateral = min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2)
+        faster = self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
+        limits = [(begin, end, sqrt(lateral * radius)) for begin, end, radius in self.laid.bends]
+        bends = [limit for limit in limits if limit[2] < self.cruise_mps * _WORTH_IT]
+        speed = min((limit for _, _, limit in bends), default=self.cruise_mps)
+        marks: list[SpeedChange] = []
         if self.stops_at_line or self.waits_s is not None:
             stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
-            stop = self.stop_line_s_m - self.body.front_m, stands_s
-        return turning_changes(
-            self.laid,
-            self.cruise_mps,
-            lateral_mps2=min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2),
-            stop=stop,
-            slowing_mps2=min(COMFORTABLE_BRAKING_MPS2, self.grip_mps2),
-            faster_mps2=self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2),
-        )
+            on = SpeedChange(speed, faster, sort=Sort.GOES_ON, then_s=stands_s)
+            marks.append(self._slow_before(self.stop_line_s_m - self.body.front_m, 0.0, on))
+        elif bends:
+            marks.append(self._slow_before(bends[0][0], speed))
+        if bends:
+            marks.append(SpeedChange(self.cruise_mps, faster, s_m=bends[-1][1], sort=Sort.FREES))
+        return marks
+
+    def _slow_before(
+        self, s_m: float, to_mps: float, then: SpeedChange | None = None
+    ) -> SpeedChange:
+        rate, by_m = min(COMFORTABLE_BRAKING_MPS2, self.grip_mps2), s_m - _SHORT_M
+        begins_m = max(0.0, by_m - (self.cruise_mps**2 - to_mps**2) / (2 * rate))
+        return SpeedChange(to_mps, rate, s_m=begins_m, sort=Sort.SLOWS, then=then, by_m=by_m)
 
     def speed_changes(self) -> list[SpeedChange]:
         """All marks in the order of the path."""

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from scegen.concretization.deeds import is_open
-from scegen.concretization.moments import begins_s, ends_s, too_long_m
+from scegen.concretization.moments import during_s, too_long_m
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
 from scegen.scenario.acts import (
@@ -108,16 +108,16 @@ def _missed(scene: Setup) -> Iterator[float]:
         pair = {spacing.participant, spacing.reference}
         if spacing.measure in LENGTHWISE and spacing.at != CONTACT and known >= pair:
             at = None if spacing.at == START else scene.act(spacing.at)
-            moment = ends_s if spacing.since == "end" else begins_s
             if at is None or at.participant in known:
-                yield _PER_M * too_long_m(scene, spacing, 0.0 if at is None else moment(scene, at))
+                time_s = 0.0 if at is None else during_s(scene, at)[spacing.since == "end"]
+                yield _PER_M * too_long_m(scene, spacing, time_s)
     for act in scene.acts:
         if act.when is not None and act.participant in known:
             yield from _mistimed(scene, act, known)
 
 
 def _mistimed(scene: Setup, act: Act, known: set[str]) -> Iterator[float]:
-    when, own_s = act.when, begins_s(scene, act)
+    when, own_s = act.when, during_s(scene, act)[0]
     if isinstance(when, WhenMeasure) and when.measure in LENGTHWISE:
         if known >= {when.participant, when.reference}:
             yield _PER_M * too_long_m(scene, when, own_s)
@@ -141,8 +141,8 @@ def _mistimed(scene: Setup, act: Act, known: set[str]) -> Iterator[float]:
         marks = own.steps if own is not None else ()
         chained = any(mark.act == act.id and mark.then_s is not None for mark in marks)
         if other.participant in known and not chained:
-            since = (ends_s if when.since == "end" else begins_s)(scene, other)
-            yield own_s - since - (when.later_s.middle or _THEN_S)
+            since_s = during_s(scene, other)[when.since == "end"]
+            yield own_s - since_s - (when.later_s.middle or _THEN_S)
 
 
 def conditioned(scene: Setup, name: str) -> bool:

@@ -8,7 +8,7 @@ somebody meets a light, it is laid once more around everybody, when all times ar
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import isfinite
 from typing import NamedTuple
 
@@ -59,15 +59,11 @@ _EXACTLY = 10.0
 
 @dataclass(frozen=True)
 class Lights:
-    """The lights of a scene on the clock of its ego's course, and who must obey them.
-
-    ``delays_s`` is how long after green those set off of whom that is said.
-    """
+    """The lights of a scene on the clock of its ego's course, and who must obey them."""
 
     plan: SignalPlan
+    functional: FunctionalScenario
     obeying: frozenset[str]
-    waiting: frozenset[str] = frozenset()
-    delays_s: Mapping[str, float] = field(default_factory=dict)
 
     def wait(self, draft: DriveDraft, offset_s: float) -> None:
         """Let a drive so late stand at its line until green: at red, or if that is said."""
@@ -76,12 +72,14 @@ class Lights:
         if draft.id not in self.obeying or group is None:
             return
         since = (crosses_s(draft, offset_s) - group.green_from_s) % self.plan.cycle_s
-        if since < group.green_s - _LATE_S and draft.id not in self.waiting:
+        waits = self.functional.participant(draft.id).light is AtLight.WAITS
+        if since < group.green_s - _LATE_S and not waits:
             return
+        delay_s = _green_delays_s(self.functional).get(draft.id)
         goes = crosses_s(draft, offset_s) + self.plan.cycle_s - since
-        goes += self.delays_s.get(draft.id, _STARTS_S)
+        goes += _STARTS_S if delay_s is None else delay_s
         # One that sets off late has stood for longer: it came to rest before green.
-        least = self.delays_s[draft.id] + _STARTS_S if draft.id in self.delays_s else _LEAST_WAIT_S
+        least = _LEAST_WAIT_S if delay_s is None else delay_s + _STARTS_S
         draft.waits_s = least
         again = draft.course.going_on
         longer = goes - (offset_s + again.begins_s) if again is not None else 0.0
@@ -121,14 +119,13 @@ def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
     functional, logical = scene.functional, scene.logical
     if scene.road.control not in LIGHTS or scene.road.kind is JunctionKind.STRAIGHT:
         return None
-    plan, obeying = _plan(scene, green_phases(functional, logical)), must_obey(functional, logical)
-    waiting = frozenset(p.id for p in functional.participants if p.light is AtLight.WAITS)
+    plan = _plan(scene, green_phases(functional, logical))
     if plan.working:
         plan = _suiting(plan, list(_driven(scene, offsets_s)))
-    return Lights(plan, obeying, waiting, green_delays_s(functional))
+    return Lights(plan, functional, must_obey(functional, logical))
 
 
-def green_delays_s(functional: FunctionalScenario) -> dict[str, float]:
+def _green_delays_s(functional: FunctionalScenario) -> dict[str, float]:
     """How long after green those set off of whom it is said."""
     said = ((p.id, p.green_delay_s) for p in functional.participants)
     return {name: delay.middle for name, delay in said if delay is not None}
@@ -138,7 +135,7 @@ def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
     """Of those who drive and are placed, as is said, or as the rules want it."""
     functional, logical = scene.functional, scene.logical
     runners, obeying = light_runners(functional, logical), must_obey(functional, logical)
-    delays = green_delays_s(functional)
+    delays = _green_delays_s(functional)
     for name in at_lights(functional, logical):
         said = functional.participant(name).light
         if name not in offsets_s or name not in scene.drives:
@@ -220,7 +217,7 @@ def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:
     crossed = sorted({crossing.arm for crossing in people})
     afoot_s = max((walked_s(scene.network, a) for a in crossed), default=0.0) + LEAST_GREEN_AFOOT_S
     green = max(LEAST_GREEN_S, afoot_s - between) if crossed else LEAST_GREEN_S
-    late_s = max(green_delays_s(scene.functional).values(), default=0.0)
+    late_s = max(_green_delays_s(scene.functional).values(), default=0.0)
     green = max(green, late_s + _TO_THE_LINE_S) if late_s else green
     groups = [
         SignalGroup(

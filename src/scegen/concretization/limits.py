@@ -13,9 +13,6 @@ number is this program's own choice.
 
 from __future__ import annotations
 
-from scegen.scenario.bodies import BODIES
-from scegen.scenario.vocabulary import ANIMALS, ParticipantKind
-
 COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
 COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
 HARD_BRAKING_MPS2 = (7.0, 8.0)  # well above [UN152], below the tyre's limit on dry road
@@ -43,13 +40,8 @@ JITTER = 0.04  # relative spread of ordinary speeds
 
 WALKING_START_MPS2 = 2.5
 
-
-def starting_mps2(kind: ParticipantKind) -> float:
-    """How fast those gain speed who set off to cross."""
-    most = BODIES[kind].max_acceleration_mps2
-    return most if kind in ANIMALS else min(WALKING_START_MPS2, most)
-
-
+HOLDS_S = 1.5
+"""Between two acts of one driver, where no time is said: long enough to see the speed held."""
 STOPS_FOR_S = 1.5
 """At stop lines vehicles stand so long at least: clearly longer than ``rules.stopping`` asks."""
 

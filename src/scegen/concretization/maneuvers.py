@@ -41,8 +41,6 @@ def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:
 
     The one that the text calls slow, else the nearest.
     """
-    if _goes(scene, draft) not in SIDEWAYS:
-        return None
     ahead = [
         other
         for other in ahead_on_arm(scene, draft)

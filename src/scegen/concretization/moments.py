@@ -24,17 +24,8 @@ _AFTER_S = 30.0
 """Those who go on once others are out of their way arrive so much later."""
 
 
-def begins_s(scene: Setup, act: Act) -> float:
-    """When an act begins on the scenario's clock."""
-    return _during(scene, act)[0]
-
-
-def ends_s(scene: Setup, act: Act) -> float:
-    """When it is over."""
-    return _during(scene, act)[1]
-
-
-def _during(scene: Setup, act: Act) -> tuple[float, float]:
+def during_s(scene: Setup, act: Act) -> tuple[float, float]:
+    """When an act begins and ends, on the scenario's clock."""
     name = act.participant
     if name in scene.walks:
         begins, walk = leaves_s(scene, name), scene.walks[name]

@@ -8,7 +8,7 @@ counting more.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -60,21 +60,6 @@ _ACROSS = 0.95
 """A thing across the road is worth a little less than one along it: few stand like that."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Places:
-    """Poses of a thing's middle to try; ``worth`` weighs them."""
-
-    x_m: Array
-    y_m: Array
-    heading_rad: Array
-    worth: Array
-
-    def only(self, chosen: NDArray[np.bool_]) -> _Places:
-        return _Places(
-            self.x_m[chosen], self.y_m[chosen], self.heading_rad[chosen], self.worth[chosen]
-        )
-
-
 def hide(
     functional: FunctionalScenario, concrete: ConcreteScenario, network: RoadNetwork
 ) -> ConcreteScenario:
@@ -93,16 +78,16 @@ def hide(
         if thing is not None and any(each.id == thing.id for each in concrete.objects):
             concrete = _by_nothing(concrete, hazard)  # it lies in somebody's way
             continue
-        shape = SCREEN if thing is None else shape_of(thing)
-        taken = {o.id for o in concrete.objects}
-        name = free_name(functional, shape.kind, taken) if thing is None else thing.id
-        named = thing if thing is not None else Thing(id=name, kind=shape.kind)
-        made = _hide(concrete, network, hazard, named, shape)
-        sized = named.length_m is not None or named.width_m is not None
+        if thing is None:
+            name = free_name(functional, SCREEN.kind, {o.id for o in concrete.objects})
+            thing = Thing(id=name, kind=SCREEN.kind)
+        shape = shape_of(thing)
+        made = _hide(concrete, network, hazard, thing, shape)
+        sized = thing.length_m is not None or thing.width_m is not None
         if made is concrete and not sized:  # too small for who is behind it
             wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
             larger = replace(shape, length_m=wider[0], width_m=wider[1])
-            made = _hide(concrete, network, hazard, named, larger)
+            made = _hide(concrete, network, hazard, thing, larger)
         concrete = _by_nothing(concrete, hazard) if made is concrete else made
     return concrete
 
@@ -180,26 +165,23 @@ def _best_place(
     eye, points = _points(concrete, observer)[0], _points(concrete, target)
     mark = points[0]
     nearest = int(np.hypot(*(eye - mark)).argmin())
-    places = _places(eye, mark, observer, target, thing, nearest)
-    cos, sin = np.cos(places.heading_rad), np.sin(places.heading_rad)
-    tried = Boxes(places.x_m, places.y_m, cos, sin, thing.length_m / 2, thing.width_m / 2)
+    x, y, heading, _ = places = _places(eye, mark, observer, target, thing, nearest)
     shapely.prepare(ground)
-    free = ~shapely.intersects(ground, outlines(tried))
-    if not free.any():
+    tried = box_at(x, y, heading, thing.body, np.zeros(1))
+    x, y, heading, worth = places[:, ~shapely.intersects(ground, outlines(tried))]
+    if not worth.size:
         return None
-    places = places.only(free)
+    boxes = box_at(x, y, heading, thing.body, np.zeros(1))
     first = max(0, nearest - round(_LOOK_S / _STEP_S))
-    hidden = np.ones((len(places.x_m), nearest - first), dtype=np.bool_)
+    hidden = np.ones((len(boxes.x), nearest - first), dtype=np.bool_)
     for point in points:
-        hidden &= _cut(places, thing, eye[:, first:nearest], point[:, first:nearest])
+        hidden &= _cut(boxes, eye[:, first:nearest], point[:, first:nearest])
     before_s = (nearest - np.arange(first, nearest)) * _STEP_S
-    worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * places.worth
+    worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * worth
     worth[hidden.sum(axis=1) * _STEP_S < _LEAST_S] = 0.0
     n = int(worth.argmax())
-    if worth[n] <= 0.0:
-        return None
-    x, y, heading = (float(row[n]) for row in (places.x_m, places.y_m, places.heading_rad))
-    return float(worth[n]), Pose(x, y, heading)
+    pose = Pose(float(x[n]), float(y[n]), float(heading[n]))
+    return (float(worth[n]), pose) if worth[n] > 0.0 else None
 
 
 def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:
@@ -211,8 +193,11 @@ def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:
 
 def _places(
     eye: Array, mark: Array, observer: Trace, target: Trace, thing: Shape, nearest: int
-) -> _Places:
-    """Places on lines of sight before the encounter, near either end; along the road first."""
+) -> Array:
+    """Places on lines of sight before the encounter, near either end; along the road first.
+
+    Their x, y, heading and how much each is worth, (4, n).
+    """
     rows = []
     for before_s in np.arange(_LATEST_S, _EARLIEST_S, _EVERY_S):
         t = nearest - round(before_s / _STEP_S)
@@ -238,18 +223,17 @@ def _places(
     along, aside = shifts[:, :1], shifts[:, 1:]
     c, s = np.cos(heading), np.sin(heading)
     x, y = x + along * c - aside * s, y + along * s + aside * c
-    return _Places(*(values.T.ravel() for values in (x, y, heading, worth)))
+    return np.array([values.T.ravel() for values in (x, y, heading, worth)])
 
 
-def _cut(places: _Places, thing: Shape, eye: Array, point: Array) -> NDArray[np.bool_]:
+def _cut(boxes: Boxes, eye: Array, point: Array) -> NDArray[np.bool_]:
     """Whether each box cuts the straight line between two points, (place, t)."""
-    c, s = np.cos(places.heading_rad)[:, None], np.sin(places.heading_rad)[:, None]
+    x, y, c, s = (row[:, None] for row in boxes[:4])
     low, high = np.zeros((len(c), eye.shape[1])), np.ones((len(c), eye.shape[1]))
-    ax, ay = eye[0] - places.x_m[:, None], eye[1] - places.y_m[:, None]
-    bx, by = point[0] - places.x_m[:, None], point[1] - places.y_m[:, None]
+    ax, ay, bx, by = eye[0] - x, eye[1] - y, point[0] - x, point[1] - y
     sides = (
-        (ax * c + ay * s, bx * c + by * s, thing.length_m / 2),
-        (ay * c - ax * s, by * c - bx * s, thing.width_m / 2),
+        (ax * c + ay * s, bx * c + by * s, boxes.half_length),
+        (ay * c - ax * s, by * c - bx * s, boxes.half_width),
     )
     for start, end, half in sides:
         step = np.where(np.abs(end - start) < 1e-9, 1e-9, end - start)

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.limits import starting_mps2
-from scegen.concretization.triggers import Comes, as_they_come
+from scegen.concretization.limits import WALKING_START_MPS2
+from scegen.concretization.written import Comes, as_they_come
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import crossing_path
 from scegen.road.model import RoadNetwork
@@ -17,7 +17,7 @@ from scegen.scenario.acts import Act, AfterStart
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import CrossingMotion, SpeedPhase, StandingMotion, Travelled
 from scegen.scenario.logical import Crossing, Standing
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import ANIMALS, HazardKind, ParticipantKind
 
 STOPS_SHORT_M = 0.15
 """Who comes to rest on its way does so this far before its way ends."""
@@ -70,7 +70,8 @@ class Walker:
     @property
     def rate_mps2(self) -> float:
         """How fast it gains speed, and loses it."""
-        return starting_mps2(self.kind)
+        most = self.body.max_acceleration_mps2
+        return most if self.kind in ANIMALS else min(WALKING_START_MPS2, most)
 
     @property
     def gains_m(self) -> float:

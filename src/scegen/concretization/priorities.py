@@ -6,8 +6,8 @@ that does not do, it is placed to come at another time.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from math import inf
 
 from scegen.concretization.clearance import Differences, Placed
@@ -61,17 +61,14 @@ class Waits:
 class Manners:
     """What whoever is placed keeps to: its light, and the right of way of those placed before.
 
-    ``patient`` are those who may be let wait at their line.
+    ``duties`` are by the two whom they are between, ``patient`` those who may be let wait at their
+    line.
     """
 
     lights: Lights | None
     differences: Differences
-    duties: tuple[Duty, ...] = ()
-    patient: frozenset[str] = frozenset()
-    _by_pair: dict[frozenset[str], Duty] = field(default_factory=dict)
-
-    def __post_init__(self) -> None:
-        self._by_pair.update({frozenset((d.yields, d.other)): d for d in self.duties})
+    duties: Mapping[frozenset[str], Duty]
+    patient: frozenset[str]
 
     def wait(self, draft: DriveDraft, offset_s: float) -> None:
         """Let a drive with this offset wait for its green, where it has to."""
@@ -100,7 +97,7 @@ class Manners:
 
     def _taken(self, one: Placed, two: Placed) -> tuple[Placed, Placed] | None:
         """Who of two takes the other's way, and the other."""
-        duty = self._by_pair.get(frozenset((one[0].id, two[0].id)))
+        duty = self.duties.get(frozenset((one[0].id, two[0].id)))
         if duty is None:
             return None
         yields, other = (one, two) if duty.yields == one[0].id else (two, one)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.concretization.limits import LATERAL_MPS2
 from scegen.concretization.tale import SIDEWAYS, SWERVING
-from scegen.concretization.turning_ways import lanes_to_turn_back, with_turns
+from scegen.concretization.turning_ways import lanes_to_turn_back, turning_back, with_turns
 from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.road import build_network, plan_road
@@ -37,7 +37,6 @@ def plan(
     """Road parameters with the lanes, strips and ring that the scenario needs."""
     kinds = {hazard.kind for hazard in functional.hazards}
     limit = round(implied_limit_mps(functional), 6)
-    turning_back = [drive for drive in logical.drives if drive.entry == drive.exit]
     crossed = {crossing.arm for crossing in logical.crossings}
     parameters = plan_road(
         functional.junction.model_copy(update={"speed_limit_mps": limit}),
@@ -46,7 +45,7 @@ def plan(
         or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
         crosswalks=frozenset(arm for arm in crossed if has_crosswalk(functional.junction, arm)),
         parking_lanes=frozenset(s.arm for s in standing_in_bays(functional, logical)),
-        u_turns=frozenset(drive.entry for drive in turning_back),
+        u_turns=frozenset(drive.entry for drive in turning_back(logical)),
     )
     parameters = with_turns(functional, logical, parameters)
     if functional.junction.kind is not JunctionKind.ROUNDABOUT:
@@ -79,13 +78,12 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
         return 1
     roundabout = functional.junction.kind is JunctionKind.ROUNDABOUT
     drives = logical.drives
-    entries = [drive.entry for drive in drives]
     kinds = {hazard.kind for hazard in functional.hazards}
     beside = any(drive.beside for drive in drives)
     sideways = any(drive.maneuver in SIDEWAYS and _among(drive, drives) for drive in drives)
     plain = functional.junction.kind is JunctionKind.STRAIGHT
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
-    together = len(set(entries)) < len(entries) and bool(kinds & beside_kinds)
+    together = any(_among(drive, drives) for drive in drives) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
     swerves = roundabout and bool(kinds & SWERVING)
     wide = sideways or swerves or (together and not roundabout)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from scegen.concretization.amounts import AS_LONG_AS_NEEDED_S, spelled_out
+from scegen.concretization.amounts import AS_LONG_AS_NEEDED_S, implied, spelled_out
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.others import StandDraft, WalkDraft
 from scegen.concretization.tale import Tale
@@ -52,7 +52,7 @@ def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[A
     first = {a.participant: a.kind for a in reversed(told) if a.kind in SLOWING | GAINING}
     pulling = (p.id for p in functional.participants if p.pulls_out)
     setting_off = (
-        Act(id=f"pull_of_{name}"[:40], participant=name, kind=ActKind.SET_OFF)
+        implied("pull", name, name, ActKind.SET_OFF)
         for name in pulling
         if first.get(name) is not ActKind.SET_OFF
     )
@@ -76,12 +76,11 @@ def _implied(tale: Tale, hazard: Hazard) -> Iterator[Act]:
         runs_in = late and any(tale.contact_wanted(name, to) for to in hazard.to)
         if name not in hazard.by or name in own or stays or runs_in:
             continue
-        act = Act(id=f"{hazard.kind}_of_{name}"[:40], participant=name, kind=kind)
+        act = implied(hazard.kind, name, name, kind)
         yield act
         if kind in SLOWING:
-            goes_on = f"on_of_{act.id}"[:40]
             free = AfterAct(act=act.id, since="end", delay_s=AS_LONG_AS_NEEDED_S)
-            yield Act(id=goes_on, participant=name, kind=ActKind.SET_OFF, when=free)
+            yield implied("on", act.id, name, ActKind.SET_OFF, when=free)
 
 
 @dataclass
@@ -99,20 +98,8 @@ class Setup(Tale):
     walks: dict[str, WalkDraft] = field(default_factory=dict)
     stands: dict[str, StandDraft] = field(default_factory=dict)
     objects: list[StaticObject] = field(default_factory=list)
-    caused: dict[Hazard, Hazard] = field(default_factory=dict)
     signals: SignalPlan | None = None
     paces: dict[tuple[int, float], float] = field(default_factory=dict)
-
-    @property
-    def hazards(self) -> tuple[Hazard, ...]:
-        """The dangers, with the things that cause them."""
-        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
-
-    def add_object(self, thing: StaticObject, hazard: Hazard, who: str) -> None:
-        """Place a thing, which causes a danger to somebody."""
-        self.objects.append(thing)
-        to = hazard.to or (who,)
-        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
 
     @property
     def ego(self) -> DriveDraft:

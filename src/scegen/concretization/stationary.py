@@ -140,7 +140,8 @@ def place_obstacles(scene: Setup) -> None:
         if hit:
             continue
         made = made_of(thing.id, shape, thing.called, pose)
-        scene.add_object(made, hazard, draft.id)
+        scene.objects.append(made)
+        scene.blame(thing, hazard)
         away = draft.laid.turning_starts_m - station
         scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
         if stays:

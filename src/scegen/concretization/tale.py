@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -18,6 +17,7 @@ from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.spacings import Measure, Spacing
 from scegen.scenario.speed_limits import implied_limit_mps
+from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 
 SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
@@ -72,14 +72,6 @@ def side_of(functional: FunctionalScenario, name: str, reference: str) -> Side |
     return Side(next(iter(sides)).value) if len(sides) == 1 else None
 
 
-def may_endanger(functional: FunctionalScenario, pair: set[str]) -> bool:
-    """Whether one of two causes a danger that the other suffers, or that nobody is said to."""
-    return any(
-        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
-        for hazard in functional.hazards
-    )
-
-
 def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str) -> ParameterRange:
     """How fast somebody may be who moves; of a logical scenario made by hand, as of one listed."""
     listed = (p for p in logical.parameters if p.name == f"{name}.speed_mps")
@@ -91,11 +83,6 @@ def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str)
     return pace.model_copy(update=exact)
 
 
-def slug_name(logical: LogicalScenario) -> str:
-    """The name of a scenario: number and slug of the logical one."""
-    return re.sub(r"[^A-Za-z0-9_-]", "-", f"{logical.index:03d}-{logical.slug}")[:100]
-
-
 @dataclass
 class Tale:
     """Both levels (see ``as_meant``), and the acts spelled out in their order."""
@@ -104,6 +91,7 @@ class Tale:
     logical: LogicalScenario
     acts: Sequence[Act]
     changes: list[Change] = field(default_factory=list, init=False)
+    caused: dict[Hazard, Hazard] = field(default_factory=dict, init=False)
 
     def note(self, parameter: str, after: float, reason: str, before: float | None = None) -> None:
         """Record who set a parameter and why."""
@@ -116,6 +104,16 @@ class Tale:
                 reason=reason,
             )
         )
+
+    @property
+    def hazards(self) -> tuple[Hazard, ...]:
+        """The dangers, with the things that cause them."""
+        return tuple(self.caused.get(hazard, hazard) for hazard in self.functional.hazards)
+
+    def blame(self, thing: Thing, hazard: Hazard) -> None:
+        """Let a thing cause a danger, to whoever it lies in the way of if nobody is said to."""
+        to = hazard.to or (thing.in_way_of or self.functional.ego.id,)
+        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
 
     @property
     def grip_mps2(self) -> float:
@@ -134,6 +132,11 @@ class Tale:
     def has_said_speed(self, name: str) -> bool:
         """Whether the text says how fast somebody is."""
         return self.functional.participant(name).speed_mps is not None
+
+    def driven_mps(self, name: str, usual_mps: float) -> float:
+        """How fast somebody drives who does: as is said, else as is usual."""
+        said = self.functional.participant(name).speed_mps
+        return said.middle if said is not None and said.high > 0 else usual_mps
 
     def kinds_by(self, name: str) -> set[HazardKind]:
         """The dangers that somebody causes."""

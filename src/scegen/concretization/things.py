@@ -64,11 +64,6 @@ class Shape:
         mass = round(self.mass_kg * heavier, 1)
         return replace(self, length_m=along, width_m=across, mass_kg=mass)
 
-    @property
-    def blueprint(self) -> str:
-        """The name of the prop in CARLA."""
-        return f"static.prop.{self.prop}"
-
 
 _K = ThingKind
 SHAPES: dict[ThingKind, Shape] = {
@@ -103,8 +98,8 @@ SHAPES: dict[ThingKind, Shape] = {
         Shape(_K.TRAILER, _O, 8.0, 2.5, 3.5, 6000, "container"),
     )
 }
-OBSTACLE, SCREEN = SHAPES[ThingKind.OBSTACLE], SHAPES[ThingKind.SCREEN]
-"""Where the text does not say what it is."""
+SCREEN = SHAPES[ThingKind.SCREEN]
+"""What hides somebody where the text does not say what does."""
 
 
 def shape_of(thing: Thing) -> Shape:
@@ -114,15 +109,14 @@ def shape_of(thing: Thing) -> Shape:
 
 def causes_it(functional: FunctionalScenario, hazard: Hazard) -> Thing | None:
     """The thing that causes a danger: the one that is named, else one that does such a thing."""
-    named = [thing for thing in functional.objects if thing.id in hazard.by]
-    if named or hazard.by:
-        return next(iter(named), None)
-    for thing in functional.objects:
-        hides = hazard.kind is HazardKind.OCCLUSION and bool(thing.hides)
-        blocks = hazard.kind is HazardKind.OBSTACLE and thing.in_way_of is not None
-        if hides or blocks:
-            return thing
-    return None
+    things, found = functional.objects, []
+    if hazard.by:
+        found = [thing for thing in things if thing.id in hazard.by]
+    elif hazard.kind is HazardKind.OCCLUSION:
+        found = [thing for thing in things if thing.hides]
+    elif hazard.kind is HazardKind.OBSTACLE:
+        found = [thing for thing in things if thing.in_way_of is not None]
+    return next(iter(found), None)
 
 
 def caused_by_nobody(functional: FunctionalScenario, hazard: Hazard) -> bool:
@@ -142,20 +136,18 @@ def lying_in_the_way(
         thing = causes_it(functional, hazard)
         if thing is None and not caused_by_nobody(functional, hazard):
             continue
-        lying = [each for _, each in found]
-        if thing is None and (found or logical.standings):
+        if thing is None:
+            if found or logical.standings:
+                continue
+            name = free_name(functional, ThingKind.OBSTACLE, {*drivers})
+            thing = Thing(id=name, kind=ThingKind.OBSTACLE)
+        elif any(thing.id == each.id for _, each in found):
             continue
-        if thing is not None and any(each.id == thing.id for each in lying):
-            continue
-        who = next(
-            (n for n in hazard.to if n in drivers), _who_reacts(functional, logical, drivers)
-        )
-        taken = {each.id for each in lying} | {*drivers}
-        name = free_name(functional, ThingKind.OBSTACLE, taken)
-        thing = thing or Thing(id=name, kind=ThingKind.OBSTACLE)
-        said = thing.in_way_of in drivers
-        blocked = thing if said else thing.model_copy(update={"in_way_of": who})
-        found.append((hazard, blocked))
+        if thing.in_way_of not in drivers:
+            reacts = _who_reacts(functional, logical, drivers)
+            who = next((n for n in hazard.to if n in drivers), reacts)
+            thing = thing.model_copy(update={"in_way_of": who})
+        found.append((hazard, thing))
     return found
 
 
@@ -181,7 +173,7 @@ def made_of(name: str, shape: Shape, called: str | None, pose: Pose) -> StaticOb
         width_m=round(shape.width_m, 3),
         height_m=shape.height_m,
         mass_kg=shape.mass_kg,
-        blueprint=shape.blueprint,
+        blueprint=f"static.prop.{shape.prop}",
     )
 
 

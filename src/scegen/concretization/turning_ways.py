@@ -12,7 +12,7 @@ from dataclasses import asdict
 from itertools import combinations
 from math import radians, tan
 
-from scegen.concretization.tale import may_endanger, outward, side_of
+from scegen.concretization.tale import outward, side_of
 from scegen.errors import MotionInfeasibleError
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.arms import arm_angles_deg, seen_from
@@ -66,9 +66,13 @@ def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tupl
 
 def _at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
     """Whether the danger is between the two: no other is asked for."""
+    pair = {drive.participant, other.participant}
     if not functional.hazards:
-        return functional.ego.id in {drive.participant, other.participant}
-    return may_endanger(functional, {drive.participant, other.participant})
+        return functional.ego.id in pair
+    return any(
+        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
+        for hazard in functional.hazards
+    )
 
 
 def _bend(functional: FunctionalScenario, drive: Drive) -> int:
@@ -128,13 +132,14 @@ def least_radius_m(drive: Drive, functional: FunctionalScenario) -> float:
     return functional.participant(drive.participant).body.wheelbase_m / _STEERING
 
 
-def _turn_back(logical: LogicalScenario) -> list[Drive]:
+def turning_back(logical: LogicalScenario) -> list[Drive]:
+    """Those who leave by the arm by which they come."""
     return [drive for drive in logical.drives if drive.entry == drive.exit]
 
 
 def lanes_to_turn_back(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     """Lanes per direction on which a half circle is wide enough, on a road without a junction."""
-    drives, junction = _turn_back(logical), functional.junction
+    drives, junction = turning_back(logical), functional.junction
     if junction.kind is not JunctionKind.STRAIGHT or junction.lanes or not drives:
         return 1
     radius = max(least_radius_m(drive, functional) for drive in drives)
@@ -180,7 +185,7 @@ def _half_circles(
     if road.kind is not JunctionKind.STRAIGHT:
         return []
     found = []
-    for drive in _turn_back(logical):
+    for drive in turning_back(logical):
         arm = road.arms[drive.entry]
         count = min(arm.lanes_in, arm.lanes_out)
         radius = max(_half_circle_m(count, arm.lane_width_m), _BULB_RADIUS_M)
@@ -214,7 +219,7 @@ def _late_turns(
     On the widest arcs they pass in front of each other and never meet; who goes on to the middle
     and turns there crosses the other's way twice.
     """
-    if road.kind in {JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT}:
+    if road.kind in _WITHOUT_TURNS:
         return []
     across = Maneuver.LEFT if road.driving_side is DrivingSide.RIGHT else Maneuver.RIGHT
     angles = arm_angles_deg(functional.junction)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from math import sin, sqrt
+from typing import NamedTuple
 
-from scegen.concretization.amounts import BRAKING, pace_across_mps
+from scegen.concretization.amounts import BRAKING
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import (
     MeetingPoint,
@@ -41,12 +42,28 @@ OWES = HazardKind.FAILURE_TO_YIELD
 _BRAKES = BRAKING | {HazardKind.STOPPING}
 
 
+class Met(NamedTuple):
+    """Whom one who goes across meets, or would: ``body`` and ``speed_mps`` are that one's.
+
+    ``middle_m`` is its own way when the middle of its body is amid the other's way, ``to_left`` 1
+    if it goes to the other's left, else -1.
+    """
+
+    who: str
+    body: Body
+    speed_mps: float
+    middle_m: float
+    to_left: int
+
+
 def pace_mps(tale: Tale, participant: Participant, width_m: float) -> float:
     """How fast somebody goes across a road that is so wide: as is said, else as is usual."""
-    usual = pace_of(tale.functional, tale.logical, participant.id).default
-    if participant.speed_mps is not None:
-        return usual
-    return pace_across_mps(tale.functional.acts, participant.id, width_m) or usual
+    own = (a for a in tale.functional.acts if a.participant == participant.id)
+    lasts = (a.duration_s for a in own if a.kind is ActKind.CROSS and a.duration_s is not None)
+    lasts_s = next(lasts, None)
+    if participant.speed_mps is not None or lasts_s is None:
+        return pace_of(tale.functional, tale.logical, participant.id).default
+    return width_m / max(lasts_s.middle, 0.1)
 
 
 def goes_far_m(act: Act | None) -> float | None:
@@ -59,26 +76,10 @@ def stops(tale: Tale, name: str) -> bool:
     return HazardKind.STOPPING in tale.kinds_by(name) or bool(tale.first_act(name, ActKind.STOP))
 
 
-def rests_m(
-    tale: Tale,
-    walk: Walker,
-    met: str,
-    body: Body,
-    *,
-    middle_m: float,
-    centre_m: float,
-    to_left: int,
-) -> float:
+def rests_m(tale: Tale, walk: Walker, met: Met, *, centre_m: float) -> float:
     """The way that one who stops has gone by then: as is said, else into the other's way.
 
-    Args:
-        tale: what is told.
-        walk: who stops.
-        met: whom it meets, or would.
-        body: of that one.
-        middle_m: its own way when the middle of its body is amid that one's way.
-        centre_m: the same of the middle of the road.
-        to_left: 1 if it goes to that one's left, else -1.
+    ``centre_m`` is its way when the middle of its body is amid the road.
     """
     ends = {CONTACT, *((walk.stop.id,) if walk.stop is not None else ())}
     for said in tale.functional.spacings:
@@ -88,12 +89,15 @@ def rests_m(
         if said.participant == said.reference:
             return centre_m + value
         if said.measure is Measure.LATERAL_OFFSET_M:
-            return middle_m + to_left * (value if said.participant == walk.id else -value)
+            return met.middle_m + met.to_left * (value if said.participant == walk.id else -value)
         if said.measure is Measure.LATERAL_GAP_M:
-            return middle_m - (body.width_m + walk.body.length_m) / 2 - value
-    if tale.contact_wanted(walk.id, met):
-        return middle_m + to_left * (0.5 - tale.impact_share) * body.width_m
-    return middle_m
+            return met.middle_m - (met.body.width_m + walk.body.length_m) / 2 - value
+    return _struck_m(tale, met) if tale.contact_wanted(walk.id, met.who) else met.middle_m
+
+
+def _struck_m(tale: Tale, met: Met) -> float:
+    """The way that one has gone when the other touches it as is said."""
+    return met.middle_m + met.to_left * (0.5 - tale.impact_share) * met.body.width_m
 
 
 def setback_m(walk: Walker, strip_m: float, *, hidden: bool = False) -> float:
@@ -108,35 +112,17 @@ def brakes(tale: Tale, name: str) -> bool:
     return bool(tale.kinds_by(name) & _BRAKES or acts & {ActKind.BRAKE, ActKind.STOP})
 
 
-def aim_m(
-    tale: Tale,
-    walk: Walker,
-    met: str,
-    body: Body,
-    speed_mps: float,
-    *,
-    middle_m: float,
-    to_left: int,
-) -> float:
-    """The way that one has gone when the front of whom it meets comes to its line.
-
-    Args:
-        tale: what is told.
-        walk: who goes across.
-        met: whom it meets.
-        body: of that one.
-        speed_mps: of that one.
-        middle_m: its own way when the middle of its body is amid that one's way.
-        to_left: 1 if it goes to that one's left, else -1.
-    """
-    if tale.contact_wanted(walk.id, met):
-        return middle_m + to_left * (0.5 - tale.impact_share) * body.width_m
-    if brakes(tale, met):
-        return middle_m
-    clear = (body.width_m + walk.body.length_m) / 2 + _PASSES_BEFORE_S * walk.speed_mps
-    if walk.id in tale.endangered_by(met, OWES):  # the other just passes before it
-        return middle_m - clear - walk.speed_mps * body.length_m / max(speed_mps, 1.0)
-    return middle_m + clear
+def aim_m(tale: Tale, walk: Walker, met: Met) -> float:
+    """The way that one has gone when the front of whom it meets comes to its line."""
+    if tale.contact_wanted(walk.id, met.who):
+        return _struck_m(tale, met)
+    if brakes(tale, met.who):
+        return met.middle_m
+    clear = (met.body.width_m + walk.body.length_m) / 2 + _PASSES_BEFORE_S * walk.speed_mps
+    if walk.id in tale.endangered_by(met.who, OWES):  # the other just passes before it
+        passes_s = met.body.length_m / max(met.speed_mps, 1.0)
+        return met.middle_m - clear - walk.speed_mps * passes_s
+    return met.middle_m + clear
 
 
 def place_walkers(scene: Setup) -> None:
@@ -204,11 +190,8 @@ def rendezvous(
     if draft.backs_to == walk.id:
         begins_s, ends_s = draft.laid.path.backwards[0]
         return (begins_s + ends_s) / 2, point.second_s_m
-    line_s, middle_m, turn = crossing_at(draft.laid.path, walk.path, point)
-    middle_m -= walk.body.centre_ahead_m
-    to_left = 1 if sin(turn) > 0 else -1
-    met = draft.id, draft.body, draft.cruise_mps
-    way = aim_m(scene, walk, *met, middle_m=middle_m, to_left=to_left)
+    line_s, met = _met_at(draft, walk, point)
+    way = aim_m(scene, walk, met)
     place = max(1.0, line_s - draft.body.front_m - walk.body.width_m / 2)
     if scene.contact_wanted(walk.id, draft.id):
         return place, way
@@ -221,6 +204,14 @@ def rendezvous(
             left_kerb = max(0.0, walk.setback_m - _STEPS_OFF_M)
             return begins_m, max(way - walk.speed_mps * sooner_s, left_kerb)
     return place, way
+
+
+def _met_at(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tuple[float, Met]:
+    """Where on a drive a walker's line lies, and how it meets that one there."""
+    line_s, middle_m, turn = crossing_at(draft.laid.path, walk.path, point)
+    middle_m -= walk.body.centre_ahead_m
+    to_left = 1 if sin(turn) > 0 else -1
+    return line_s, Met(draft.id, draft.body, draft.cruise_mps, middle_m, to_left)
 
 
 def _by_the_road(scene: Setup, walk: WalkDraft) -> bool:
@@ -256,16 +247,11 @@ def stop_in_the_way(scene: Setup) -> None:
             continue
         draft, point = found
         walk.stop = scene.first_act(walk.id, ActKind.STOP)
-        _, middle_m, turn = crossing_at(draft.laid.path, walk.path, point)
-        ahead_m, to_left = walk.body.centre_ahead_m, 1 if sin(turn) > 0 else -1
-        rests = rests_m(
-            scene, walk, draft.id, draft.body,
-            middle_m=middle_m - ahead_m,
-            centre_m=walk.path.length_m / 2 - ahead_m,
-            to_left=to_left,
-        )  # fmt: skip
+        _, met = _met_at(draft, walk, point)
+        ahead_m = walk.body.centre_ahead_m
+        rests = rests_m(scene, walk, met, centre_m=walk.path.length_m / 2 - ahead_m)
         if not _by_the_road(scene, walk):
-            aside_m = to_left * (rests + ahead_m - middle_m)
+            aside_m = met.to_left * (rests - met.middle_m)
             reach_m = draft.body.front_m + walk.body.width_m / 2
             rests = before_front_m(draft.laid.path, walk.path, point, reach_m, aside_m) - ahead_m
         length = min(rests + STOPS_SHORT_M, walk.path.length_m)

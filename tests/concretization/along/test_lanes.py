@@ -1,68 +1,18 @@
-"""Lanes: the search by branches finds what trying everything finds."""
+"""Lanes that words, acts and dangers need (the search itself: ``test_wishes``)."""
 
 from __future__ import annotations
 
-from itertools import product
-
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from roads import AHEAD, LEFT_LANE, RIGHT_LANE, TOWARDS, ego, one, road
 from told import act, apart
 
 from scegen.concretization.along.compose import compose_along
-from scegen.concretization.along.lanes import MOST_LANES, cheapest
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.concretize import concretize
-from scegen.concretization.wishes import Wish
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.model import Interval
 from scegen.understanding import read
-
-NAMES = ["a", "b", "c", "d"]
-
-
-def differ_by(first, second, step):
-    return Wish(
-        (first, second), 0.0, lambda lanes: lanes[first] - lanes[second] == step, "lanes apart"
-    )
-
-
-def within(name, lane, count):
-    return Wish((name,), 0.0, lambda lanes: lanes[name] == min(lane, count), "a lane")
-
-
-@st.composite
-def wishes(draw, names, count):
-    made = []
-    for _ in range(draw(st.integers(0, 6))):
-        first = draw(st.sampled_from(names))
-        others = [name for name in names if name != first]
-        if others and draw(st.booleans()):
-            wish = differ_by(first, draw(st.sampled_from(others)), draw(st.integers(-2, 2)))
-        else:
-            wish = within(first, draw(st.integers(1, 3)), count)
-        weight = draw(st.sampled_from([1.0, 5.0, 10.0, 100.0]))
-        made.append(Wish(wish.who, weight, wish.met, wish.words))
-    return made
-
-
-def broken(wanted, lanes):
-    return sum(wish.weight for wish in wanted if not wish.met(lanes))
-
-
-@given(st.data(), st.integers(1, 4), st.integers(1, MOST_LANES))
-def test_branches_find_the_cheapest_there_is(data, people, count):
-    names = NAMES[:people]
-    wanted = data.draw(wishes(names, count))
-    _, lanes = cheapest(names, wanted, count)
-    everything = (
-        dict(zip(names, choice, strict=True))
-        for choice in product(range(1, count + 1), repeat=people)
-    )
-    least = min(broken(wanted, choice) for choice in everything)
-    assert broken(wanted, lanes) == pytest.approx(least)
 
 
 def lanes_of(functional, number=0):

@@ -41,8 +41,7 @@ def test_the_measure_placed_is_the_measure_found(data, measure, value, time_s, a
         assume(back.speed_at_mps(time_s) - along > 0.2)
     if measure is Measure.HEADWAY_S:
         assume(back.speed_at_mps(time_s) > 0.2)
-    tie = GapAt("who", "other", measure, value, time_s, ahead, said=True)
-    who.at_m = place(tie, who, other)
+    place(GapAt(who, other, measure, value, time_s, ahead))
     at = np.array([time_s])
     (missing,) = missing_m(measure, value, other.track(at), who.track(at))
     assert missing == pytest.approx(0.0, abs=1e-6)

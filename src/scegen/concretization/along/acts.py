@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import ASIDE, spelled_out
+from scegen.concretization.amounts import ASIDE, implied, spelled_out
 from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
@@ -15,7 +15,6 @@ from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
 
 ROLLS_S = 2.0
 """How long one who has stood drives before it moves aside: nobody does so on the spot."""
-_ON = ActKind.SET_OFF
 _ALONG = SLOWING | GAINING | ASIDE | {ActKind.OPEN_DOOR}
 _OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
 """Who brakes late answers somebody: it is a reaction, no act of its own."""
@@ -50,10 +49,10 @@ def _from_rest(acts: list[Act]) -> Iterator[Act]:
                 rests[act.participant] = act
         elif act.kind in ASIDE and stopped is not None:
             rolls = Interval(low=ROLLS_S, high=ROLLS_S)
-            on = Act(id=f"on_of_{stopped.id}"[:40], participant=act.participant, kind=_ON)
+            on = implied("on", stopped.id, act.participant, ActKind.SET_OFF)
             later = AfterAct(act=stopped.id, since="end")
-            timed = isinstance(when, AfterAct) and when.later_s.low > ROLLS_S
-            if timed and isinstance(when, AfterAct):  # so that it moves aside when it is said to
+            if isinstance(when, AfterAct) and when.later_s.low > ROLLS_S:
+                # So that it moves aside when it is said to.
                 early = when.later_s.low - ROLLS_S
                 sooner = Interval(low=early, high=early)
                 yield on.model_copy(update={"when": when.model_copy(update={"delay_s": sooner})})
@@ -75,11 +74,11 @@ def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
             continue
         if passed is None or does(acts, act.participant, frozenset({ActKind.OVERTAKE})):
             continue
-        name = f"pass_of_{act.participant}"[:40]
-        into = act.into if back else passed
-        before = Act(id=name, participant=act.participant, kind=ActKind.OVERTAKE, into=into)
+        who, into = act.participant, act.into if back else passed
+        before = implied("pass", who, who, ActKind.OVERTAKE, into=into)
         if slows:
-            act = act.model_copy(update={"when": AfterAct(act=name, since="end")})  # noqa: PLW2901
+            then = AfterAct(act=before.id, since="end")
+            act = act.model_copy(update={"when": then})  # noqa: PLW2901
         return [*acts[:n], before, act, *acts[n + 1 :]]
     return acts
 
@@ -119,9 +118,7 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
             answers = by == story.ego.id and kind in SLOWING and len(runners) > 1
             if kind in _ALONG and not own and not stands and not answers:
                 into = next((to for to in hazard.to if to in runners and to != by), None)
-                into = into if kind in ASIDE else None
-                name = f"{hazard.kind}_of_{by}"[:40]
-                yield Act(id=name, participant=by, kind=kind, into=into)
+                yield implied(hazard.kind, by, by, kind, into=into if kind in ASIDE else None)
 
 
 def _manoeuvre(story: Story, drive: Drive, acts: list[Act]) -> Iterator[Act]:
@@ -129,11 +126,6 @@ def _manoeuvre(story: Story, drive: Drive, acts: list[Act]) -> Iterator[Act]:
     if name not in story.runners or does(acts, name, ASIDE):
         return
     if drive.maneuver is Maneuver.LANE_CHANGE:
-        yield Act(
-            id=f"change_of_{name}"[:40],
-            participant=name,
-            kind=ActKind.CHANGE_LANE,
-            side=drive.changes_to,
-        )
+        yield implied("change", name, name, ActKind.CHANGE_LANE, side=drive.changes_to)
     elif drive.maneuver is Maneuver.OVERTAKE:
-        yield Act(id=f"pass_of_{name}"[:40], participant=name, kind=ActKind.OVERTAKE)
+        yield implied("pass", name, name, ActKind.OVERTAKE)

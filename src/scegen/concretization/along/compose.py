@@ -16,7 +16,7 @@ from scegen.concretization.along.doors import opens
 from scegen.concretization.along.frame import Frame, frame_of, road_of
 from scegen.concretization.along.moments import perform_waiting, time_what_is_known
 from scegen.concretization.along.overtaking import come_back, overtake
-from scegen.concretization.along.parked import park, passes_s, shift_to_pass, strips_m
+from scegen.concretization.along.parked import park, passes_s, shift_to_pass
 from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.reactions import react, traffic_of
 from scegen.concretization.along.runner import Runner
@@ -33,7 +33,6 @@ from scegen.concretization.along.writing import (
 from scegen.concretization.answering import note_answers
 from scegen.concretization.boxes import apart
 from scegen.concretization.occluders import hide
-from scegen.concretization.others import Walk
 from scegen.concretization.roads import plan
 from scegen.concretization.things import made_of, shape_of
 from scegen.concretization.traffic import contacts
@@ -60,8 +59,8 @@ _LONGEST_S = 100.0
 _PLAIN_M = 100.0
 
 
-def lay(story: Story) -> list[Walk]:
-    """Moments, then places, then what follows from places; returns those who go across.
+def lay(story: Story) -> None:
+    """Moments, then places, then what follows from places.
 
     What is usual is widened until nobody is hit.
 
@@ -71,12 +70,11 @@ def lay(story: Story) -> list[Walk]:
     waiting, following = time_what_is_known(story)
     kept = {name: (list(r.steps), list(r.moves), r.offset_m) for name, r in story.runners.items()}
     begins, ends = dict(story.begins_s), dict(story.ends_s)
-    walks: list[Walk] = []
     for wider in _WIDER:
         for name, (steps, moves, offset) in kept.items():
             runner = story.runners[name]
             runner.steps, runner.moves, runner.offset_m = list(steps), list(moves), offset
-        story.begins_s, story.ends_s, story.walks = dict(begins), dict(ends), []
+        story.begins_s, story.ends_s, story.walks = dict(begins), dict(ends), {}
         offset_all(story)
         shift_to_pass(story)
         place_all(story, wider=wider)
@@ -92,11 +90,10 @@ def lay(story: Story) -> list[Walk]:
         perform_waiting(story, [act for act in following if act.id not in story.begins_s])
         come_back(story)
         react(story)
-        walks = cross(story, strips_m(story))
+        cross(story)
         react(story)
         if all(story.contact_wanted(a, b) for _, a, b in contacts(traffic_of(story))):
             break
-    return walks
 
 
 def closest_s(story: Story, at_least_s: float) -> float:
@@ -151,17 +148,17 @@ def compose_along(
     """
     story = story_of(functional, logical)
     story.seed = seed
-    walks = lay(story)
+    lay(story)
     _stay_on_their_side(story)
-    parked = park(story, walks)
-    closest = closest_s(story, max(ends_s(story, walks), passes_s(story, parked)))
+    parked = park(story)
+    closest = closest_s(story, max(ends_s(story), passes_s(story, parked)))
     lasts = min(closest + _AFTER_S, _LONGEST_S)
     planned = plan(story.functional, logical, _PLAIN_M, story.lane_count)
-    frame = frame_of(story, walks, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
+    frame = frame_of(story, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
     parameters = fitted(road_of(planned, frame), story, frame.joint_m)
     network = build_network(parameters)
     standing = [written_parked(story, frame, p) for p in parked]
-    made = _written(story, frame, parameters, network, walks, seed, lasts, standing)
+    made = _written(story, frame, parameters, network, lasts, standing)
     return hide(story.functional, made, network)
 
 
@@ -183,46 +180,42 @@ def _stay_on_their_side(story: Story) -> None:
 
 
 def _written(
-    story: Story, frame: Frame, road: RoadParameters, network: RoadNetwork, walks: list[Walk],
-    seed: int, lasts_s: float, parked: list[ConcreteParticipant],
+    story: Story, frame: Frame, road: RoadParameters, network: RoadNetwork, lasts_s: float,
+    parked: list[ConcreteParticipant],
 ) -> ConcreteScenario:  # fmt: skip
     standing = {p.id: p for p in parked}
-    by_walk = {walk.id: walk for walk in walks}
     people = []
     for name in (participant.id for participant in story.functional.participants):
         if name in standing:
             people.append(standing[name])
         elif name in story.runners:
             people.append(written_runner(story, frame, name))
-        elif name in by_walk:
-            people.append(written_walk(story, frame, network, by_walk[name]))
+        elif name in story.walks:
+            people.append(written_walk(story, frame, network, story.walks[name]))
     doors = opens(story.functional)
     people += [written_door(story, doors[p.id], p) for p in parked if p.id in doors]
     things = (r.id for r in story.runners.values() if r.thing and not r.opens)
     objects = [_thing(story, frame, network, name) for name in things]
-    _note(story, walks)
+    _note(story)
     concrete = written_scenario(
-        story, road, people, objects, _caused(story), seed=seed, duration_s=lasts_s
+        story, road, people, objects, _caused(story), seed=story.seed, duration_s=lasts_s
     )
     return put_between_steps(concrete, build_paths(concrete, network))
 
 
 def _caused(story: Story) -> tuple[Hazard, ...]:
     """The dangers, those by a thing or a door with that named."""
-    found, doors = [], opens(story.functional)
-    for hazard in story.functional.hazards:
-        by, to = tuple(door_of(n) if n in doors else n for n in hazard.by), hazard.to
-        if hazard.kind is HazardKind.OBSTACLE and story.things and not by:
-            thing = story.things[0]
-            by, to = (thing.id,), to or (thing.in_way_of or story.ego.id,)
-        found.append(hazard.model_copy(update={"by": by, "to": to}))
-    return tuple(found)
+    doors = opens(story.functional)
+    return tuple(
+        hazard.model_copy(update={"by": tuple(door_of(n) if n in doors else n for n in hazard.by)})
+        for hazard in story.hazards
+    )
 
 
 def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> StaticObject:
     """A thing in somebody's lane, at its pose in the world."""
     runner = story.runners[name]
-    thing = next(t for t in story.things if t.id == name)
+    thing = story.things[name]
     beyond, y = frame.centre_m(runner.x_m(0.0)), runner.y_m(0.0)
     line = network.arm_road(frame.ego_arm).line
     if frame.curve is not None and beyond > 0.0:
@@ -233,7 +226,7 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
     return made_of(name, shape_of(thing), thing.called, pose)
 
 
-def _note(story: Story, walks: list[Walk]) -> None:
+def _note(story: Story) -> None:
     """Say who drives how fast and why, and who brakes for whom."""
     said = {p.id for p in story.functional.participants if p.speed_mps is not None}
     for runner in story.runners.values():
@@ -242,6 +235,6 @@ def _note(story: Story, walks: list[Walk]) -> None:
         reason = "as the description says" if runner.id in said else "usual speed"
         story.note(f"{runner.id}.speed_mps", runner.speed_mps, reason)
     note_answers(story, story.runners)
-    for walk in walks:
+    for walk in story.walks.values():
         reason = "as the description says" if walk.id in said else "usual pace"
         story.note(f"{walk.id}.speed_mps", walk.speed_mps, reason)

@@ -10,7 +10,7 @@ import numpy as np
 
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.along.sideways import edge_y_m
+from scegen.concretization.along.sideways import edge_y_m, strip_m
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m, gained
 from scegen.concretization.profile import NEVER_S
@@ -18,6 +18,7 @@ from scegen.concretization.walkers import (
     BEHIND_KERB_M,
     OWES,
     STOOD_S,
+    Met,
     aim_m,
     goes_far_m,
     pace_mps,
@@ -39,15 +40,14 @@ BEFORE_WALKER_M = 0.9
 _LOOK_S = 0.05
 
 
-def cross(story: Story, strips: dict[str, float]) -> list[Walk]:
-    """The walks of all who go across; ``strips`` is how wide those are beside each side's lanes."""
+def cross(story: Story) -> None:
+    """Let all go across who do, one after another."""
     for crossing in story.logical.crossings:
-        story.walks.append(_walk(story, crossing, strips, story.walks))
+        story.walks[crossing.participant] = _walk(story, crossing)
         react(story)
-    return story.walks
 
 
-def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: list[Walk]) -> Walk:
+def _walk(story: Story, crossing: Crossing) -> Walk:
     participant = story.functional.participant(crossing.participant)
     body = participant.body
     width = edge_y_m(story, left=True) - edge_y_m(story, left=False)
@@ -58,19 +58,15 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     who = participant.id, participant.kind, body, crossing, pace, act
     walk = Walk(*who, from_left, meets=meets.id)
     into = -1 if from_left else 1
-    edge, strip = edge_y_m(story, left=from_left), strips.get("left" if from_left else "right", 0.0)
+    edge, strip = edge_y_m(story, left=from_left), strip_m(story, left=from_left)
     middle = (meets.y_m(0.0) - edge) * into - body.centre_ahead_m
-    met = meets.id, meets.body, meets.speed_mps
-    to_left = into * meets.sign
-    to_aim = aim_m(story, walk, *met, middle_m=middle, to_left=to_left)
+    met = Met(meets.id, meets.body, meets.speed_mps, middle, into * meets.sign)
+    to_aim = aim_m(story, walk, met)
     walk.stop = story.first_act(walk.id, ActKind.STOP)
     far, stands = goes_far_m(act), stops(story, walk.id)
     if far is None and stands:
         centre = -edge * into - body.centre_ahead_m
-        whom = meets.id, meets.body
-        far = STOPS_SHORT_M + rests_m(
-            story, walk, *whom, middle_m=middle, centre_m=centre, to_left=to_left
-        )
+        far = STOPS_SHORT_M + rests_m(story, walk, met, centre_m=centre)
     steady = to_aim if far is None else min(to_aim, far - walk.gains_m)
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
@@ -85,18 +81,19 @@ def _walk(story: Story, crossing: Crossing, strips: dict[str, float], walks: lis
     if said is not None and said.at == START:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
         walk.setback_m = max(0.0, (edge - meets.y_m(0.0) - meets.sign * left) * into)
-    takes, number = walk.runs_s(to_aim + walk.setback_m), len(walks)
+    takes = walk.runs_s(to_aim + walk.setback_m)
     if far is not None:
         walk.stops_after_m = walk.setback_m + far
         if stands:
             takes = walk.rests_s() + STOOD_S
     _time(story, walk, meets, takes)
-    if walks and crossing.arm in story.functional.junction.crosswalks:
-        walk.x_m = walks[0].x_m
+    first = next(iter(story.walks.values()), None)
+    if first is not None and crossing.arm in story.functional.junction.crosswalks:
+        walk.x_m = first.x_m
         if not walk.timed:
-            walk.sets_off_s = max(walks[0].arrives_s - takes, _LEAST_LEAD_S)
+            walk.sets_off_s = max(first.arrives_s - takes, _LEAST_LEAD_S)
     walk.arrives_s = walk.sets_off_s + takes
-    walk.x_m += abreast_m(number)
+    walk.x_m += abreast_m(len(story.walks))
     walk.from_y_m = edge - into * walk.setback_m
     return walk
 
@@ -135,9 +132,9 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
     measure, value, act, since = spacing
     if act is not None and not walk.timed:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
-    moment = 0.0
-    if act is not None:
-        moment = walk.sets_off_s + (_after_s(walk, since) if act is walk.stop else 0.0)
+    moment = 0.0 if act is None else walk.sets_off_s
+    if act is not None and act is walk.stop:
+        moment += walk.rests_s() if since == "end" else walk.slows_s()
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
     if act is None and not walk.timed:
@@ -149,11 +146,6 @@ def _unbraked(story: Story, meets: Runner) -> Runner:
     """Who is met as it drives until it brakes for whom it meets: when is found later."""
     loose = story.loose(meets.steps, meets.speed_mps)
     return replace(meets, steps=[step for step in meets.steps if step is not loose])
-
-
-def _after_s(walk: Walk, since: str) -> float:
-    """How long after setting off it begins to stop, or has come to rest."""
-    return walk.rests_s() if since == "end" else walk.slows_s()
 
 
 def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:

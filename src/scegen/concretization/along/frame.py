@@ -10,7 +10,6 @@ from scegen.concretization.along.auxiliary import fitted, gaps_m, joint_m, room_
 from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import Walk
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M
@@ -97,37 +96,27 @@ class Frame:
 
 
 def frame_of(
-    story: Story,
-    walks: list[Walk],
-    parked: list[Parked],
-    road: RoadParameters,
-    closest_s: float,
-    lasts_s: float,
+    story: Story, parked: list[Parked], road: RoadParameters, closest_s: float, lasts_s: float
 ) -> Frame:
     """A road long enough for everybody until the end, with the joint where their arms need it.
 
     A bend lies about where the ego is when the others come closest.
     """
     arm = story.ego_arm
-    lows, highs = [], []
-    for runner in story.runners.values():
-        for time_s in (0.0, lasts_s):
-            low, high = runner.ends_m(time_s)
-            lows.append(low)
-            highs.append(high)
-    own = [w.x_m for w in walks if w.crossing.arm == arm]
+    spans = [r.ends_m(time_s) for r in story.runners.values() for time_s in (0.0, lasts_s)]
+    own = [w.x_m for w in story.walks.values() if w.crossing.arm == arm]
     own += [p.x_m + p.body.length_m for p in parked if p.standing.arm == arm]
-    far = [w.x_m for w in walks if w.crossing.arm != arm]
+    far = [w.x_m for w in story.walks.values() if w.crossing.arm != arm]
     far += [p.x_m - p.body.length_m for p in parked if p.standing.arm != arm]
     forward = [r.ends_m(0.0)[1] for r in story.runners.values() if r.forward]
     backward = [r.ends_m(0.0)[0] for r in story.runners.values() if not r.forward]
     everything = [*own, *far]
-    begin = min([*lows, *everything]) - _ARM_MARGIN_M - _LEAST_ARM_M
-    end = max([*highs, *everything]) + _ARM_MARGIN_M + END_MARGIN_M
+    begin = min([*(low for low, _ in spans), *everything]) - _ARM_MARGIN_M - _LEAST_ARM_M
+    end = max([*(high for _, high in spans), *everything]) + _ARM_MARGIN_M + END_MARGIN_M
     least = max([*own, *forward], default=begin) + _JOINT_CLEAR_M
     most = min([*far, *backward], default=end) - _JOINT_CLEAR_M
     joint = least if least <= most or not far else min(far) - _JOINT_CLEAR_M
-    marked = [w for w in walks if w.crossing.arm in road.crosswalks]
+    marked = [w for w in story.walks.values() if w.crossing.arm in road.crosswalks]
     if marked:
         beyond = CROSSWALK_MIDDLE_M if marked[0].crossing.arm == arm else -CROSSWALK_MIDDLE_M
         joint = marked[0].x_m + beyond
@@ -178,11 +167,9 @@ def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:
 def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
     """The road with arms as long as the frame."""
     near, beyond = -frame.centre_m(frame.begin_m), frame.centre_m(frame.end_m)
-    lengths = [
-        (near if arm.id == frame.ego_arm else beyond) - frame.gaps_m[arm.id] for arm in road.arms
-    ]
+    lengths = {frame.ego_arm: near, 1 - frame.ego_arm: beyond}
     arms = tuple(
-        arm.model_copy(update={"length_m": round(length, 3)})
-        for arm, length in zip(road.arms, lengths, strict=True)
+        arm.model_copy(update={"length_m": round(lengths[arm.id] - frame.gaps_m[arm.id], 3)})
+        for arm in road.arms
     )
     return road.model_copy(update={"arms": arms})

@@ -16,7 +16,7 @@ from scegen.concretization.tale import SWERVING, outward, side_of
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
-from scegen.scenario.hazards import FROM_BESIDE
+from scegen.scenario.hazards import FROM_BESIDE, HAZARDS, Arrangement, Case
 from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import Assignment, Drive, InLine
 from scegen.scenario.roadway import Carriageway
@@ -31,16 +31,11 @@ _LANE = 0.1
 _INNERMOST = frozenset({1})
 _ANYWHERE = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT})
 _FROM_BESIDE = FROM_BESIDE | {HazardKind.CUT_IN}
-_IN_LINE = frozenset(
-    {
-        HazardKind.HARD_BRAKING,
-        HazardKind.DELAYED_BRAKING,
-        HazardKind.TAILGATING,
-        HazardKind.STOPPING,
-        HazardKind.SLOW_DRIVING,
-        HazardKind.OBSTACLE,
-        HazardKind.OVERTAKING,
-    }
+_IN_LINE = {HazardKind.OBSTACLE}.union(
+    kind
+    for kind, row in HAZARDS.items()
+    for case in (Case.ONE_ARM, Case.ANYWHERE)
+    if {Arrangement.AHEAD, Arrangement.BEHIND} & {*row.needs.get(case, ())}
 )
 
 
@@ -55,16 +50,21 @@ def choose_lanes(story: Story) -> None:
         told = [*_from_words(story), *_from_acts(story, count)]
         return [*told, *_from_hazards(story), *_usual(story, count)]
 
+    def tried(count: int) -> tuple[float, dict[str, int], int]:
+        # Next to the outermost: in a lane that ends, or on a strip.
+        strips = {n for n in people if story.functional.participant(n).strip is not None}
+        beyond = story.merging | strips
+        options = {n: (count + 1,) if n in beyond else range(count, 0, -1) for n in people}
+        return (*least_broken(options, wishes_of(count)), count)
+
     junction, people = story.functional.junction, story.people
     said = max(junction.lanes, default=0)
     # Nobody passes another on the other side of a median: there must be a lane for that.
     undivided = junction.carriageway is Carriageway.UNDIVIDED
     counts = [said] if said else range(1 if undivided else 2, MOST_LANES + 1)
-    beyond = story.merging.union(
-        n for n in people if story.functional.participant(n).strip is not None
+    cost, lanes, story.lane_count = min(
+        map(tried, counts), key=lambda each: round(each[0] + _LANE * each[2], 6)
     )
-    tried = [(*cheapest(list(people), wishes_of(n), n, beyond), n) for n in counts]
-    cost, lanes, story.lane_count = min(tried, key=lambda each: round(each[0] + _LANE * each[2], 6))
     if cost >= SAID:
         broken = [w for w in wishes_of(story.lane_count) if w.weight >= SAID and not w.met(lanes)]
         raise MotionInfeasibleError(
@@ -75,20 +75,6 @@ def choose_lanes(story: Story) -> None:
         )
     for name, lane in lanes.items():
         people[name].lane = lane
-
-
-def cheapest(
-    names: Sequence[str],
-    wishes: Sequence[Wish[int]],
-    count: int,
-    beyond: frozenset[str] = frozenset(),
-) -> tuple[float, dict[str, int]]:
-    """The lanes that break the least of that many; the kerb's side where all are equal.
-
-    Those ``beyond`` are next to the outermost: in a lane that ends, or on a strip.
-    """
-    options = {n: (count + 1,) if n in beyond else range(count, 0, -1) for n in names}
-    return least_broken(options, wishes)
 
 
 def _beside(a: str, b: str, weight: float, step: int | None, words: str) -> Wish[int]:
@@ -231,9 +217,9 @@ def _usual(story: Story, count: int) -> Iterator[Wish[int]]:
         beside = beside or story.functional.participant(name).strip is not None
         if name != ego and runner.forward and not beside:
             yield _beside(name, ego, USUAL, 0, f"{name} is in line")
-        changes = isinstance(assignment, Drive) and assignment.maneuver is Maneuver.LANE_CHANGE
-        side = assignment.changes_to if isinstance(assignment, Drive) and changes else None
-        if name not in story.exiting and side is not None:
-            step = outward(story.functional, side)
+        if not isinstance(assignment, Drive) or assignment.maneuver is not Maneuver.LANE_CHANGE:
+            continue
+        if name not in story.exiting and assignment.changes_to is not None:
+            step = outward(story.functional, assignment.changes_to)
             words = f"{name} has a lane to change into"
             yield Wish((name,), LIKELY, _room(name, step, count), words)

@@ -12,14 +12,13 @@ from scegen.concretization.along.performing import perform
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import goes_on_when_free
 from scegen.concretization.boxes import missing_m
+from scegen.concretization.limits import HOLDS_S
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
 from scegen.scenario.spacings import CONTACT, LENGTHWISE
 
-_HOLDS_S = 1.5
-"""Between two acts of one participant, where nothing is said: long enough to see the speed held."""
 _AT_ONCE_S = 0.3
-"""The same where the next follows at once: long enough to be two acts."""
+"""Between two acts of one driver where the next follows at once: long enough to be two acts."""
 _LATE_S, _LOOK_S = 60.0, 0.02
 _SHIES_S = 0.3
 """Who swerves for a door that opens does so sooner than one brakes: a simple reaction."""
@@ -34,13 +33,15 @@ def time_what_is_known(story: Story) -> tuple[list[Act], list[Act]]:
     following: list[Act] = []
     for act in story.acts:
         when = act.when
-        if isinstance(when, AfterAct) and _is_timed_last(story, when, following):
-            following.append(act)
-            continue
-        placed = isinstance(when, WhenMeasure) and _is_placed_otherwise(story, act, when)
-        placed = placed or isinstance(when, AfterDistance)
-        follows = isinstance(when, AfterAct) and when.act not in story.begins_s
-        if placed or (follows and not story.is_loose(act.id)):
+        waits = isinstance(when, AfterDistance)
+        if isinstance(when, WhenMeasure):
+            waits = _is_placed_otherwise(story, act, when)
+        elif isinstance(when, AfterAct):
+            if _is_timed_last(story, when, following):
+                following.append(act)
+                continue
+            waits = when.act not in story.begins_s and not story.is_loose(act.id)
+        if waits:
             waiting.append(act)
         else:
             perform(story, act, _moment_s(story, act))
@@ -70,8 +71,11 @@ def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:
     return when.reference in reached
 
 
-def _moment_s(story: Story, act: Act) -> float:
+def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
+    """When an act begins; ``placed``: everybody has a place, so that distances tell it, too."""
     when = act.when
+    if isinstance(when, WhenMeasure) and placed:
+        return _when_measured_s(story, when)
     if isinstance(when, AfterStart):
         return when.delay_s.middle
     if isinstance(when, AfterDistance):
@@ -81,16 +85,18 @@ def _moment_s(story: Story, act: Act) -> float:
         return runner.profile.time_s(when.distance_m.middle)
     if isinstance(when, AfterAct) and not story.is_loose(act.id):
         known = story.ends_s if when.since == "end" else story.begins_s
+        if when.act not in known:
+            return NEVER_S
         delay = 0.0 if goes_on_when_free(when) else when.later_s.middle
         alone = story.act(when.act).participant == act.participant
         if alone and delay == 0.0 and when.since == "end":
             at_once = when.delay_s is not None and when.delay_s.high == 0.0
-            delay = _AT_ONCE_S if at_once else _HOLDS_S
+            delay = _AT_ONCE_S if at_once else HOLDS_S
         return known[when.act] + delay
     own = [story.ends_s[a.id] for a in story.acts if a.participant == act.participant
            and a.id in story.ends_s]  # fmt: skip
     if own:
-        return max(own) + _HOLDS_S
+        return max(own) + HOLDS_S
     door = door_before(story, act.participant)
     if act.kind is ActKind.SWERVE and door is not None:
         return door.appears_s + _SHIES_S
@@ -103,13 +109,7 @@ def perform_waiting(story: Story, waiting: Sequence[Act]) -> list[Act]:
     """Acts that wait for a measure, now that places are known; those that never come."""
     never: list[Act] = []
     for act in waiting:
-        when = act.when
-        if isinstance(when, WhenMeasure):
-            moment = _when_measured_s(story, when)
-        elif isinstance(when, AfterAct) and when.act not in story.begins_s:
-            moment = NEVER_S
-        else:
-            moment = _moment_s(story, act)
+        moment = _moment_s(story, act, placed=True)
         if moment < NEVER_S:
             perform(story, act, moment)
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from math import pi, sqrt
 
@@ -10,14 +10,14 @@ import numpy as np
 
 from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.moments import perform_waiting
-from scegen.concretization.along.parked import standings_beside
 from scegen.concretization.along.runner import Move, Runner
+from scegen.concretization.along.sideways import standings_beside
 from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.answering import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
-from scegen.concretization.profile import SpeedChange
+from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
@@ -93,9 +93,7 @@ def _meet_after(story: Story, strays: set[str]) -> None:
                 continue
             moment = _meeting_when_back_s(story, stray, other, out, clears)
             if other is story.ego:
-                before = stray.at_m or 0.0
-                shift = level(stray, other, moment) - before
-                stray.at_m = before
+                shift = level(stray, other, moment) - (stray.at_m or 0.0)
                 for runner in story.runners.values():
                     if runner.forward == stray.forward and runner.at_m is not None:
                         runner.at_m += shift
@@ -179,26 +177,24 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         for each in story.acts
         if each.kind is ActKind.CHANGE_LANE and (each.side is None or each.side is not act.side)
     }
-    if all(each.lane != fast.lane or each.id in making_room for each in line):
-        past_m = 0.0 if back is None else _gap_at(story, back)
-        story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins)
-        story.ends_s[act.id] = past_s = _when(partial(_is_past, fast, foremost, past_m), begins)
-        if back is not None:
-            fast.moves.append(Move(past_s, lasts, slow.lane, 0.0, back.id, hazard))
-            story.begins_s[back.id], story.ends_s[back.id] = past_s, past_s + lasts
-        return
+    stays = all(each.lane != fast.lane or each.id in making_room for each in line)
     at_once = any(spacing.at == act.id for spacing in story.functional.spacings)
-    if not at_once and story.between(fast.id, slow.id, Measure.LATERAL_GAP_M) is None:
+    aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
+    if not stays and not at_once and aside is None:
         begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
-    clear_m = _CLEAR_M if back is None else _gap_at(story, back)
-    clear = _when(partial(_is_past, fast, foremost, clear_m), begins + lasts)
-    home = back.id if back is not None else act.id
-    story.begins_s[act.id] = begins
-    fast.moves = [
-        Move(begins, lasts, out_lane, offset, act.id, hazard),
-        Move(clear, lasts, fast.lane, 0.0, home, hazard),
-    ]
-    story.ends_s[act.id] = clear if back is not None else clear + lasts
+    clear_m = _gap_at(story, back) if back is not None else 0.0 if stays else _CLEAR_M
+    from_s = begins if stays else begins + lasts
+    clear = _when(partial(_is_past, fast, foremost, clear_m), from_s)
+    story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins) if stays else begins
+    story.ends_s[act.id] = clear if stays or back is not None else clear + lasts
+    if not stays:
+        home = back.id if back is not None else act.id
+        fast.moves = [
+            Move(begins, lasts, out_lane, offset, act.id, hazard),
+            Move(clear, lasts, fast.lane, 0.0, home, hazard),
+        ]
+    elif back is not None:
+        fast.moves.append(Move(clear, lasts, slow.lane, 0.0, back.id, hazard))
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
 
@@ -273,16 +269,10 @@ def _when(true: Callable[[Array], Bools], from_s: float) -> float:
 def come_back(story: Story) -> None:
     """Who strays into the lane of those who come towards it is back as they meet."""
     strays: set[str] = set()
-    for runner in list(story.runners.values()):
-        astray = runner.moves and runner.moves[-1].lane == 0
-        if not astray:
-            continue
+    for runner in (r for r in story.runners.values() if r.moves and r.moves[-1].lane == 0):
         last = runner.moves[-1]
-        meets = _meeting_s(story, runner, last.begins_s)
-        if meets is None:
-            continue
-        name, time_s = meets
-        if story.contact_wanted(runner.id, name):
+        time_s, name = min(_meetings(story, runner, last.begins_s), default=(NEVER_S, ""))
+        if time_s >= NEVER_S or story.contact_wanted(runner.id, name):
             continue
         if story.innermost and _dodge(story.runners[name]) is not None:
             strays.add(runner.id)  # beyond a median it stays there: the other gets out of its way
@@ -302,14 +292,10 @@ def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bo
     return gap_m(first.track(times_s)[0], second.track(times_s)[0]) <= within_m
 
 
-def _meeting_s(story: Story, runner: Runner, from_s: float) -> tuple[str, float] | None:
-    """Whom one meets first that comes towards it, and when they are level."""
-    found: list[tuple[float, str]] = []
-    for other in story.runners.values():
-        if other.forward == runner.forward:
-            continue
+def _meetings(story: Story, runner: Runner, from_s: float) -> Iterator[tuple[float, str]]:
+    """When one is level with those who come towards it, and with whom."""
+    for other in (r for r in story.runners.values() if r.forward != runner.forward):
         are_level = partial(_level, runner, other, 0.0)
         moment = _when(are_level, from_s)
         if are_level(np.array([moment]))[0]:
-            found.append((moment, other.id))
-    return (min(found)[1], min(found)[0]) if found else None
+            yield moment, other.id

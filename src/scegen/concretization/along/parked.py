@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from scegen.concretization.along.crossing import BEFORE_WALKER_M
 from scegen.concretization.along.doors import middle_m, opens
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.along.sideways import edge_y_m, strip_middle_m, strips_along
+from scegen.concretization.along.sideways import (
+    edge_y_m,
+    on_left,
+    standings_beside,
+    strip_middle_m,
+)
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
 from scegen.concretization.profile import NEVER_S
-from scegen.road.cross_section import CARRIAGEWAY
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Standing
-from scegen.scenario.roadway import Strip
 from scegen.scenario.spacings import START, Measure, Spacing
-from scegen.scenario.vocabulary import HazardKind, Side
+from scegen.scenario.vocabulary import HazardKind
 
 _BETWEEN_M = 1.2
 _PASSED_AT_S = 5.0
@@ -31,27 +34,6 @@ class Parked:
     body: Body
     standing: Standing
     x_m: float
-
-
-def standings_beside(story: Story) -> list[Standing]:
-    """Those who stand beside the lanes and do not walk."""
-    along = {name for name, runner in story.runners.items() if not runner.opens}
-    return [s for s in story.logical.standings if s.participant not in along]
-
-
-def on_left(story: Story, standing: Standing) -> bool:
-    """Whether somebody stands on the ego's left."""
-    return (standing.side is Side.LEFT) == (standing.arm == story.ego_arm)
-
-
-def strips_m(story: Story) -> dict[str, float]:
-    """How wide the strips for vehicles beside the lanes are, by the ego's side."""
-    strips = strips_along(story)
-    width = sum(width for kind, width in strips if kind in CARRIAGEWAY)
-    sides = {"left" if on_left(story, s) else "right" for s in standings_beside(story)}
-    if story.functional.junction.strips - {Strip.PAVEMENT}:
-        sides = {"left", "right"}
-    return dict.fromkeys(sides if width else (), width)
 
 
 def shift_to_pass(story: Story) -> None:
@@ -83,7 +65,7 @@ def _keep_off(story: Story, runner: Runner, standing: Standing, spacing: Spacing
     runner.shift(runner.sign * (wanted - runner.y_m(0.0)))
 
 
-def park(story: Story, walks: list[Walk]) -> list[Parked]:
+def park(story: Story) -> list[Parked]:
     """Places for all who are parked, in rows.
 
     Before those whom they hide, around one that opens its door, and others along the way.
@@ -95,22 +77,19 @@ def park(story: Story, walks: list[Walk]) -> list[Parked]:
     rows: dict[tuple[bool, str], list[Standing]] = {}
     for standing in beside:
         left, name = on_left(story, standing), standing.participant
-        walk = _hidden(standing, hiding, walks, left)
+        walk = _hidden(story, standing, hiding)
         before = opened.get(left) if name not in hiding else None
         before = before or (walk.id if walk is not None else "")
         rows.setdefault((left and bool(before), before), []).append(standing)
-    by_id = {walk.id: walk for walk in walks}
-    return [p for (_, name), row in rows.items() for p in _in_a_row(story, row, name, by_id)]
+    return [p for (_, name), row in rows.items() for p in _in_a_row(story, row, name)]
 
 
-def _in_a_row(
-    story: Story, row: list[Standing], before: str, walks: Mapping[str, Walk]
-) -> Iterator[Parked]:
+def _in_a_row(story: Story, row: list[Standing], before: str) -> Iterator[Parked]:
     """In the order in which they are passed, from the one on whose place something depends."""
     bodies = [story.functional.participant(s.participant).body for s in row]
     first, middle, sense = 0, story.ego.x_m(_PASSED_AT_S), 1
-    if before in walks:
-        walk = walks[before]
+    walk = story.walks.get(before)
+    if walk is not None:
         sense = -story.runners[walk.meets].sign
         away = (walk.body.width_m + bodies[0].length_m) / 2 + BEFORE_WALKER_M
         middle = walk.x_m + sense * away
@@ -153,9 +132,9 @@ def _ahead_m(story: Story, name: str) -> float | None:
     return None
 
 
-def _hidden(standing: Standing, hiding: set[str], walks: list[Walk], left: bool) -> Walk | None:
+def _hidden(story: Story, standing: Standing, hiding: set[str]) -> Walk | None:
     """Whom one hides: who sets off from its side; from anywhere if it is said to hide somebody."""
-    same = [w for w in walks if w.from_left == left]
-    if standing.participant in hiding:
-        return next(iter(same), next(iter(walks), None))
-    return next(iter(same), None) if not hiding else None
+    hides = standing.participant in hiding
+    same = [w for w in story.walks.values() if w.from_left == on_left(story, standing)]
+    found = [*same, *(story.walks.values() if hides else ())]
+    return found[0] if found and (hides or not hiding) else None

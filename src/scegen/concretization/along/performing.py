@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import copysign
 
 from scegen.concretization.along.auxiliary import GAINS_MPS2, LOSES_MPS2, RAMP_MPS
@@ -13,7 +14,7 @@ from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S, RE
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import outward, pace_of
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterStart
+from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind
 from scegen.scenario.concrete import MOST_OFFSET_M
 from scegen.scenario.vocabulary import HazardKind, Side
 
@@ -42,24 +43,19 @@ def perform(story: Story, act: Act, begins_s: float) -> None:
         runner.steps += _on_the_ramp(story, runner, moves)
         story.ends_s[act.id] = moves[-1].ends_s
         return
-    step = _step(story, act, runner, begins_s)
-    runner.steps.append(step)
+    runner.steps.append(_step(story, act, runner, begins_s))
     story.ends_s[act.id] = runner.profile.settles_s(begins_s)
 
 
 def _step(story: Story, act: Act, runner: Runner, begins_s: float) -> SpeedChange:
-    hazard = story.hazard_of(act)
-    said = story.functional.participant(runner.id).speed_mps
-    usual = min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
-    if said is not None and said.high > 0:
-        usual = said.middle
+    traffic = min(story.limit_mps, story.ego.speed_mps or story.limit_mps)
+    usual = story.driven_mps(runner.id, traffic)
     before = runner.speed_at_mps(begins_s)
-    target, rate = change_of_speed(act, before, runner.body, story.grip_mps2, hazard, usual)
-    timed = isinstance(act.when, AfterStart)
-    answered = story.stopped_before(act)
+    change = change_of_speed(story, act, runner.body, before, usual)
+    answered, rate = story.stopped_before(act), change.rate_mps2
     if answered is not None and act.rate_mps2 is None:
         rate = min(answered.rate_mps2, runner.body.max_deceleration_mps2)
-    return SpeedChange(target, rate, begins_s, act=act.id, hazard=hazard, timed=timed)
+    return replace(change, begins_s=begins_s, rate_mps2=rate)
 
 
 def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedChange]:

@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
-from scegen.concretization.along.ahead import comes_in, is_ahead
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import (
     JUST_M,
     GapAt,
+    comes_in,
+    is_ahead,
     just_missed_s,
     level,
     place,
@@ -51,27 +52,20 @@ def place_all(story: Story, *, wider: float = 1.0) -> None:
     for runner in story.runners.values():
         runner.at_m = None
     story.ego.at_m = 0.0
-    said = list(_said(story))
-    order = story.ranks()
-    open_ = [n for n in story.runners if n != story.ego.id]
-    while open_:
-        tied = next((t for t in said if (t.who in open_) != (t.other in open_)), None)
+    said, order = list(_said(story)), story.ranks()
+    while open_ := [n for n, runner in story.runners.items() if runner.at_m is None]:
+        tied = next((t for t in said if (t.who.at_m is None) != (t.other.at_m is None)), None)
         if tied is not None:
-            _place(story, tied)
+            place(tied if tied.who.at_m is None else _turned(tied))
         else:
             name = min(open_, key=lambda n: _urgency(story, n, order))
             _place_as_usual(story, name, order, wider)
-        open_ = [n for n in open_ if story.runners[n].at_m is None]
 
 
-def _place(story: Story, gap: GapAt) -> None:
-    who, other = story.runners[gap.who], story.runners[gap.other]
-    if who.at_m is not None:
-        ahead = not gap.ahead if who.forward == other.forward else gap.ahead
-        turned = replace(gap, who=gap.other, other=gap.who, ahead=ahead)
-        other.at_m = place(turned, other, who)
-    else:
-        who.at_m = place(gap, who, other)
+def _turned(gap: GapAt) -> GapAt:
+    """The same, told of the other."""
+    ahead = gap.ahead != (gap.who.forward == gap.other.forward)
+    return replace(gap, who=gap.other, other=gap.who, ahead=ahead)
 
 
 def _said(story: Story) -> Iterator[GapAt]:
@@ -108,13 +102,13 @@ def _gap_at(
     story: Story, told: Spacing | WhenMeasure, time_s: float, at: str,
     since: Literal["begin", "end"] = "begin",
 ) -> GapAt:  # fmt: skip
-    who, other = told.participant, told.reference
-    ahead, functional = None, story.functional
-    if story.runners[who].forward == story.runners[other].forward:
-        ahead = is_said_ahead(functional, functional.hazards, who, other, at, since)
+    names, ahead, functional = (told.participant, told.reference), None, story.functional
+    who, other = (story.runners[name] for name in names)
+    if who.forward == other.forward:
+        ahead = is_said_ahead(functional, functional.hazards, *names, at, since)
     if ahead is None:
-        ahead = is_ahead(story, who, other)
-    return GapAt(who, other, told.measure, told.value.middle, time_s, ahead, said=True)
+        ahead = is_ahead(story, *names)
+    return GapAt(who, other, told.measure, told.value.middle, time_s, ahead)
 
 
 def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool, bool, int]:
@@ -138,16 +132,12 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     if move is not None:
         place_just_missed(runner, front, back, move, JUST_M * wider)
         return
-    kind = _usual(story, runner, other, wider)
+    kind = _usual(story, front, back, wider)
     if kind is None:
         moves = [m.begins_s for m in (*runner.moves, *other.moves)]
         runner.at_m = level(runner, other, min(moves, default=FIRST_ACT_S))
         return
-    measure, value, time_s = kind
-    ahead = is_ahead(story, name, other.id)
-    runner.at_m = place(
-        GapAt(name, other.id, measure, value, time_s, ahead, said=False), runner, other
-    )
+    place(GapAt(runner, other, *kind, ahead=runner is front))
 
 
 def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
@@ -181,9 +171,9 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
     known = [n for n, r in story.runners.items() if r.at_m is not None]
     names = list(story.runners)
-    for thing in story.things:
-        if thing.id == name and thing.in_way_of in known:
-            return thing.in_way_of
+    thing = story.things.get(name)
+    if thing is not None and thing.in_way_of in known:
+        return thing.in_way_of
     for to in story.endangered_by(name):
         if to in known and _neighbours(story, name, to, order):
             return to
@@ -221,13 +211,13 @@ def _side_on(story: Story, front: Runner, back: Runner) -> bool:
 
 
 def _usual(
-    story: Story, runner: Runner, other: Runner, wider: float
+    story: Story, front: Runner, back: Runner, wider: float
 ) -> tuple[Measure, float, float] | None:
     """The measure that two of one direction usually have, and when; None: side by side."""
-    ahead = is_ahead(story, runner.id, other.id)
-    front, back = (runner, other) if ahead else (other, runner)
-    if runner.opens:
-        return Measure.TTC_S, _seen_before_s(story, runner, other) * wider, runner.appears_s
+    door = next((each for each in (front, back) if each.opens), None)
+    if door is not None:
+        met = back if door is front else front
+        return Measure.TTC_S, _seen_before_s(story, door, met) * wider, door.appears_s
     backing = next((each for each in (front, back) if each.backs), None)
     if backing is not None:
         met = back if backing is front else front
@@ -240,10 +230,9 @@ def _usual(
     if let_by is not None:
         return Measure.HEADWAY_S, _CUTS_IN_S * wider, let_by.begins_s
     if front.lane != back.lane:
-        diagonal = words_between(story.functional, runner.id, other.id) & {
-            Approach.AHEAD,
-            Approach.BEHIND,
-        }
+        names = front.id, back.id
+        words = (words_between(story.functional, *each) for each in (names, names[::-1]))
+        diagonal = frozenset().union(*words) & {Approach.AHEAD, Approach.BEHIND}
         return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
     leaves = next((m for m in front.moves if m.lane != back.lane), None)
     slows = next((s for s in front.steps if s.target_mps < front.speed_mps), None)

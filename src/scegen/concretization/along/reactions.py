@@ -59,7 +59,7 @@ def traffic_of(story: Story) -> Traffic:
     return Traffic(
         tale=story,
         movers={name: runner for name, runner in runners.items() if not runner.stands},
-        touchable=[*runners, *(walk.id for walk in story.walks)],
+        touchable=[*runners, *story.walks],
         times_s=_TIMES_S,
         track=story.track,
         seen_s=story.seen_s,
@@ -77,7 +77,7 @@ def _rests_m(story: Story, contact: Contact, act: str | None) -> float:
     if said is not None and {said.participant, said.reference} == {*contact[1:]}:
         return said.value.middle
     marked = story.functional.junction.crosswalks
-    walk = next((w for w in story.walks if w.id == contact.other), None)
+    walk = story.walks.get(contact.other)
     if walk is None or walk.crossing.arm not in marked:
         return -inf
     return (CROSSWALK_WIDTH_M - walk.body.width_m) / 2 + _BEFORE_CROSSWALK_M

@@ -11,11 +11,11 @@ from scegen.concretization.profile import NEVER_S
 from scegen.concretization.roads import standing_in_bays
 from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
-from scegen.road.cross_section import LANE_TYPES, median_half_m, strips_beside
+from scegen.road.cross_section import CARRIAGEWAY, LANE_TYPES, median_half_m, strips_beside
 from scegen.road.model import LaneType
 from scegen.scenario.concrete import MOST_OFFSET_M
-from scegen.scenario.logical import Heading, Walking
-from scegen.scenario.roadway import BAYS, Carriageway
+from scegen.scenario.logical import Heading, Standing, Walking
+from scegen.scenario.roadway import BAYS, Carriageway, Strip
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import Side
 
@@ -27,6 +27,25 @@ def edge_y_m(story: Story, *, left: bool) -> float:
         return 0.0  # beside the innermost lane there are no others
     width = median_half_m(junction.carriageway) + story.lane_count * story.ego.lane_width_m
     return width * (1 if left else -1)
+
+
+def standings_beside(story: Story) -> list[Standing]:
+    """Those who stand beside the lanes and do not walk."""
+    along = {name for name, runner in story.runners.items() if not runner.opens}
+    return [s for s in story.logical.standings if s.participant not in along]
+
+
+def on_left(story: Story, standing: Standing) -> bool:
+    """Whether somebody stands on the ego's left."""
+    return (standing.side is Side.LEFT) == (standing.arm == story.ego_arm)
+
+
+def strip_m(story: Story, *, left: bool) -> float:
+    """How wide the strips for vehicles are beside the lanes of a side; 0 where nobody needs any."""
+    needed = story.functional.junction.strips - {Strip.PAVEMENT}
+    if not needed and all(on_left(story, s) != left for s in standings_beside(story)):
+        return 0.0
+    return sum(width for kind, width in strips_along(story) if kind in CARRIAGEWAY)
 
 
 def offset_all(story: Story) -> None:

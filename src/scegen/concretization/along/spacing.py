@@ -1,23 +1,60 @@
-"""Spacings as places: where one starts so that a measure to another has a value at a moment.
+"""How two stand to each other: who is ahead, and where one starts so that they are so far apart.
 
-Or so that it just misses the other, with both boxes as they are turned.
+A measure has a value at a moment, or one just misses the other, with both boxes as they turn.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from scegen.concretization.along.runner import Move, Runner
+from scegen.concretization.along.story import Story
 from scegen.concretization.answering import last_that
 from scegen.concretization.boxes import apart, missing_m
+from scegen.scenario.acts import ActKind
+from scegen.scenario.in_line import words_between
 from scegen.scenario.spacings import Measure
+from scegen.scenario.vocabulary import Approach
 
 JUST_M = 0.5
 """The room that is left between two of whom one just misses the other."""
 _LOOK_S = 0.05
 _AROUND_S = 3.0
+
+
+def is_ahead(story: Story, who: str, other: str) -> bool:
+    """Whether one is ahead of another as that one drives."""
+    first, second = story.runners[who], story.runners[other]
+    if first.forward != second.forward:
+        return True
+    for name, reference, sign in ((who, other, True), (other, who, False)):
+        words = words_between(story.functional, name, reference)
+        if (Approach.AHEAD in words) != (Approach.BEHIND in words):
+            return (Approach.AHEAD in words) == sign
+        into = any(
+            act.participant == name and act.into == reference
+            and act.kind is ActKind.CHANGE_LANE for act in story.acts
+        )  # fmt: skip
+        mover, stays = story.runners[name], story.runners[reference]
+        over = comes_in(mover, stays) is not None
+        if into or (over and not stays.moves):
+            return sign != story.lets_by(name, reference)
+    if first.stands != second.stands:
+        return first.stands
+    order = story.ranks()
+    if order[who] != order[other]:
+        return order[who] < order[other]
+    if story.ego.id in {who, other}:
+        return who != story.ego.id
+    names = list(story.runners)
+    return names.index(who) < names.index(other)
+
+
+def comes_in(mover: Runner, stays: Runner) -> Move | None:
+    """The move by which one comes into another's lane."""
+    return next((m for m in mover.moves if m.lane == stays.lane != mover.lane), None)
 
 
 def keep_apart(first: Runner, second: Runner, room_m: float, from_s: float, to_s: float) -> bool:
@@ -34,10 +71,7 @@ def place_just_missed(
     until_s = move.ends_s + _AROUND_S
 
     def missed(gap: float) -> bool:
-        tie = GapAt(
-            who.id, other.id, Measure.GAP_M, gap, move.begins_s, ahead=who is front, said=False
-        )
-        who.at_m = place(tie, who, other)
+        place(GapAt(who, other, Measure.GAP_M, gap, move.begins_s, ahead=who is front))
         return keep_apart(front, back, room_m, move.begins_s, until_s)
 
     closing = max(back.speed_at_mps(move.begins_s) - front.speed_at_mps(move.begins_s), 1.0)
@@ -66,29 +100,28 @@ _FAR_M = 1e4
 class GapAt:
     """The ``measure`` of two is ``value`` at ``time_s``; ``ahead``: ``who`` is ahead of ``other``.
 
-    ``said`` tells a statement of the text from what is usual.
+    That is as ``other`` drives: in its direction.
     """
 
-    who: str
-    other: str
+    who: Runner
+    other: Runner
     measure: Measure
     value: float
     time_s: float
     ahead: bool
-    said: bool
 
 
-def place(tie: GapAt, who: Runner, other: Runner) -> float:
-    """Where ``who`` starts so that the tie holds; ``other`` has its place."""
-    # Ahead as ``other`` drives: in its direction.
+def place(tie: GapAt) -> None:
+    """Let ``who`` start so that the tie holds; ``other`` has its place."""
+    who, other = tie.who, tie.other
     away = _FAR_M if tie.ahead == other.forward else -_FAR_M
     at = np.array([tie.time_s])
     who.at_m = away
     missing = missing_m(tie.measure, tie.value, other.track(at), who.track(at))
-    return away - float(missing[0]) * (1 if away > 0 else -1)
+    who.at_m = away - float(missing[0]) * (1 if away > 0 else -1)
 
 
 def level(who: Runner, other: Runner, time_s: float) -> float:
     """Where ``who`` starts so that the middles of both are level at a moment."""
-    who.at_m = 0.0
-    return sum(other.ends_m(time_s)) / 2 - sum(who.ends_m(time_s)) / 2
+    from_0 = replace(who, at_m=0.0)
+    return sum(other.ends_m(time_s)) / 2 - sum(from_0.ends_m(time_s)) / 2

@@ -29,9 +29,9 @@ class Story(Tale):
     """Who does what when; ``begins_s`` and ``ends_s`` by act, ``things`` lie in somebody's way."""
 
     runners: dict[str, Runner] = field(default_factory=dict)
-    walks: list[Walk] = field(default_factory=list)
+    walks: dict[str, Walk] = field(default_factory=dict)
     lane_count: int = 1
-    things: tuple[Thing, ...] = ()
+    things: dict[str, Thing] = field(default_factory=dict)
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
     seed: int = 0
@@ -42,12 +42,13 @@ class Story(Tale):
     ) -> Runner:  # fmt: skip
         """Somebody or something more along this road, at rest; lanes may come later."""
         junction = self.functional.junction
-        runner = Runner(name, kind, body, forward, lane, 0.0, thing=thing)
-        runner.keeps_left = junction.driving_side is DrivingSide.LEFT
-        runner.inner_m = median_half_m(junction.carriageway)
-        runner.lane_width_m = junction.lanes_wide_m
-        self.runners[name] = runner
-        return runner
+        self.runners[name] = Runner(
+            name, kind, body, forward, lane, 0.0, thing=thing,
+            keeps_left=junction.driving_side is DrivingSide.LEFT,
+            inner_m=median_half_m(junction.carriageway),
+            lane_width_m=junction.lanes_wide_m,
+        )  # fmt: skip
+        return self.runners[name]
 
     @property
     def ego_arm(self) -> int:
@@ -86,14 +87,12 @@ class Story(Tale):
 
     def track(self, name: str, times_s: Array) -> tuple[Boxes, Array]:
         """The boxes of somebody over time, and its speeds."""
-        if name in self.runners:
-            return self.runners[name].track(times_s)
-        return next(walk for walk in self.walks if walk.id == name).track(times_s)
+        return (self.runners.get(name) or self.walks[name]).track(times_s)
 
     def seen_s(self, who: str, name: str) -> float:
         """When another becomes a danger: it slows down, comes into the lane or steps out."""
         if name not in self.runners:
-            return next(walk.sets_off_s for walk in self.walks if walk.id == name)
+            return self.walks[name].sets_off_s
         one, other = self.runners[who], self.runners[name]
         slows = [s.begins_s for s in other.steps if s.target_mps < other.speed_mps]
         comes = [m for m in other.moves if m.lane == one.lane and other.forward == one.forward]

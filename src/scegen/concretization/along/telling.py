@@ -11,14 +11,13 @@ from scegen.concretization.along.sideways import put_on_strips
 from scegen.concretization.along.story import Story
 from scegen.concretization.limits import REVERSING_MPS, REVERSING_MPS2
 from scegen.concretization.profile import SpeedChange
-from scegen.concretization.tale import as_meant, pace_of
+from scegen.concretization.tale import as_meant, outward, pace_of
 from scegen.concretization.things import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import (
-    Assignment,
     Crossing,
     Drive,
     Heading,
@@ -28,8 +27,7 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind, Side
 
 _STANDS_MPS = 1.0
 _EDGE_M = 1.5
@@ -38,44 +36,36 @@ _PASSES_BY_MPS = 6.0
 """By so much one who overtakes is faster, where no speeds are said."""
 
 
-def is_along(assignment: Assignment, participant: Participant) -> bool:
-    """Whether somebody moves or stands along the lanes (and not across them, or parked)."""
-    if isinstance(assignment, Crossing):
-        return False
-    if isinstance(assignment, Standing):
-        return assignment.in_lane or participant.kind in ON_FOOT
-    return True
-
-
 def cast(story: Story) -> None:
     """Everybody along the road, at the speed that is said or usual; lanes and places come later."""
     ridden = {p.strip for p in story.functional.participants if p.strip and not p.parked}
     for assignment in story.logical.assignments:
         participant = story.functional.participant(assignment.participant)
-        in_their_way = isinstance(assignment, Standing) and participant.strip in ridden
-        if in_their_way or is_along(assignment, participant):
-            _cast(story, assignment, participant)
+        if isinstance(assignment, Crossing) or (
+            isinstance(assignment, Standing)
+            and not (assignment.in_lane or participant.kind in ON_FOOT)
+            and participant.strip not in ridden
+        ):
+            continue  # it goes across, or is parked beside the lanes
+        _cast(story, assignment, participant)
     _speeds(story)
 
 
-def _cast(story: Story, assignment: Assignment, participant: Participant) -> None:
+def _cast(story: Story, assignment: Drive | Walking | Standing, participant: Participant) -> None:
     arm, keeps = story.ego_arm, story.functional.junction.driving_side.value
     if isinstance(assignment, Drive):
         forward = assignment.entry == arm
     elif isinstance(assignment, Walking):
         forward = (assignment.arm == arm) == (assignment.heading is Heading.INWARD)
-    elif isinstance(assignment, Standing):
-        forward = (assignment.arm == arm) == (assignment.side.value == keeps)
     else:
-        raise TypeError(f"{participant.id} goes across the road")
-    beside = isinstance(assignment, Walking | Standing) and not assignment.in_lane
+        forward = (assignment.arm == arm) == (assignment.side.value == keeps)
+    beside = not isinstance(assignment, Drive) and not assignment.in_lane
     lane = -1 if assignment.lane is None else assignment.lane
     name, kind, body = participant.id, participant.kind, participant.body
     runner = story.add(name, kind, body, lane, forward=forward)
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
-        outward = -1.0 if keeps == "right" else 1.0
-        runner.offset_m = outward * _EDGE_M
+        runner.offset_m = outward(story.functional, Side.LEFT) * _EDGE_M
 
 
 def _speeds(story: Story) -> None:
@@ -160,16 +150,12 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     story = Story(as_meant(functional, logical), logical, ())
     cast(story)
     cast_doors(story)
-    story.things = tuple(_things(story))
-    for thing in story.things:
-        blocked = story.runners[thing.in_way_of or ""]
-        body, forward = shape_of(thing).body, blocked.forward
-        story.add(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)
+    _lay_things(story)
     story.acts = all_acts(story)
     choose_lanes(story)
     put_on_strips(story)
     hang_doors(story)
-    for thing in story.things:
+    for thing in story.things.values():
         story.runners[thing.id].lane = story.runners[thing.in_way_of or ""].lane
     _keep_on_the_road(story)
     return story
@@ -196,10 +182,15 @@ def _keep_on_the_road(story: Story) -> None:
             )
 
 
-def _things(story: Story) -> list[Thing]:
+def _lay_things(story: Story) -> None:
     """What lies in somebody's lane: what is said, and what a danger needs that nobody causes."""
-    functional, runners = story.functional, story.runners
-    needed = [thing for _, thing in lying_in_the_way(functional, story.logical, runners)]
-    known = {thing.id for thing in needed}
-    said = [t for t in functional.objects if t.in_way_of in runners and t.id not in known]
-    return [*said, *needed]
+    said = [thing for thing in story.functional.objects if thing.in_way_of in story.runners]
+    needed = lying_in_the_way(story.functional, story.logical, story.runners)
+    for hazard, thing in needed:
+        if not hazard.by:
+            story.blame(thing, hazard)
+    known = {thing.id for _, thing in needed}
+    for thing in (*(t for t in said if t.id not in known), *(thing for _, thing in needed)):
+        story.things[thing.id] = thing
+        body, forward = shape_of(thing).body, story.runners[thing.in_way_of or ""].forward
+        story.add(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)

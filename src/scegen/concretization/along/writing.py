@@ -11,8 +11,7 @@ from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
 from scegen.concretization.profile import NEVER_S, SpeedChange
-from scegen.concretization.triggers import as_they_come
-from scegen.concretization.written import written, written_phase
+from scegen.concretization.written import as_they_come, written, written_phase
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.doors import WAY_M
 from scegen.motion.standing import crossing_path
@@ -186,13 +185,13 @@ def written_door(story: Story, act: Act, vehicle: ConcreteParticipant) -> Concre
     )
 
 
-def ends_s(story: Story, walks: list[Walk]) -> float:
+def ends_s(story: Story) -> float:
     """When the last thing has happened that the story tells, the closest approach included."""
     moments = [4.0]
     for runner in story.runners.values():
         moments += [move.ends_s for move in runner.moves]
         moments += [runner.profile.settles_s(step.begins_s) for step in runner.steps]
-    for walk in walks:
+    for walk in story.walks.values():
         across = walk.setback_m + 2 * story.lane_count * story.ego.lane_width_m + walk.body.length_m
         moments.append(walk.sets_off_s + walk.runs_s(across))
         meets = story.runners[walk.meets]

@@ -10,18 +10,9 @@ from scegen.concretization.setup import Setup
 from scegen.measures.grounds import grounds
 from scegen.scenario.acts import GAINING, ActKind
 from scegen.scenario.functional import Hazard
+from scegen.scenario.hazards import HAZARDS, Arrangement, Case, Motion
 from scegen.scenario.vocabulary import HazardKind
 
-_STANDS_OR_WALKS = frozenset(
-    {
-        HazardKind.CROSSING_PEDESTRIAN,
-        HazardKind.CROSSING_ANIMAL,
-        HazardKind.CROSSING_CYCLIST,
-        HazardKind.OCCLUSION,
-        HazardKind.OBSTACLE,
-    }
-)
-"""Made by where somebody walks or stands, not by how anybody drives."""
 _CLEAR_OF_WALKER_M, _CLEAR_BEHIND_M, _CLEAR_OF_OTHER_M = 1.3, 0.7, 3.0
 _TURNED_RAD = 0.75
 """Who stops in a bend is seen to turn: it has got so far, and may stop a little sooner."""
@@ -40,8 +31,12 @@ def victims(scene: Setup, hazard: Hazard, culprit: DriveDraft) -> list[DriveDraf
 
 
 def pairs(scene: Setup, hazard: Hazard) -> list[tuple[DriveDraft, DriveDraft]]:
-    """(cause, sufferer) of a hazard for which they must arrive together, drives only."""
-    if hazard.kind in _STANDS_OR_WALKS:
+    """(cause, sufferer) of a hazard for which they must arrive together, drives only.
+
+    None where a danger is made by where somebody walks or stands, not by how anybody drives.
+    """
+    row = HAZARDS[hazard.kind]
+    if row.moves is Motion.STILL or Arrangement.OVER in row.needs.get(Case.ANYWHERE, ()):
         return []
     return [(c, v) for c in culprits(scene, hazard) for v in victims(scene, hazard, c)]
 

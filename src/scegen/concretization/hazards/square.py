@@ -7,7 +7,7 @@ while before, and then stops short of the other's way, or is across it as both t
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, sin
 
 import numpy as np
@@ -17,7 +17,7 @@ from scegen.concretization.backing import back_straight, reversing_mps, stand_sq
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import REVERSING_MPS2
 from scegen.concretization.meetings import DANGER, Meeting, sampled
-from scegen.concretization.profile import Sort, SpeedChange
+from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING
@@ -110,9 +110,7 @@ def _stop(scene: Setup, draft: DriveDraft) -> SpeedChange:
     if said is None:
         return SpeedChange(0.0, draft.braking_mps2(_STOPS_MPS2))
     speed = reversing_mps(scene, draft)
-    hazard = scene.hazard_of(said)
-    _, rate = change_of_speed(said, speed, draft.body, draft.grip_mps2, hazard, speed)
-    return SpeedChange(0.0, rate, act=said.id, hazard=hazard, sort=Sort.ACT)
+    return replace(change_of_speed(scene, said, draft.body, speed, speed), target_mps=0.0)
 
 
 def _strikes(scene: Setup, draft: DriveDraft) -> bool:
