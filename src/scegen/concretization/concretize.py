@@ -42,7 +42,7 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import AtLight, HazardKind
+from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0
@@ -142,7 +142,8 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     cruise = _cruise_speed_mps(scene, participant, drive.entry)
     at_red = stands_at_red(participant)
     waits_s = STOOD_S if at_red else WAITS_S if participant.light is AtLight.WAITS else None
-    if scene.sets_off(participant.id) or at_red:
+    stands = at_red or drive.maneuver is Maneuver.STAY
+    if scene.sets_off(participant.id) or stands:  # so it came there
         cruise = scene.driven_mps(participant.id, scene.limit_mps)
     fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(

@@ -138,7 +138,7 @@ def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
     delays = _green_delays_s(functional)
     for name in at_lights(functional, logical):
         said = functional.participant(name).light
-        if name not in offsets_s or name not in scene.drives:
+        if name not in offsets_s or name not in scene.drives or scene.drives[name].stands:
             continue
         draft, late = scene.drives[name], offsets_s[name]
         course, time_s = draft.course, crosses_s(draft, late)
@@ -280,7 +280,8 @@ def set_lights(scene: Setup) -> None:
     if scene.signals is None:
         return
     scene.signals = shifted(scene.signals, scene.ego.offset_s)
-    if any(p.light is not None for p in scene.functional.participants):
+    # An ego that stands all the time has no place on the clock by which the plan was laid.
+    if scene.ego.stands or any(p.light is not None for p in scene.functional.participants):
         late = {name: draft.offset_s for name, draft in scene.drives.items()}
         shown = [*_driven(scene, late), *_walked(scene)]
         scene.signals = _suiting(scene.signals, shown)

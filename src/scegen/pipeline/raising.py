@@ -68,9 +68,11 @@ def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> s
 
 
 def _drives_past(functional: FunctionalScenario) -> bool:
-    """Whether the ego goes past others that stand on other arms or beside the lanes."""
+    """Whether the ego goes past others that stand on other arms or beside the lanes, or stands."""
     if functional.outcome or functional.hazards or functional.acts or functional.spacings:
         return False
+    if functional.ego.maneuvers == {Maneuver.STAY}:
+        return True
     in_line = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
     crossing = functional.junction.kind is not JunctionKind.STRAIGHT
     others = [p for p in functional.participants if p.id != functional.ego.id]
