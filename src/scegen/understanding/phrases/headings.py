@@ -182,7 +182,8 @@ def _done_to(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Overtaking a bicyclist: EBT 22 km/h, …``: one of its kind is told of after it."""
     alone = isinstance(title[0], Event) and title[0].form == "ing" and title[-1] is mention
     again = any(c.noun == mention.noun for c in _others(rest))
-    return alone and mention.noun in _SPECIFIC and again
+    anybody = mention.noun == "car" and mention.has("det", "another")
+    return alone and ((mention.noun in _SPECIFIC and again) or (anybody and bool(_others(rest))))
 
 
 def _introduced(mention: Mention) -> bool:
