@@ -263,6 +263,9 @@ def _in_vain(event: Event) -> bool:
 
 def _between(scene: Clause, text: Telling) -> list[Entity]:
     """Who touches whom: by the verb, by whose part is named, by who is named around."""
+    nobody = any(m.pronoun == "nobody" for m in scene.event.subject)
+    if nobody and len(text.draft.entities) > _PAIR:
+        return []  # none of them touches any other
     into = goal_of_contact(scene, text.context)
     who = [*scene.actors, *(scene.targets or touched(into))]
     alike = len({e.kind for e in scene.targets}) == 1 and len(scene.targets) > 1

@@ -175,17 +175,22 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
 
 
 def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
-    """``the ego waits because a van comes, so it is late``: "it" is not who the reason is about."""
+    """``the ego waits because a van comes, so it is late``: "it" is not who the reason is about.
+
+    Nor is it in "because a van comes, it waits".
+    """
     found: set[int] = set()
     here: list[int] = []
-    for before, chunk in pairwise(chunks):
+    opened = False
+    for k, (before, chunk) in enumerate(pairwise(chunks)):
         reason = isinstance(before, Word) and (before.cat, before.value) == ("sub", "because")
         if isinstance(before, Word) and before.value in BOUNDARIES:
-            here = []
-        elif reason and tokens[before.i].low == "so":
-            found |= {*here} if isinstance(chunk, Mention) and chunk.pronoun == "it" else set()
-        elif reason:
+            here, opened = [], False
+        elif reason and tokens[before.i].low != "so":
             here.append(id(chunk))
+            opened = opened or k == 0 or chunks[k - 1].value in BOUNDARIES
+        elif isinstance(chunk, Mention) and chunk.pronoun == "it" and (reason or opened):
+            found |= {*here}
     return found
 
 
