@@ -53,9 +53,10 @@ def test_a_lane_beyond_those_that_are_built_is_refused(text, most):
     [
         ("At a roundabout with five roads a van turns off in front of the ego.", "five"),
         ("The ego follows a van that brakes five times.", "five"),
+        ("The ego drives in lane 7 of a motorway.", "7"),
     ],
 )
-def test_a_number_in_words_that_counts_nothing_here_is_told(text, number):
+def test_a_number_that_counts_nothing_here_is_told(text, number):
     assert number in [u.text for u in read(text).unsupported]
 
 

@@ -16,6 +16,7 @@ _INSTEAD = {
     "quantity": "a measure that no rule could attach; left out",
     "state": "a state that no rule could attach; left out",
     "num": "a number that nothing says what it is of",
+    "lane": "which lane of those that are built this is stays open",
     "env": "conditions are given once; the first counts",
     "control": "one rule of priority is kept for the whole junction; the strictest counts",
 }
@@ -72,7 +73,8 @@ def unattached(
         if term.j <= title and _told_below(term, terms, tokens, spans, title):
             continue
         text = scenario.description[start:end]
-        instead = _otherwise(term, scenario) or _INSTEAD[cat]
+        numbered = cat == "num" and before is not None and before.value == "lane"
+        instead = _otherwise(term, scenario) or _INSTEAD["lane" if numbered else cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
@@ -110,6 +112,7 @@ def _counts(
     start, end = tokens[term.i].start, tokens[term.j - 1].end
     inside = any(a <= start and end <= b for a, b in named)
     called = before is not None and before.cat in {"actor", "place", "label", "quant"}
+    called = called and before is not None and before.value != "lane"  # the field rests on it
     if tokens[term.i].kind == "number":
         return inside or called
     junction, number = scenario.junction, term.data["number"]
