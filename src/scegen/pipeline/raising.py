@@ -59,7 +59,7 @@ def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> s
     if asked is None:
         if functional is None:
             return None
-        unhurt = (_drives_past, _leaves_room, _draws_away, _stops_clear)
+        unhurt = (_stands, _drives_past, _leaves_room, _draws_away, _stops_clear)
         if any(told(functional) for told in unhurt):
             return AVOIDED
         outcome = functional.outcome.kind if functional.outcome else None
@@ -67,12 +67,21 @@ def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> s
     return None if asked.strip().lower() == NO_SEARCH else parse_target(asked).text
 
 
+def _tells_more(functional: FunctionalScenario) -> bool:
+    """Whether anything happens besides that all take their ways."""
+    told = (functional.hazards, functional.acts, functional.spacings)
+    return functional.outcome is not None or any(told)
+
+
+def _stands(functional: FunctionalScenario) -> bool:
+    """Whether the ego stands while others take their ways."""
+    return functional.ego.maneuvers == {Maneuver.STAY} and not _tells_more(functional)
+
+
 def _drives_past(functional: FunctionalScenario) -> bool:
-    """Whether the ego goes past others that stand on other arms or beside the lanes, or stands."""
-    if functional.outcome or functional.hazards or functional.acts or functional.spacings:
+    """Whether the ego goes past others that stand on other arms or beside the lanes."""
+    if _tells_more(functional):
         return False
-    if functional.ego.maneuvers == {Maneuver.STAY}:
-        return True
     in_line = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
     crossing = functional.junction.kind is not JunctionKind.STRAIGHT
     others = [p for p in functional.participants if p.id != functional.ego.id]

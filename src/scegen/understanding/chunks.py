@@ -84,7 +84,7 @@ class NounPhrase:
 
     def stands_after(self, *words: str) -> bool:
         """Whether one of these prepositions governs it."""
-        return self.prep is not None and self.prep.value in words
+        return self.opening in words
 
     @property
     def is_landmark(self) -> bool:
@@ -200,6 +200,11 @@ class Thing(NounPhrase):
     """Anything else that a noun phrase names."""
 
     kind: str = "noun"
+
+    @property
+    def lies_there(self) -> bool:
+        """Whether it is something that may be in a lane: a fallen tree, a crate."""
+        return self.kind in {"object", "obstacle"}
 
 
 @dataclass(slots=True, eq=False)

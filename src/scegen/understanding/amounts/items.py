@@ -90,7 +90,7 @@ def _stands_for_others(thing: Thing, text: Telling) -> bool:
 
 def _hide(danger: Danger, text: Telling) -> None:
     start, end = text.bounds(danger.basis.i or 0)
-    things = [t for t in _things(text) if start <= t.i < end and t.kind in {"object", "obstacle"}]
+    things = [t for t in _things(text) if start <= t.i < end and t.lies_there]
     things += [t for t in _things(text) if t not in things and t.kind == "object"]
     # "a crate lies there and a hedge hides …": what lies in the way is named already.
     lying = {item.basis.i for item in text.found.items}

@@ -57,7 +57,7 @@ def unattached(
     ]
     title = next((k for k, token in enumerate(tokens) if token.low == ":"), 0)
     for before, term in zip([None, *terms], terms, strict=False):
-        cat = "dir" if (term.cat, term.value) == _PORTION else term.cat
+        cat = _sort(term, before)
         if cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
             continue
         start, end = tokens[term.i].start, tokens[term.j - 1].end
@@ -73,11 +73,18 @@ def unattached(
         if term.j <= title and _told_below(term, terms, tokens, spans, title):
             continue
         text = scenario.description[start:end]
-        numbered = cat == "num" and before is not None and before.value == "lane"
-        instead = _otherwise(term, scenario) or _INSTEAD["lane" if numbered else cat]
+        instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
+
+
+def _sort(term: Term, before: Term | None) -> str:
+    """What kind of word it is here: its class, but for a portion and the number of a lane."""
+    if (term.cat, term.value) == _PORTION:
+        return "dir"
+    of_lane = term.cat == "num" and before is not None and before.value == "lane"
+    return "lane" if of_lane else term.cat
 
 
 def _told_below(
@@ -112,7 +119,7 @@ def _counts(
     start, end = tokens[term.i].start, tokens[term.j - 1].end
     inside = any(a <= start and end <= b for a, b in named)
     called = before is not None and before.cat in {"actor", "place", "label", "quant"}
-    called = called and before is not None and before.value != "lane"  # the field rests on it
+    called = called and _sort(term, before) != "lane"  # the field rests on that
     if tokens[term.i].kind == "number":
         return inside or called
     junction, number = scenario.junction, term.data["number"]

@@ -243,9 +243,9 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
 
 
 def _side_after(chunks: list[Chunk], m: int) -> bool:
-    word, side = chunk_at(chunks, m), chunk_at(chunks, m + 1)
+    side = chunk_at(chunks, m + 1)
     sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
-    return (is_word(word, "in") or is_word(word, "to")) and sided
+    return sided and value_at(chunks, m) in {"in", "to"}
 
 
 def place_in_front(mention: Mention, state: State) -> None:

@@ -273,4 +273,4 @@ class ClauseReader:
 
 def _is_thing(chunk: Chunk | None) -> bool:
     """``a fallen tree that blocks the lane``: the tree does it, and no participant."""
-    return isinstance(chunk, Thing) and chunk.kind in {"obstacle", "object"}
+    return isinstance(chunk, Thing) and chunk.lies_there

@@ -58,7 +58,7 @@ def _list_goes_on(state: State) -> bool:
 
 
 def _joins(chunk: Chunk | None) -> bool:
-    return is_word(chunk, "and") or is_word(chunk, "or")
+    return chunk is not None and chunk.value in {"and", "or"}
 
 
 def _doing_the_same(mention: Mention, state: State) -> None:

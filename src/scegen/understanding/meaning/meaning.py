@@ -127,7 +127,7 @@ class Interpreter:
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, k, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
-                self._context.barred |= chunk.kind in {"object", "obstacle"}
+                self._context.barred |= chunk.lies_there
 
     def _mention(self, mention: Mention) -> None:
         placing.adjectives(mention, self._context)
@@ -217,7 +217,7 @@ def _met_there(prep: Prep) -> bool:
     """``hits a cyclist on its right``: where one is who was not told of before."""
     who, side = prep.on_mention, prep.place
     new = who is not None and who.has("det", "indef")
-    return new and side is not None and side.head is None and side.has("possessive")
+    return new and side is not None and side.head is None and side.possessed
 
 
 def _from_behind(prep: Prep) -> bool:

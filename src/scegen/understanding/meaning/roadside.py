@@ -27,7 +27,7 @@ def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
         draft: the scenario in the making.
     """
     basis = Basis(thing.i, thing.j)
-    possessed = thing.owner is not None or any(m.cat == "possessive" for m in thing.mods)
+    possessed = thing.owner is not None or thing.possessed
     chased = draft.tokens[max(thing.i - 1, 0)].low == "after"
     none = any((m.cat, m.value) == ("det", "negative") for m in thing.mods)
     none = none or (thing.stands_after("without"))

@@ -112,6 +112,8 @@ def _whole(k: int, chunks: list[Chunk]) -> Place | None:
 
 def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks with lanes that are counted off ("two lanes over") as places."""
+    if not any(isinstance(c, Place) and c.kind == "lane" for c in chunks):
+        return chunks
     found: list[Chunk] = []
     skipped: set[int] = set()
     for k, chunk in enumerate(chunks):

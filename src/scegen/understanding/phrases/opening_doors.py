@@ -24,6 +24,8 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: the chunks of the text.
         tokens: its tokens.
     """
+    if not any(map(_door, chunks)):
+        return chunks
     found: list[Chunk] = []
     ended: list[Chunk] = []
     k = 0

@@ -13,7 +13,6 @@ from scegen.understanding.words.tokens import Token
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
 _CROSSED = frozenset({"crosswalk", "road", "junction"})
-_IN_THE_WAY = frozenset({"obstacle", "object"})
 _STILL = frozenset({"parked", "stationary", "stop", "park"})
 _SAID_OF_IT = 4
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
@@ -57,7 +56,7 @@ def _obstacles(chunks: list[Chunk]) -> list[Chunk]:
     found: list[Chunk] = []
     stands: Mention | None = None
     for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Thing) and chunk.kind in _IN_THE_WAY:
+        if isinstance(chunk, Thing) and chunk.lies_there:
             thing = chunk.head.data.get("thing") if chunk.head is not None else None
             if stands is None or not chunk.has("det", "def") or thing != "obstacle":
                 return chunks

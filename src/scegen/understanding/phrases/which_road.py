@@ -27,10 +27,11 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """
     found: list[Chunk] = []
     begin, k = 0, 0
+    courses = any(isinstance(c, Place) and c.kind in _COURSES for c in chunks)
     while k < len(chunks):
         chunk = chunks[k]
         clause = _arm_clause(chunks, k, tokens)
-        course = _course(chunks, k, tokens, found) if clause is None else None
+        course = _course(chunks, k, tokens, found) if courses and clause is None else None
         if clause is not None and isinstance(chunk, Place):
             end, chunk.arm = clause
             found[begin:begin] = _told_anew(chunks, k, end)

@@ -24,7 +24,7 @@ def open_from_inside(events: list[Event], tokens: list[Token]) -> None:
             continue
         event.name, event.object = "door", None
         event.pps = [p for p in event.pps if p.target is not around]
-        if around.has("possessive"):
+        if around.possessed:
             around.same_as, people[-1].drives = people[-1], True
             continue  # "his van": he stands for it
         event.subject = [around]

@@ -8,7 +8,6 @@ from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.tokens import Token
 
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
-_LOST = frozenset({"object", "obstacle"})
 _NEAR = 2
 
 
@@ -29,12 +28,8 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         for p in e.pps
         if any(m.pronoun == "all" and m.head is None for m in e.subject)
     }
-    lying = {id(m) for e in events if e.lemma in word_list("lying") for m in e.subject}
+    _what_lies_there(chunks, events)
     for k, chunk in enumerate(chunks):
-        if id(chunk) in lying and isinstance(chunk, Mention) and chunk.pronoun == "it":
-            chunk.negated = any(
-                isinstance(c, Thing) and c.kind in _LOST for c in chunks[:k]
-            )  # "loses a pallet; it lies ahead"
         if not isinstance(chunk, Mention) or chunk.head is None:
             continue
         if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
@@ -43,7 +38,7 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
             chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
             continue
         chunk.negated = chunk.negated or _fits(chunk, chunk.prep, tokens)
-        several = chunk.head.form == "s" and chunk.mod("det", "num", "quant") is None
+        several = chunk.plural and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
         anybody = chunk.is_mass or (several and lit)
         seen = chunk_at(chunks, k - 2)  # "the view of oncoming traffic"
@@ -52,6 +47,14 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
             chunk.prep.value == "of" and isinstance(seen, Thing) and seen.kind == "view"
         )
         chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
+
+
+def _what_lies_there(chunks: list[Chunk], events: list[Event]) -> None:
+    """``loses a pallet; it lies ahead``: "it" is the thing, and nobody."""
+    things = [c.i for c in chunks if isinstance(c, Thing) and c.lies_there]
+    for event in (e for e in events if e.lemma in word_list("lying")):
+        for it in (m for m in event.subject if m.pronoun == "it"):
+            it.negated = any(i < it.i for i in things)
 
 
 def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:

@@ -18,9 +18,9 @@ def is_pronoun(target: object) -> bool:
 
 def refers_to_nobody(mention: Mention) -> bool:
     """``in traffic``, ``no pedestrians``, ``at the second``: words that name no participant."""
-    prep = mention.prep.value if mention.prep is not None else ""
+    prep = mention.opening
     first = [m.value for m in mention.mods[:1]]
-    several = mention.is_mass or (mention.head is not None and mention.head.form == "s")
+    several = mention.is_mass or mention.plural
     if prep == "without" and (first in (["indef"], ["other"]) or (not first and several)):
         return True  # "without any target", "without other cars", "free of traffic"
     mass = mention.is_mass and all(

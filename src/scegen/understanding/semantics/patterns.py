@@ -159,11 +159,21 @@ def noun(words: list[str]) -> NounTest:
     Args:
         words: the pattern, split at blanks.
     """
-    kinds = [_alternative(kind) for kind in (words[0] if words else ANY).split("|")]
+    kind = _kind((words[0] if words else ANY).split("|"))
     filters = [_filter(word) for word in words[1:]]
-    if len(kinds) == 1 and not filters:
-        return kinds[0]
-    return lambda n, c: any(kind(n, c) for kind in kinds) and all(f(n, c) for f in filters)
+    if not filters:
+        return kind
+    return lambda n, c: kind(n, c) and all(f(n, c) for f in filters)
+
+
+def _kind(names: list[str]) -> NounTest:
+    """The test for one of some kinds of nouns; most patterns name kinds of places."""
+    special = {*_NOUNS, "who", "thing"}
+    if special.isdisjoint(name.partition(".")[0] for name in names):
+        kinds = frozenset(names)
+        return lambda n, _: isinstance(n, Place) and n.kind in kinds
+    tests = [_alternative(name) for name in names]
+    return tests[0] if len(tests) == 1 else lambda n, c: any(test(n, c) for test in tests)
 
 
 def _in_front(p: Prep, context: Context) -> bool:

@@ -26,7 +26,7 @@ def _round(clause: Clause, context: Context) -> tuple[Prep, Thing | Mention, lis
         passed = prep.target
         if context.tokens[prep.word.i].low not in word_list("past"):
             continue
-        if isinstance(passed, Thing) and passed.kind in {"object", "obstacle"}:
+        if isinstance(passed, Thing) and passed.lies_there:
             return prep, passed, []
         who = passed.entities if isinstance(passed, Mention) else []
         vehicles = [e for e in who if e.is_vehicle and e not in clause.actors]
