@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep
 from scegen.understanding.frames import acts
 
 _SEVERAL = frozenset({"both", "all", "they"})
@@ -29,6 +29,33 @@ def named_again(events: list[Event]) -> None:
             kind = acts().get(event.name)
             told = [e for e in events if e.i < event.i and e.finite and acts().get(e.name) is kind]
             event.subject = list(told[-1].subject) if told and kind else []
+
+
+def names_another(events: list[Event]) -> None:
+    """``comes up to a lorry that does 60 km/h and slows to the lorry's speed``: not the lorry.
+
+    Nobody calls himself by his noun again: then the verb goes with the one outside the clause.
+    """
+    for k, event in enumerate(events):
+        told = next((e for e in events[:k] if e.embedded and e.subject == event.subject), None)
+        if told is None or event.embedded or len(event.subject) != 1 or event.nominal:
+            continue
+        (one,) = event.subject
+        outer = [e for e in events[: events.index(told)] if not e.embedded and one not in e.subject]
+        if outer and outer[-1].subject and any(_same_noun(m, one) for m in _named_with(event)):
+            event.subject = outer[-1].subject
+
+
+def _named_with(event: Event) -> list[Mention]:
+    """Whom a verb takes, and who owns what it takes."""
+    taken = [event.object, *(p.target for p in event.pps)]
+    owners = [t.owner for t in taken if isinstance(t, NounPhrase)]
+    return [m for m in (*taken, *owners) if isinstance(m, Mention)]
+
+
+def _same_noun(mention: Mention, one: Mention) -> bool:
+    later = mention.i > one.i and mention.has("det", "def") and mention.head is not None
+    return later and one.noun == mention.noun and one.label == mention.label
 
 
 def _from_a_side(prep: Prep) -> bool:
