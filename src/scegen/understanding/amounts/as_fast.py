@@ -7,9 +7,10 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.happenings import Doing
+from scegen.understanding.happenings import Amount, Doing
 
 _PAIR = 2
+_CHANGES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 
 
 def as_fast(text: Telling) -> None:
@@ -20,6 +21,7 @@ def as_fast(text: Telling) -> None:
             last = mention.entities[0]
             words = last.speed_basis or Basis(own[0].i, own[0].j)
             _give(mention.joined.entities, last, words, "said of both")
+    _until_alike(text)
     _alike(text)
     _followed(text)
     _in_one_lane(text)
@@ -30,6 +32,22 @@ def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
     for entity in whom:
         if entity.speed is None and entity.is_vehicle and not entity.still:
             entity.speed, entity.speed_basis = model.speed, words.because(reason)
+
+
+def _until_alike(text: Telling) -> None:
+    """``slows down to the speed of the lorry``, ``brakes to match it``: as fast in the end."""
+    for doing in text.acts(0, len(text.tokens), _CHANGES):
+        end = min([e.event.i for e in text.scenes if e.event.i > doing.i and e.event.finite]
+                  + [text.bounds(doing.i)[1]])  # fmt: skip
+        span = text.find("to_their_speed", doing.i, end)
+        others = [e for e in text.draft.entities if e is not doing.entity]
+        if span is None or "target_speed_mps" in doing.amounts:
+            continue
+        named = [e for e in text.spoken_of(span[0], end) if e is not doing.entity] or others
+        model = next((e for e in named if e.speed is not None), None)
+        if model is not None and model.speed is not None:
+            basis = Basis(*span, "as fast as the other")
+            doing.amounts["target_speed_mps"] = Amount(model.speed, basis)
 
 
 def _alike(text: Telling) -> None:
