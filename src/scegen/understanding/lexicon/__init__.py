@@ -3,10 +3,11 @@
 from scegen.understanding.lexicon.loader import (
     Entry,
     Lexicon,
+    abbreviations,
     load,
     load_contexts,
     word_list,
     word_lists,
 )
 
-__all__ = ["Entry", "Lexicon", "load", "load_contexts", "word_list", "word_lists"]
+__all__ = ["Entry", "Lexicon", "abbreviations", "load", "load_contexts", "word_list", "word_lists"]

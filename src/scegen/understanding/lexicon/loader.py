@@ -127,6 +127,13 @@ def word_lists(file: str) -> dict[str, frozenset[str]]:
     return {name: frozenset(words) for name, words in lists.items()}
 
 
+@lru_cache(maxsize=1)
+def abbreviations() -> dict[str, str]:
+    """What is meant by each short form of a word; a form that nobody writes out means itself."""
+    full: dict[str, list[str]] = _read("abbreviations")
+    return {s: s if word == "itself" else word for word, short in full.items() for s in short}
+
+
 @cache
 def word_list(name: str) -> frozenset[str]:
     """The words of a list."""

@@ -24,8 +24,9 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
     found: list[Term] = []
     for k, t in enumerate(terms):
         near_or_far = t.cat == "dir" and t.value in values
-        if near_or_far and _bare(terms, k):
-            found.append(Term("prep", "from", t.i, t.i))  # "a child crossing, farside"
+        parked = k > 0 and terms[k - 1].value == "park" and t.cat == "dir" and t.value in _OTHER
+        if (near_or_far or parked) and _bare(terms, k):
+            found.append(Term("prep", "from", t.i, t.i))  # "a child crossing, farside", "parked left"
         if t.cat == "dir" and t.value in _OTHER and _of_somebody(terms, k):
             found += [Term("prep", "to", t.i, t.i), Term("det", "def", t.i, t.i)]
         found.append(replace(t, value=values[t.value], form="base") if near_or_far else t)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from unicodedata import normalize
 
-from scegen.understanding.lexicon import load
+from scegen.understanding.lexicon import abbreviations, load
 from scegen.understanding.words.lemmas import lemmas
 from scegen.understanding.words.lines import laid_out
 from scegen.understanding.words.spelling import meant
@@ -15,6 +15,7 @@ from scegen.understanding.words.spelling import meant
 _TOKEN = re.compile(
     r"(?P<plain>[A-Za-z]{3,}(?=[ ,.]))"
     r"|(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
+    r"|(?P<short>\b[wW]/[oO]?(?![^\s\d])|\b[xX]-(?:ing|walk)\b)"
     r"|(?P<bound>\b[NSEWnsew]/[Bb]\b)"
     r"|(?P<unit>(?:\b|(?<=\d))(?i:m|ft)\s?(?:/|(?i:per))\s?(?i:s(?:ec)?)\.?(?:\^|\*\*)?[2²]|%)"
     r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
@@ -24,6 +25,7 @@ _TOKEN = re.compile(
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
     r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
+    r"|(?P<at>(?<!\S)@(?!\w*@))"
     r"|(?P<arrow>→|⇒|[-–=]{1,2}>)"
     r"|(?P<tolerance>±|\+\s?/?\s?[-−–])"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
@@ -31,23 +33,23 @@ _TOKEN = re.compile(
 )
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
              "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
-_POINT = re.compile(
-    r"\b(?i:approx|mr|mrs|ms|hwy|rte|rt|veh|vs|ped|st|ave|av|rd|blvd|dr|ln|ft|hrs?|mins?|secs?|no|max"
-    r"|a\.m|p\.m|i\.e|e\.g|u\.s)(?P<point>\.)(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d)"
+_LETTERS = re.compile(
+    r"\b(?i:a\.m|p\.m|i\.e|e\.g|u\.s)(?P<point>\.)(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d)"
     r"|\b[apieuAPIEU](?P<inner>\.)(?=[megsMEGS]\b)"
 )
-"""A full stop that only shortens a word: a sentence would go on with a capital letter."""
+"""Full stops after single letters that shorten a word."""
 _WITHIN = re.compile(r"\.(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d|[MEGS]\b)")
-"""What every such full stop has after it, as few others have."""
+"""What a full stop that only shortens a word has after it: no capital letter, as a sentence has."""
 _LAYOUT = re.compile(r"\n|,[^,.;!?]{1,40}:|\s[-–—/|]|—|\.{3}|^\W*\(?\w{1,2}[.)]\s")
 """What texts have whose layout says something."""
 _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
 
-_KINDS = {"plain": "word", "clock": "word", "bound": "word", "ordinal": "word", "unit": "word",
+_KINDS = {"plain": "word", "clock": "word", "bound": "word", "short": "word", "at": "word", "ordinal": "word",
+          "unit": "word",
           "tolerance": "word", "arrow": "word", "degrees": "word"}  # fmt: skip
-_SIGNS = {"tolerance": "±", "arrow": "to", "degrees": "degrees"}
+_SIGNS = {"tolerance": "±", "at": "at", "arrow": "to", "degrees": "degrees"}
 _BARE = frozenset({"plain", "punct"})
 
 
@@ -91,8 +93,8 @@ def tokenize(text: str) -> list[Token]:
     found: list[Token] = []
     points = set[int]()
     if _WITHIN.search(text):
-        points = {m.start(m.lastindex or 0) for m in _POINT.finditer(text)}
-    known = load().words
+        points = {m.start(m.lastindex or 0) for m in _LETTERS.finditer(text)}
+    known, shortened = load().words, abbreviations()
     layout = laid_out(text) if _LAYOUT.search(text) else {}
     for match in _TOKEN.finditer(text):
         start, end = match.span()
@@ -100,11 +102,15 @@ def tokenize(text: str) -> list[Token]:
         mark = layout.get(start, "" if group == "mark" else None)
         if start in points or mark == "":
             continue
+        last = found[-1] if written == "." and found and found[-1].end == start else None
+        if last is not None and last.text.lower() in shortened and _WITHIN.match(text, start):
+            continue
         if mark is not None:
             found.append(Token(written, mark, start, end, "punct", ((mark, "base"),)))
             continue
         kind = _KINDS.get(group, group)
         low = written.lower() if group in _BARE else _spelt(written, group)
+        low = shortened.get(low, low)
         inflected = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
         forms = lemmas(low) if inflected else ((low, "base"),)
         mended = None
