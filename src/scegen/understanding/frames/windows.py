@@ -102,7 +102,11 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     if bracketed and j < len(tokens) and tokens[j].low == ")":
         return window(tokens, ends[i - 1], j + 1, {})  # "26.7 m (1.6 s) behind": as the first
     aside = tokens[j : j + 1] and tokens[j].low == "," and _opens_aside(tokens, i)
-    return Window(_before(tokens, i, ends), _after(tokens, _shared(tokens, j, ends) + bool(aside)))
+    alone = j == len(tokens) or tokens[j].kind == "punct"
+    placed = i > 1 and tokens[i - 2].low in _any_of("places_before_lengths")
+    begin = i - 1 if alone and placed and tokens[i - 1].low == "," else i  # "a van ahead, 60 m."
+    after = _after(tokens, _shared(tokens, j, ends) + bool(aside))
+    return Window(_before(tokens, begin, ends), after)
 
 
 def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:

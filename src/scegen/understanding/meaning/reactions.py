@@ -23,7 +23,8 @@ def mark_late(events: list[Event], context: Context) -> None:
     stopped = [e for e in events if e.name in {"stop", "wait", "park"} and e.finite]
     standing = {who.index for event in stopped if not event.negated for who in event.doers}
     hits = [e for e in events if e.name == "collide"]
-    rear_ends = [e for e in hits if into_rear(e, context)]
+    entered = [e for e in events if any(p.value == "into" for p in e.pps)]  # "runs into its rear"
+    rear_ends = [e for e in (*hits, *entered) if into_rear(e, context)]
     stood = [e for e in hits if _into_one_of(e, standing)]
     for event in events:
         if event.name in _BRAKING | _NOTICING and not event.nominal:

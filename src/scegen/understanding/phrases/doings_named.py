@@ -10,13 +10,19 @@ from dataclasses import replace
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
+    GOVERNING,
     cat_at,
     chunk_at,
+    ends,
     finite_follows,
     sentence_end,
     value_at,
 )
 
+_ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accelerate", "cut_in",
+                      "lane_change", "merge", "swerve", "u_turn"})  # fmt: skip
+"""Doings that an entry of notes names after the one that tells who it is about."""
+_HOW = frozenset({"prep", "quantity", "manner", "dir", "punct", "sub"})
 _DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
 _MADE = frozenset({"turn", "u_turn", "reverse"})
@@ -66,12 +72,41 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         named[group[0]] = group[1]
         m = group[2]
     is_heading = value_at(chunks, sentence_end(chunks, m)) == ":"
-    if not named or finite_follows(chunks, m - 1) or is_heading:
+    if finite_follows(chunks, m - 1) or is_heading:
         return None
+    if not named:
+        who = _last_told(k, chunks) if before in BOUNDARIES else None
+        if who is None or event.name != "overtake":
+            return None if who is None else ([who, verb], k + 1)
+        of_ego = who.same_as is not None and who.same_as.is_ego
+        return None if of_ego else ([teller_at(event.i), verb, who], k + 1)
     of, by = named.get("of", []), named.get("by", [])
     if not by and event.name not in _DONE_TO:  # but not "reversing out of a drive, …"
         return ([*of, verb], m) if isinstance(of[0], Mention) else None
     return [*(by or [teller_at(event.i)]), verb, *of], m
+
+
+def _last_told(k: int, chunks: list[Chunk]) -> Mention | None:
+    """``Lead: 80 km/h, 30 m ahead. Braking with 8 m/s²``: of whom the entry before tells.
+
+    An entry has no verb; what follows the noun of the doing is a measure or a phrase of place.
+    """
+    event, mark, told = chunks[k], chunk_at(chunks, k - 1), None
+    if not isinstance(event, Event) or event.name not in _ENTERED:
+        return None
+    bare = all(m.cat == "manner" for m in event.mods)
+    if not bare or mark is None or cat_at(chunks, k + 1) not in _HOW:
+        return None
+    for m in range(k - 2, -1, -1):
+        who = chunks[m]
+        if isinstance(who, Event) or (told is not None and ends(who)):
+            break
+        free = cat_at(chunks, m - 1) not in GOVERNING
+        if isinstance(who, Mention) and not who.possessor and free:
+            told = told or Mention(event.i, event.i, [], None, same_as=who)
+    else:
+        return told
+    return None if isinstance(who, Event) else told
 
 
 def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:

@@ -31,8 +31,8 @@ def of_pronoun(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[
     if which in {"they", "both", "all", "neither"}:
         return _together(roster, mention, exclude)
     if which == "other":
-        told = [e for e in roster.subject if not e.ego and e not in exclude]  # "both …; the other"
-        told = told if len(roster.subject) == len(told) + 1 == _TWO else []
+        told = [e for e in roster.subject if not e.ego]  # "both …; the other", "each … the other"
+        told = told[-1:] if len(roster.subject) == _TWO else []
         rest = roster.claim(1, exclude) or roster.rest(exclude) or told
         return rest or [roster.new(ParticipantKind.CAR, basis)]
     if which == "ordinal" and (found := _ordinal(roster, mention)):

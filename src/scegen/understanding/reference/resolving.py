@@ -110,9 +110,7 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
     for who in event.subject if isinstance(known, Mention) else []:
         if who.pronoun and known is not None and known.i < who.i:
             found.unlike[id(who)].append(known)  # "the van it is following": "it" is not the van
-    for part in [known, *(p.target for p in event.pps)] if event.name == "collide" else []:
-        if isinstance(part, Place) and part.owner is not None:
-            found.unlike[id(part.owner)] += event.subject  # "a van hits its rear": not the van's
+    _of_another(event, found)
     _not_by_itself(event, found)
     for prep in event.pps:
         by = prep.who
@@ -124,6 +122,16 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
         if is_it(by) or known_already or prep.value == "between":
             for beside in (by, *(m for m in mentions if m.joined is by)):
                 found.unlike[id(beside)] += event.subject  # "between the ego and the van ahead"
+
+
+def _of_another(event: Event, found: _Bonds) -> None:
+    """``a van hits its front``, ``runs into the back of it``: not the van's own."""
+    for part in (event.object, *(p.target for p in event.pps)):
+        if not isinstance(part, Place) or part.owner is None:
+            continue
+        end = part.opening == "into" and bool({"front", "rear"} & set(part.dirs))
+        if end or event.name == "collide":
+            found.unlike[id(part.owner)] += event.subject
 
 
 def _comes_out(event: Event) -> bool:

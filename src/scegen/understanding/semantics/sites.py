@@ -31,6 +31,8 @@ def _on_strip(entity: Entity, site: Site) -> None:
     if entity.pulls_out or (strip in BAYS and entity.sets_off >= 0):
         entity.was_parked = entity.was_parked or site.basis
     elif entity.still or strip in BAYS:
+        if site.noun.dirs and not _standing(entity, site.context):  # "at a stop on the left"
+            _at_sides(entity, site)
         basis = entity.parked_basis or entity.stands or site.basis
         entity.parked, entity.parked_basis, entity.stands = True, basis, None
         dangers = site.context.draft.dangers

@@ -7,6 +7,7 @@ from dataclasses import replace
 from scegen.scenario.vocabulary import DrivingSide
 from scegen.understanding.words.terms import Term
 
+_AFTER = frozenset({"punct", "conj", "sub", "quantity", "prep"})
 _OTHER = {"left": "right", "right": "left"}
 
 
@@ -25,8 +26,9 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
     for k, t in enumerate(terms):
         near_or_far = t.cat == "dir" and t.value in values
         parked = k > 0 and terms[k - 1].value == "park" and t.cat == "dir" and t.value in _OTHER
-        if (near_or_far or parked) and _bare(terms, k):
-            found.append(Term("prep", "from", t.i, t.i))  # "a child crossing, farside", "parked left"
+        if (near_or_far or parked) and _bare(terms, k, {"verb"} if parked else set()):
+            # "a child crossing, farside", "a van parked left"
+            found.append(Term("prep", "from", t.i, t.i))
         if t.cat == "dir" and t.value in _OTHER and _of_somebody(terms, k):
             found += [Term("prep", "to", t.i, t.i), Term("det", "def", t.i, t.i)]
         found.append(replace(t, value=values[t.value], form="base") if near_or_far else t)
@@ -43,8 +45,8 @@ def _of_somebody(terms: list[Term], k: int) -> bool:
     return bare and bool(after) and after[0].value == "of" and whose and whole
 
 
-def _bare(terms: list[Term], k: int) -> bool:
+def _bare(terms: list[Term], k: int, also: set[str]) -> bool:
     """Whether a side stands alone, as in "pedestrian, nearside, 5 km/h"."""
     before, after = terms[max(0, k - 1) : k], terms[k + 1 : k + 2]
     joined = any(t.cat in {"actor", "verb", "punct"} for t in before)
-    return joined and all(t.cat in {"punct", "conj", "sub", "quantity", "prep"} for t in after)
+    return joined and all(t.cat in _AFTER | also for t in after)

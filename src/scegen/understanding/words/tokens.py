@@ -46,9 +46,9 @@ _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
 
-_KINDS = {"plain": "word", "clock": "word", "bound": "word", "short": "word", "at": "word", "ordinal": "word",
-          "unit": "word",
-          "tolerance": "word", "arrow": "word", "degrees": "word"}  # fmt: skip
+_KINDS = {"plain": "word", "clock": "word", "bound": "word", "short": "word", "at": "word",
+          "ordinal": "word", "unit": "word", "tolerance": "word", "arrow": "word",
+          "degrees": "word"}  # fmt: skip
 _SIGNS = {"tolerance": "±", "at": "at", "arrow": "to", "degrees": "degrees"}
 _BARE = frozenset({"plain", "punct"})
 
