@@ -24,6 +24,7 @@ _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "p
 """Verbs that may stand before their subject ("from the left comes a bus")."""
 _PASSING = frozenset({"overtake", "pass", "undertake"})
 _INSERTED = 7
+_ASIDE = frozenset({",", "unknown", "inert"})
 
 
 def preposition(word: Word, state: State) -> None:
@@ -101,7 +102,7 @@ def attach(prep: Prep, state: State) -> None:
     described = _described(prep, state)
     if described is not None and not _of_who_acts(prep, described, state):
         described.pps.append(prep)
-        prep.predicate = "aux:be" in state.between and "rel" not in state.between
+        prep.predicate = "rel" not in state.between
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
@@ -162,10 +163,11 @@ def _described(prep: Prep, state: State) -> Mention | None:
 
 
 def _aside(prep: Prep, state: State) -> bool:
-    """``a truck, previously behind it, accelerates``: what is put between commas."""
+    """``a truck, previously in its lane and behind it, accelerates``: put between commas."""
     waits = state.waiting is not None and state.waiting is state.anchor
     placed = prep.word.cat == "locus" or prep.value in {"in", "from", "into"}
-    return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
+    again = {"and", "conj"} if waits and state.waiting.pps else set[str]()
+    return waits and placed and "," in state.between and state.between <= _ASIDE | again
 
 
 def _opens_clause(state: State) -> bool:

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _HELPS = frozenset({"aux", "manner"})
+_JOINTS = frozenset({"punct", "sub", "conj"})
+_FROM = frozenset({"from", "in"})
+_LOOKING = 5
+"""Within so many words before a vehicle it is said that one looks from there."""
 
 
 def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
@@ -36,10 +43,24 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     after = chunks[chunks.index(first) + 1 :]
     verb = next((c for c in after if c.cat not in _HELPS), None)
     mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
-    if mere and isinstance(verb, Event):  # "the vehicle ahead" is another one
+    clause = takewhile(lambda c: c.cat not in _JOINTS, after)
+    meets = any(isinstance(c, Mention) and c.is_ego for c in clause)  # "the vehicle leading the ego"
+    if mere and isinstance(verb, Event) and not meets:  # "the vehicle ahead" is another one
         noun = tokens[first.head.i].low
         egos = [a for a in named[1:] if a.is_ego and noun in {t.low for t in tokens[a.i : a.j]}]
         first.heads = [*(egos[0].heads if egos else []), *first.heads]
+    return chunks
+
+
+def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``View from inside a van: …``, ``dashcam in a lorry, …``: that one is the ego."""
+    first = next((k for k, c in enumerate(chunks) if isinstance(c, Mention) and c.heads), None)
+    if first is None or value_at(chunks, first + 1) not in {":", ",", "."}:
+        return chunks
+    who = chunks[first]
+    looks = {t.base for t in tokens[:who.i]} & word_list("filming") if who.i <= _LOOKING else None
+    if looks and isinstance(who, Mention) and who.i and value_at(chunks, first - 1) in _FROM:
+        who.heads = [Term("actor", "ego", who.i, who.i, data={"ego": True}), *who.heads]
     return chunks
 
 

@@ -143,7 +143,7 @@ def doing(tokens: list[Token], i: int) -> bool:
         tokens: the tokens of the text.
         i: index of the number.
     """
-    k = i - 1
+    k = i - 1 - (low_at(tokens, i) == "hundred" and low_at(tokens, i - 1) == "a")
     while k >= 0 and tokens[k].low in word_list("vaguely"):
         k -= 1
     return k >= 0 and tokens[k].base in word_list("pacing")
