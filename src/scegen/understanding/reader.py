@@ -25,7 +25,7 @@ from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, read_entries, silence
-from scegen.understanding.phrases.identity import filmed_from, in_brackets, under_test
+from scegen.understanding.phrases.identity import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.listed import list_them
 from scegen.understanding.phrases.on_sides import each_of
@@ -94,7 +94,8 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
     chunks = name_turned_into(name_roads(name_hiders(chunks), tokens), tokens)
-    chunks = read_entries(in_brackets(under_test(filmed_from(chunks, tokens), tokens)))
+    chunks = under_test(filmed_from(counted_in(chunks, tokens), tokens), tokens)
+    chunks = read_entries(in_brackets(chunks))
     chunks = spell_out(announce(list_them(each_of(chunks))))
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)

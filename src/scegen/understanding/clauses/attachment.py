@@ -95,6 +95,8 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = whom if own else None
     if head is not None:
         prep.on_mention = head
+    if prep.value == "due" and state.events:
+        prep.on_mention = None  # "a boy whom I can't see because of a van"
     if whom is not None and _of_who_acts(prep, whom, state):
         prep.on_mention = None
     if prep.on_mention is not None:
@@ -164,9 +166,10 @@ def _described(prep: Prep, state: State) -> Mention | None:
 
 def _aside(prep: Prep, state: State) -> bool:
     """``a truck, previously in its lane and behind it, accelerates``: put between commas."""
-    waits = state.waiting is not None and state.waiting is state.anchor
+    who = state.waiting
     placed = prep.word.cat == "locus" or prep.value in {"in", "from", "into"}
-    again = {"and", "conj"} if waits and state.waiting.pps else set[str]()
+    again = {"and", "conj"} if who is not None and who.pps else set[str]()
+    waits = who is not None and who is state.anchor
     return waits and placed and "," in state.between and state.between <= _ASIDE | again
 
 

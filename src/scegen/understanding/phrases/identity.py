@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import takewhile
+from dataclasses import replace
+from itertools import pairwise, takewhile
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import chunk_at, value_at
+from scegen.understanding.phrases.lookahead import chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -44,7 +45,9 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     verb = next((c for c in after if c.cat not in _HELPS), None)
     mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
     clause = takewhile(lambda c: c.cat not in _JOINTS, after)
-    meets = any(isinstance(c, Mention) and c.is_ego for c in clause)  # "the vehicle leading the ego"
+    meets = any(
+        isinstance(c, Mention) and c.is_ego for c in clause
+    )  # "the vehicle leading the ego"
     if mere and isinstance(verb, Event) and not meets:  # "the vehicle ahead" is another one
         noun = tokens[first.head.i].low
         egos = [a for a in named[1:] if a.is_ego and noun in {t.low for t in tokens[a.i : a.j]}]
@@ -58,9 +61,23 @@ def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     if first is None or value_at(chunks, first + 1) not in {":", ",", "."}:
         return chunks
     who = chunks[first]
-    looks = {t.base for t in tokens[:who.i]} & word_list("filming") if who.i <= _LOOKING else None
+    looks = {t.base for t in tokens[: who.i]} & word_list("filming") if who.i <= _LOOKING else None
     if looks and isinstance(who, Mention) and who.i and value_at(chunks, first - 1) in _FROM:
         who.heads = [Term("actor", "ego", who.i, who.i, data={"ego": True}), *who.heads]
+    return chunks
+
+
+def counted_in(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``four cars including mine``: three others, as the ego is one of them."""
+    for begin, end in pairwise([0, *(m for m, c in enumerate(chunks) if ends(c)), len(chunks)]):
+        named = [c for c in chunks[begin:end] if isinstance(c, Mention)]
+        for group, who in pairwise(named):
+            own = who.is_ego or who.is_me or who.opened_by("first_person")
+            number = group.mod("num")
+            among = tokens[who.i - 1].low in word_list("including") - {"in"}
+            if own and among and number is not None and number.data["number"] > 1:
+                rest = replace(number, data={"number": number.data["number"] - 1})
+                group.mods = [rest if m is number else m for m in group.mods]
     return chunks
 
 

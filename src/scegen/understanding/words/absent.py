@@ -24,10 +24,11 @@ def away_from(terms: list[Term], k: int) -> bool:
         terms: the terms of the text.
         k: index of the one that names it.
     """
-    passed_over = {"det", "shape", "num"}
-    before = [t for t in terms[max(0, k - 3) : k] if t.value == "negative" or t.cat not in passed_over]
-    near = before[-1].value if before else ""
-    return near in {"outside", "without", "negative"} or (near == "between" and terms[k].form == "s")
+    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"shape", "num"}]
+    last = next((t for t in reversed(before) if t.cat != "det" or t.value == "negative"), None)
+    near = last.value if last is not None else ""
+    between = near == "between" and terms[k].form == "s"
+    return between or near in {"outside", "without", "negative"}
 
 
 def negated(terms: list[Term], k: int) -> bool:
