@@ -45,6 +45,7 @@ from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
+from scegen.understanding.semantics.seen import settle_far_sides
 from scegen.understanding.words.angles import read_angles, set_apart
 from scegen.understanding.words.emptiness import without_emptiness
 from scegen.understanding.words.language import require_english
@@ -115,6 +116,7 @@ def read(text: str) -> FunctionalScenario:
     numbers = Numbers(terms, tokens, surroundings.measured)
     manners = Manners(context, numbers, surroundings.measured)
     scenes = Interpreter(context, manners).run(chunks, events)
+    settle_far_sides(draft)
     ego = choose_ego(draft, crossing=junction.crossing)
     happenings = read_amounts(numbers, chunks, scenes, context, ego[0])
     for scene in scenes:

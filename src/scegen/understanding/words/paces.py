@@ -31,7 +31,8 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         i: index of the token where it begins.
     """
     number = number_at(tokens, i)
-    if number is None or not _FEWEST <= number.value <= _MOST or not doing(tokens, i):
+    told = doing(tokens, i) or _merely_at(tokens, i)
+    if number is None or not _FEWEST <= number.value <= _MOST or not told:
         return None
     quantity = quantity_at(tokens, i)
     speed = quantity if quantity is not None and quantity.dimension == "speed" else None
@@ -58,6 +59,12 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         end += 1
     ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
     return _pace(_OVER[tokens[j].low], i, end) if low_at(tokens, j) in _OVER and ends else None
+
+
+def _merely_at(tokens: list[Token], i: int) -> bool:
+    """``a van at only 30 km/h``, ``at a mere 30 km/h``."""
+    before = [t.low for t in tokens[max(0, i - 3) : i] if t.low not in _ARTICLES]
+    return before[-2:-1] == ["at"] and before[-1] in word_list("merely")
 
 
 def _pace(value: str, i: int, j: int, quantity: Quantity | None = None) -> Term:
