@@ -76,9 +76,17 @@ def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     )
 
 
+def _before(prep: Prep, state: State) -> Prep | None:
+    """The phrase before; ``behind or beside it`` are both of the same one."""
+    last = state.last_prep
+    if last is not None and "or" in state.between and prep.word.i - last.word.j == 1:
+        last.target = last.target or prep.target
+    return last
+
+
 def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
-    before, state.last_prep = state.last_prep, prep
+    before, state.last_prep = _before(prep, state), prep
     if prep.fronted:
         if not _counts_lanes(prep, before):
             state.fronted.append(prep)
