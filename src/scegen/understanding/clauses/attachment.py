@@ -79,7 +79,8 @@ def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
 def _before(prep: Prep, state: State) -> Prep | None:
     """The phrase before; ``behind or beside it`` are both of the same one."""
     last = state.last_prep
-    if last is not None and "or" in state.between and prep.word.i - last.word.j == 1:
+    both = last is not None and last.word.cat == prep.word.cat == "locus"
+    if both and last is not None and "or" in state.between and prep.word.i - last.word.j == 1:
         last.target = last.target or prep.target
     return last
 

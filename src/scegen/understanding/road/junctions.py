@@ -121,6 +121,9 @@ def _place_control(
 ) -> None:
     """What stands at a place: a sign or a light, or none."""
     term = terms[k]
+    if term.value == "stop_line" and not absent.negated(terms, k):
+        basis = Basis(term.i, term.j, "a stop line without lights is one of a stop sign")
+        said.setdefault(Control.STOP, basis)
     control = term.data.get("control")
     if control is None or (term.value == "stop_sign" and absent.held(terms, k)):
         return
