@@ -14,6 +14,7 @@ from scegen.understanding.words.tokens import Token
 _HELPS = frozenset({"aux", "manner"})
 _JOINTS = frozenset({"punct", "sub", "conj"})
 _FROM = frozenset({"from", "in"})
+_ENDS = frozenset({":", ",", "."})
 _LOOKING = 5
 """Within so many words before a vehicle it is said that one looks from there."""
 
@@ -44,10 +45,8 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     after = chunks[chunks.index(first) + 1 :]
     verb = next((c for c in after if c.cat not in _HELPS), None)
     mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
-    clause = takewhile(lambda c: c.cat not in _JOINTS, after)
-    meets = any(
-        isinstance(c, Mention) and c.is_ego for c in clause
-    )  # "the vehicle leading the ego"
+    clause = takewhile(lambda c: c.cat not in _JOINTS, after)  # "the vehicle leading the ego"
+    meets = any(isinstance(c, Mention) and c.is_ego for c in clause)
     if mere and isinstance(verb, Event) and not meets:  # "the vehicle ahead" is another one
         noun = tokens[first.head.i].low
         egos = [a for a in named[1:] if a.is_ego and noun in {t.low for t in tokens[a.i : a.j]}]
@@ -57,12 +56,15 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """``View from inside a van: …``, ``dashcam in a lorry, …``: that one is the ego."""
-    first = next((k for k, c in enumerate(chunks) if isinstance(c, Mention) and c.heads), None)
-    if first is None or value_at(chunks, first + 1) not in {":", ",", "."}:
+    named = [k for k, c in enumerate(chunks) if isinstance(c, Mention) and c.heads]
+    who = chunks[named[0]] if named else None
+    if not isinstance(who, Mention) or not 0 < who.i <= _LOOKING:
         return chunks
-    who = chunks[first]
-    looks = {t.base for t in tokens[: who.i]} & word_list("filming") if who.i <= _LOOKING else None
-    if looks and isinstance(who, Mention) and who.i and value_at(chunks, first - 1) in _FROM:
+    around = value_at(chunks, named[0] - 1), value_at(chunks, named[0] + 1)
+    looks = {t.base for t in tokens[: who.i]} & word_list("filming")
+    another = any(isinstance(c, Mention) and c.is_ego and not c.is_me for c in chunks)
+    plain = not (who.dirs or who.is_person) and not any(m.cat == "state" for m in who.mods)
+    if looks and plain and not another and around[0] in _FROM and around[1] in _ENDS:
         who.heads = [Term("actor", "ego", who.i, who.i, data={"ego": True}), *who.heads]
     return chunks
 
