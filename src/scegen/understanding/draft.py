@@ -114,6 +114,8 @@ class Entity:
     """Words that say that it comes by a ramp, or in a lane that ends."""
     in_egos_lane: Basis | None = None
     exits: Basis | None = None
+    far_side: Basis | None = None
+    """Words that say that it comes from the other side of the road."""
     pulls_out: bool = False
     gives_way: bool = False
     begins_over: bool = False

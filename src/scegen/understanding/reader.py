@@ -25,7 +25,7 @@ from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, read_entries, silence
-from scegen.understanding.phrases.identity import in_brackets, under_test
+from scegen.understanding.phrases.identity import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.listed import list_them
 from scegen.understanding.phrases.on_sides import each_of
@@ -45,6 +45,7 @@ from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
+from scegen.understanding.semantics.seen import settle_far_sides
 from scegen.understanding.words.angles import read_angles, set_apart
 from scegen.understanding.words.emptiness import without_emptiness
 from scegen.understanding.words.language import require_english
@@ -94,7 +95,8 @@ def read(text: str) -> FunctionalScenario:
     terms = settle_sides(terms, surroundings.side)
     chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
     chunks = name_turned_into(name_roads(name_hiders(chunks), tokens), tokens)
-    chunks = read_entries(in_brackets(under_test(chunks, tokens)))
+    chunks = under_test(filmed_from(counted_in(chunks, tokens), tokens), tokens)
+    chunks = read_entries(in_brackets(chunks))
     chunks = spell_out(announce(list_them(each_of(chunks))))
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
@@ -115,6 +117,7 @@ def read(text: str) -> FunctionalScenario:
     numbers = Numbers(terms, tokens, surroundings.measured)
     manners = Manners(context, numbers, surroundings.measured)
     scenes = Interpreter(context, manners).run(chunks, events)
+    settle_far_sides(draft)
     ego = choose_ego(draft, crossing=junction.crossing)
     happenings = read_amounts(numbers, chunks, scenes, context, ego[0])
     for scene in scenes:

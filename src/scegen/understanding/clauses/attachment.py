@@ -24,6 +24,7 @@ _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "p
 """Verbs that may stand before their subject ("from the left comes a bus")."""
 _PASSING = frozenset({"overtake", "pass", "undertake"})
 _INSERTED = 7
+_ASIDE = frozenset({",", "unknown", "inert"})
 
 
 def preposition(word: Word, state: State) -> None:
@@ -75,9 +76,18 @@ def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     )
 
 
+def _before(prep: Prep, state: State) -> Prep | None:
+    """The phrase before; ``behind or beside it`` are both of the same one."""
+    last = state.last_prep
+    both = last is not None and last.word.cat == prep.word.cat == "locus"
+    if both and last is not None and "or" in state.between and prep.word.i - last.word.j == 1:
+        last.target = last.target or prep.target
+    return last
+
+
 def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
-    before, state.last_prep = state.last_prep, prep
+    before, state.last_prep = _before(prep, state), prep
     if prep.fronted:
         if not _counts_lanes(prep, before):
             state.fronted.append(prep)
@@ -94,6 +104,8 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = whom if own else None
     if head is not None:
         prep.on_mention = head
+    if prep.value == "due" and state.events:
+        prep.on_mention = None  # "a boy whom I can't see because of a van"
     if whom is not None and _of_who_acts(prep, whom, state):
         prep.on_mention = None
     if prep.on_mention is not None:
@@ -101,7 +113,7 @@ def attach(prep: Prep, state: State) -> None:
     described = _described(prep, state)
     if described is not None and not _of_who_acts(prep, described, state):
         described.pps.append(prep)
-        prep.predicate = "aux:be" in state.between and "rel" not in state.between
+        prep.predicate = "rel" not in state.between
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
@@ -162,10 +174,12 @@ def _described(prep: Prep, state: State) -> Mention | None:
 
 
 def _aside(prep: Prep, state: State) -> bool:
-    """``a truck, previously behind it, accelerates``: what is put between commas."""
-    waits = state.waiting is not None and state.waiting is state.anchor
+    """``a truck, previously in its lane and behind it, accelerates``: put between commas."""
+    who = state.waiting
     placed = prep.word.cat == "locus" or prep.value in {"in", "from", "into"}
-    return waits and placed and "," in state.between and state.between <= {",", "unknown", "inert"}
+    again = {"and", "conj"} if who is not None and who.pps else set[str]()
+    waits = who is not None and who is state.anchor
+    return waits and placed and "," in state.between and state.between <= _ASIDE | again
 
 
 def _opens_clause(state: State) -> bool:

@@ -7,6 +7,8 @@ from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
+_ARMS = frozenset({"leg", "road"})
+_BY_ROAD = frozenset({"from", "into"})
 _LEADING = frozenset({"in", "into", "to", "for"})
 _ASIDE = frozenset({"in", "to"})
 
@@ -24,7 +26,10 @@ def side_of_place(noun: NounPhrase, state: State) -> bool:
         if place.prep is None or place.prep.cat != "locus":
             return place.has("quantity")  # "with 50 % overlap on the left side"
     elif isinstance(place, Place):
-        if place.kind not in _BESIDE_THE_ROAD and not _lane_beside(place, noun, state):
+        arm = place.kind in _ARMS and place.stands_after(*_BY_ROAD) and place.owner is None
+        arm = arm and bool({"left", "right"} & set(noun.dirs)) and noun.stands_after("in", "to")
+        beside = arm or place.kind in _BESIDE_THE_ROAD or _lane_beside(place, noun, state)
+        if not beside:
             return False
         place.j = noun.j
     else:

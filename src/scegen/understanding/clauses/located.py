@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeGuard
+
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 
 _LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
@@ -14,7 +16,7 @@ def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     return owner if owner is not None and (beside or isinstance(target, Thing)) else target
 
 
-def is_it(noun: object) -> bool:
+def is_it(noun: object) -> TypeGuard[Mention]:
     """Whether a noun is "it" or "him"."""
     return isinstance(noun, Mention) and noun.pronoun in {"it", "him"}
 

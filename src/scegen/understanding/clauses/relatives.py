@@ -55,6 +55,7 @@ def close(event: Event, state: State) -> bool:
     actor, about = state.relative
     event.subject, event.object = [actor], about
     event.negated = any(word.startswith("neg:") for word in state.between)
+    event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
     state.relative = None
     state.events.append(event)
     state.stand_at(about)

@@ -252,4 +252,6 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     elif done_to is not None and done_to.name not in _SHOWN and told and not event.finite:
         event.subject = done_to.subject  # "nearly hit me coming from the right"
     else:
-        event.subject = chain(anchor)
+        listed = chain(anchor)  # "passes the ego and the van driving in front of it": the van
+        told_of = anchor is not state.candidate and any(m.is_ego for m in listed)
+        event.subject = [anchor] if told_of and not event.finite else listed

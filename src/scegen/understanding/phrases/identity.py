@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise, takewhile
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.phrases.lookahead import chunk_at, value_at
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _HELPS = frozenset({"aux", "manner"})
+_JOINTS = frozenset({"punct", "sub", "conj"})
+_FROM = frozenset({"from", "in"})
+_ENDS = frozenset({":", ",", "."})
+_LOOKING = 5
+"""Within so many words before a vehicle it is said that one looks from there."""
 
 
 def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
@@ -36,10 +45,41 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     after = chunks[chunks.index(first) + 1 :]
     verb = next((c for c in after if c.cat not in _HELPS), None)
     mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
-    if mere and isinstance(verb, Event):  # "the vehicle ahead" is another one
+    clause = takewhile(lambda c: c.cat not in _JOINTS, after)  # "the vehicle leading the ego"
+    meets = any(isinstance(c, Mention) and c.is_ego for c in clause)
+    if mere and isinstance(verb, Event) and not meets:  # "the vehicle ahead" is another one
         noun = tokens[first.head.i].low
         egos = [a for a in named[1:] if a.is_ego and noun in {t.low for t in tokens[a.i : a.j]}]
         first.heads = [*(egos[0].heads if egos else []), *first.heads]
+    return chunks
+
+
+def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``View from inside a van: …``, ``dashcam in a lorry, …``: that one is the ego."""
+    named = [k for k, c in enumerate(chunks) if isinstance(c, Mention) and c.heads]
+    who = chunks[named[0]] if named else None
+    if not isinstance(who, Mention) or not 0 < who.i <= _LOOKING:
+        return chunks
+    around = value_at(chunks, named[0] - 1), value_at(chunks, named[0] + 1)
+    looks = {t.base for t in tokens[: who.i]} & word_list("filming")
+    another = any(isinstance(c, Mention) and c.is_ego and not c.is_me for c in chunks)
+    plain = not (who.dirs or who.is_person) and not any(m.cat == "state" for m in who.mods)
+    if looks and plain and not another and around[0] in _FROM and around[1] in _ENDS:
+        who.heads = [Term("actor", "ego", who.i, who.i, data={"ego": True}), *who.heads]
+    return chunks
+
+
+def counted_in(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``four cars including mine``: three others, as the ego is one of them."""
+    for begin, end in pairwise([0, *(m for m, c in enumerate(chunks) if ends(c)), len(chunks)]):
+        named = [c for c in chunks[begin:end] if isinstance(c, Mention)]
+        for group, who in pairwise(named):
+            own = who.is_ego or who.is_me or who.opened_by("first_person")
+            number = group.mod("num")
+            among = tokens[who.i - 1].low in word_list("including") - {"in"}
+            if own and among and number is not None and number.data["number"] > 1:
+                rest = replace(number, data={"number": number.data["number"] - 1})
+                group.mods = [rest if m is number else m for m in group.mods]
     return chunks
 
 

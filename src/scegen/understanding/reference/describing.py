@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.alighting import is_somebody, open_from_inside
 from scegen.understanding.reference.reference import is_pronoun, tells
@@ -48,6 +49,16 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _ridden(chunks, tokens)
     _left_standing(events)
     _done_already(events, tokens)
+    _besides_the_ego(chunks, events)
+
+
+def _besides_the_ego(chunks: list[Chunk], events: list[Event]) -> None:
+    """``passes the ego and the van following it``, ``… and the van behind it``: the ego."""
+    for who in [c for c in chunks if isinstance(c, Mention) and c.joined is not None]:
+        said = [n for e in events if e.subject == [who] and not e.finite for n in e.nouns()]
+        for noun in [*said, *(p.target for p in who.pps)]:
+            if who.joined is not None and who.joined.is_ego and is_it(noun):
+                noun.same_as = who.joined
 
 
 def _done_already(events: list[Event], tokens: list[Token]) -> None:

@@ -92,6 +92,13 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
             reading.angles_basis = Basis(term.i, term.j)
         elif term.cat in {"num", "quant"}:
             _counted_arms(reading, terms, k)
+    lines = [
+        t for k, t in enumerate(terms) if t.value == "stop_line" and not absent.negated(terms, k)
+    ]
+    crossing = reading.crossing and reading.kind is not JunctionKind.ROUNDABOUT
+    if lines and crossing and not said:
+        reason = "a stop line without lights is one of a stop sign"
+        said[Control.STOP] = Basis(lines[0].i, lines[0].j, reason)
     _regulate(reading, said)
     _shaped_by_angles(reading)
     _reconcile(reading, tokens)

@@ -127,6 +127,26 @@ def _crossing_to(entity: Entity, site: Site) -> None:
         site.context.draft.place(entity, None, whence, site.basis)
 
 
+def _far_side(entity: Entity, site: Site) -> None:
+    """``from the other side``: which one that is, the whole text tells."""
+    entity.far_side = entity.far_side or site.basis
+
+
+def settle_far_sides(draft: Draft) -> None:
+    """Not the side where somebody else is said to be, else not the one of the ego's kerb.
+
+    Args:
+        draft: the scenario in the making, all clauses read.
+    """
+    crossing = [e for e in draft.entities if e.far_side is not None]
+    others = [p for p in draft.placements if not p.reference and p.entity not in crossing]
+    named = {a for p in others for a in p.approaches if len(p.approaches) == 1}
+    named &= set(SIDES.values())
+    near = named.pop() if len(named) == 1 else SIDES[draft.kerb]
+    for entity in crossing:
+        draft.place(entity, None, {INVERSE[near]}, entity.far_side or Basis())
+
+
 def _abreast(entity: Entity, site: Site) -> None:
     """``drives to the right of the bus``: beside it; people stand on that side."""
     owner = _first(site.place.owner)
@@ -167,6 +187,7 @@ SEEN: dict[str, Put] = {
     "ramp": _by_a_ramp,
     "headed": _headed,
     "crossing_to": _crossing_to,
+    "far_side": _far_side,
     "abreast": _abreast,
     "either_side": _either_side,
     "apart": _apart,

@@ -19,7 +19,7 @@ DIRECTIONS = {
 }
 _BRANCHES = frozenset({"leg", "junction", "access"})
 """What one takes ("the left fork")."""
-_GOALS = frozenset({"side", "leg", "access"})
+_GOALS = frozenset({"side", "leg", "access", "road"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
 _WAY = frozenset({"road", "lane", "path", "highway"})

@@ -18,15 +18,17 @@ def held(terms: list[Term], k: int) -> bool:
 
 
 def away_from(terms: list[Term], k: int) -> bool:
-    """``outside a junction``, ``between two junctions``: the road between them.
+    """``outside a junction``, ``between two junctions``, ``without a junction``: on the road.
 
     Args:
         terms: the terms of the text.
         k: index of the one that names it.
     """
-    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"det", "shape", "num"}]
-    between = terms[k].form == "s" and bool(before) and before[-1].value == "between"
-    return between or (bool(before) and before[-1].value == "outside")
+    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"shape", "num"}]
+    last = next((t for t in reversed(before) if t.cat != "det" or t.value == "negative"), None)
+    near = last.value if last is not None else ""
+    between = near == "between" and terms[k].form == "s"
+    return between or near in {"outside", "without", "negative"}
 
 
 def negated(terms: list[Term], k: int) -> bool:

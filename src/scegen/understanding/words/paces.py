@@ -31,7 +31,8 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         i: index of the token where it begins.
     """
     number = number_at(tokens, i)
-    if number is None or not _FEWEST <= number.value <= _MOST or not doing(tokens, i):
+    told = doing(tokens, i) or _merely_at(tokens, i)
+    if number is None or not _FEWEST <= number.value <= _MOST or not told:
         return None
     quantity = quantity_at(tokens, i)
     speed = quantity if quantity is not None and quantity.dimension == "speed" else None
@@ -58,6 +59,12 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         end += 1
     ends = end >= len(tokens) or tokens[end].kind == "punct" or end > j + 1
     return _pace(_OVER[tokens[j].low], i, end) if low_at(tokens, j) in _OVER and ends else None
+
+
+def _merely_at(tokens: list[Token], i: int) -> bool:
+    """``a van at only 30 km/h``, ``at a mere 30 km/h``."""
+    before = [t.low for t in tokens[max(0, i - 3) : i] if t.low not in _ARTICLES]
+    return before[-2:-1] == ["at"] and before[-1] in word_list("merely")
 
 
 def _pace(value: str, i: int, j: int, quantity: Quantity | None = None) -> Term:
@@ -143,7 +150,7 @@ def doing(tokens: list[Token], i: int) -> bool:
         tokens: the tokens of the text.
         i: index of the number.
     """
-    k = i - 1
+    k = i - 1 - (low_at(tokens, i) == "hundred" and low_at(tokens, i - 1) == "a")
     while k >= 0 and tokens[k].low in word_list("vaguely"):
         k -= 1
     return k >= 0 and tokens[k].base in word_list("pacing")
