@@ -58,9 +58,7 @@ def _with_radius(
 ) -> tuple[int, int, Term | None]:
     """From or to a length that is called its radius, with nothing but small words between."""
     for m, term in enumerate(terms):
-        if term.cat != "quantity" or not i - _REACH <= m <= j + _REACH:
-            continue
-        if role_of(terms, m, tokens) != "radius":
+        if not i - _REACH <= m <= j + _REACH or not _is_radius(terms, m, tokens):
             continue
         first, last = min(i, m), max(j, m)
         between = {t.low for t in tokens[terms[first].i : terms[last].j]}
@@ -70,6 +68,10 @@ def _with_radius(
         last += last == m and tokens[term.j : term.j + 1] != [] and tokens[term.j].low in _RADIUS
         return first, min(last, len(terms) - 1), term
     return i, j, None
+
+
+def _is_radius(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    return terms[k].value == "length" and role_of(terms, k, tokens) == "radius"
 
 
 def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -83,7 +85,7 @@ def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
     if any(terms[k].data.get("radius_m") for k in bends):
         return terms
     for m, term in enumerate(terms):
-        if term.cat not in {"quantity", "num"} or role_of(terms, m, tokens) != "radius":
+        if not _is_radius(terms, m, tokens):
             continue
         radius = value_of(terms, m).middle
         if bends:
