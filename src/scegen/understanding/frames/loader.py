@@ -45,6 +45,13 @@ def amounts(dimension: str) -> tuple[AmountFrame, ...]:
     return tuple(_frame(row) for row in read("amounts") if row["dimension"] == dimension)
 
 
+@cache
+def cues(dimension: str, *roles: str) -> frozenset[str]:
+    """Words of which one stands around a number that plays one of some roles."""
+    rows = [row for row in amounts(dimension) if row.role in roles]
+    return frozenset().union(*(words for row in rows for words in row.cues))
+
+
 def _frame(row: dict[str, Any]) -> AmountFrame:
     told = {name: tuple(said) if isinstance(said, list) else said for name, said in row.items()}
     phrases = [row.get("near", ()), [p for n in _BESIDE for p in row.get(n, ())]]
