@@ -79,21 +79,18 @@ def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
     Where a roundabout is told of, the radius is that one's.
     """
-    if any(term.data.get("kind") == JunctionKind.ROUNDABOUT for term in terms):
+    m = next((m for m in range(len(terms)) if _is_radius(terms, m, tokens)), None)
+    if m is None or any(term.data.get("kind") == JunctionKind.ROUNDABOUT for term in terms):
         return terms
     bends = [k for k, t in enumerate(terms) if t.cat == "place" and t.value == "bend"]
     if any(terms[k].data.get("radius_m") for k in bends):
         return terms
-    for m, term in enumerate(terms):
-        if not _is_radius(terms, m, tokens):
-            continue
-        radius = value_of(terms, m).middle
-        if bends:
-            whole = terms[bends[0]]
-            terms[bends[0]] = replace(whole, data={**whole.data, "radius_m": radius})
-        data = {"side": None, "radius_m": radius}
-        terms[m] = Term("place", "bend", term.i, term.j, data=data)
-        break
+    radius = value_of(terms, m).middle
+    if bends:
+        whole = terms[bends[0]]
+        terms[bends[0]] = replace(whole, data={**whole.data, "radius_m": radius})
+    data = {"side": None, "radius_m": radius}
+    terms[m] = Term("place", "bend", terms[m].i, terms[m].j, data=data)
     return terms
 
 
