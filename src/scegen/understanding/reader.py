@@ -59,7 +59,7 @@ MAX_CHARACTERS = 20_000
 """Longer texts are no descriptions of one situation."""
 _ASSUMED_ARMS = 4
 _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chunk]]], ...] = (
-    ({"lane", "ramp", "one"}, lanes_meant),
+    ({"lane", "lanes", "ramp", "one"}, lanes_meant),
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),
     ({"turn", "sharp_turn"}, name_turned_into),
@@ -110,7 +110,7 @@ def read(text: str) -> FunctionalScenario:
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
     chunks = Chunker(terms, tokens).run()
-    there = {t.base for t in tokens}.union(*((t.cat, t.value) for t in terms))
+    there = {t.low for t in tokens}.union(*((t.cat, t.value) for t in terms))
     for words, put_right in _PUT_RIGHT:
         if not words or not there.isdisjoint(words):
             chunks = put_right(chunks, tokens)

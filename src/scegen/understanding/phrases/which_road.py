@@ -208,9 +208,11 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _from_a_side(before: list[Chunk]) -> bool:
     """``from the left``, ``from its left``."""
-    place = chunk_at(before, len(before) - 1)
+    place = before[-1] if before else None
+    if not isinstance(place, Place) or place.kind != "side":
+        return False
     m = len(before) - (3 if isinstance(chunk_at(before, len(before) - 2), Mention) else 2)
-    return isinstance(place, Place) and place.kind == "side" and value_at(before, m) == "from"
+    return value_at(before, m) == "from"
 
 
 def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:
