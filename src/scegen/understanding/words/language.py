@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import unicodedata
-from collections import Counter
 from functools import lru_cache
 
 from scegen.errors import InputError
@@ -42,9 +41,12 @@ def require_english(tokens: list[Token], text: str) -> None:
         msg = "the description is not written in Latin letters; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
-    counts = Counter(name for word in words for name in _languages().get(word, ()))
-    english = counts.pop(_ENGLISH, 0)
-    likeliest = max(word_lists("languages"), key=lambda name: counts[name])
+    counts = dict.fromkeys(word_lists("languages"), 0)
+    for word in words:
+        for name in _languages().get(word, ()):
+            counts[name] += 1
+    english = counts.pop(_ENGLISH)
+    likeliest = max(counts, key=lambda name: counts[name])
     if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:
         msg = f"the description seems to be written in {likeliest}; only English is read"
         raise InputError(msg, where="description", hint=_HINT)

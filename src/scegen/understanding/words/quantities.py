@@ -81,11 +81,12 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     """
     if tokens[i].kind != "number" and tokens[i].low not in OPENS:
         return None
-    share = share_at(tokens, i)
+    spelled = tokens[i].kind != "number"
+    share = share_at(tokens, i) if spelled else None
     if share is not None:
         return _build(tokens, i, i + share.length, [share.value], "percentage")
     opened = tokens[i].low == "between" and i + 1 < len(tokens)
-    first = _fraction(tokens, i) or number_at(tokens, i + opened)
+    first = (_fraction(tokens, i) if spelled else None) or number_at(tokens, i + opened)
     if first is None:
         return None
     j = i + opened + first.length

@@ -21,7 +21,7 @@ from scegen.understanding.words.particles import (
 )
 from scegen.understanding.words.quantities import OPENS, quantity_at
 from scegen.understanding.words.retagging import retag
-from scegen.understanding.words.somebodys import around_somebody
+from scegen.understanding.words.somebodys import GENITIVES, around_somebody
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 from scegen.understanding.words.unknown_drivers import who_drive
@@ -94,6 +94,7 @@ def tag(tokens: list[Token]) -> list[Term]:
     terms: list[Term] = []
     i = 0
     tails: dict[int, int] = {}
+    owned = any(token.low in GENITIVES for token in tokens)
     while i < len(tokens):
         if i in tails:
             terms.append(Term("inert", "noun", i, tails[i]))
@@ -102,7 +103,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
-        held = around_somebody(tokens, term)
+        held = around_somebody(tokens, term) if owned else None
         if held is not None:
             term, tail, end = held
             tails[tail] = end
