@@ -31,14 +31,10 @@ class FrozenModel(BaseModel):
         quarter of the time. ``names`` are those of all fields and are shared, not copied.
         """
         made = cls.__new__(cls)
-        made.__setstate__(
-            {
-                "__dict__": fields,
-                "__pydantic_fields_set__": names,
-                "__pydantic_extra__": None,
-                "__pydantic_private__": None,
-            }
-        )
+        object.__setattr__(made, "__dict__", fields)
+        object.__setattr__(made, "__pydantic_fields_set__", names)
+        object.__setattr__(made, "__pydantic_extra__", None)
+        object.__setattr__(made, "__pydantic_private__", None)
         return made
 
 

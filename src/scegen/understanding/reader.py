@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from scegen.errors import InputError
 from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
@@ -11,6 +13,7 @@ from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.undone import undone
 from scegen.understanding.building.viewpoint import choose_ego
+from scegen.understanding.chunks import Chunk
 from scegen.understanding.clauses.again import named_again, names_another, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
@@ -51,11 +54,27 @@ from scegen.understanding.words.emptiness import without_emptiness
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
-from scegen.understanding.words.tokens import tokenize
+from scegen.understanding.words.tokens import Token, tokenize
 
 MAX_CHARACTERS = 20_000
 """Longer texts are no descriptions of one situation."""
 _ASSUMED_ARMS = 4
+_PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chunk]]], ...] = (
+    ({"lane", "lanes", "ramp", "one"}, lanes_meant),
+    ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
+    (set(), name_roads),
+    ({"turn", "sharp_turn"}, name_turned_into),
+    ({"including", "among", "amongst"}, counted_in),
+    (set(), filmed_from),
+    (set(), under_test),
+    ({"("}, lambda chunks, _: in_brackets(chunks)),
+    ({":"}, lambda chunks, _: read_entries(chunks)),
+    ({"one", "all", "both"}, lambda chunks, _: each_of(chunks)),
+    ({"num"}, lambda chunks, _: list_them(chunks)),
+    ({":"}, lambda chunks, _: announce(chunks)),
+)
+"""What puts chunks right one after the other, and words or classes of which a text
+needs one, if any are told."""
 
 
 def read(text: str) -> FunctionalScenario:
@@ -93,11 +112,12 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
-    chunks = lanes_meant(Chunker(terms, tokens).run(), tokens)
-    chunks = name_turned_into(name_roads(name_hiders(chunks), tokens), tokens)
-    chunks = under_test(filmed_from(counted_in(chunks, tokens), tokens), tokens)
-    chunks = read_entries(in_brackets(chunks))
-    chunks = spell_out(announce(list_them(each_of(chunks))))
+    chunks = Chunker(terms, tokens).run()
+    there = {t.low for t in tokens}.union(*((t.cat, t.value) for t in terms))
+    for words, put_right in _PUT_RIGHT:
+        if not words or not there.isdisjoint(words):
+            chunks = put_right(chunks, tokens)
+    chunks = spell_out(chunks)
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)

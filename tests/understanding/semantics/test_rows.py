@@ -39,14 +39,14 @@ def verbs(node):
 
 
 def test_families_that_rows_lead_to_exist():
-    assert {f for _, row in rows() for f in row.get("then", ())} <= families().keys()
+    assert {f for _, row in rows() for f in row.get("then", ())} <= families().rows.keys()
 
 
 def test_every_measure_that_has_a_field_has_rows():
     data = yaml.safe_load((FRAMES / "amounts.yaml").read_text(encoding="utf-8"))
     of_the_road = {"limit", "friction", "sight", "radius"}
     told = {row["role"] for row in data if row["dimension"] != "contact"} - of_the_road - {"other"}
-    assert {f"figures.{role}" for role in told} == figures().keys()
+    assert {f"figures.{role}" for role in told} == figures().rows.keys()
 
 
 def test_every_family_is_reached():
@@ -55,7 +55,9 @@ def test_every_family_is_reached():
     asked |= set(re.findall(r'"((?:[a-z]+)\.[a-z_]+)"', source))
     known = set(verbs(load().root))
     assert not {
-        f for f in families() if f not in asked and f.partition(".")[2] not in known | {"tailgate"}
+        f
+        for f in families().rows
+        if f not in asked and f.partition(".")[2] not in known | {"tailgate"}
     }
 
 

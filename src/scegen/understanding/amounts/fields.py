@@ -18,7 +18,7 @@ from scegen.understanding.amounts.sizes import sized
 from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.timing import at_green, delayed, earlier
 from scegen.understanding.semantics.context import Context
-from scegen.understanding.semantics.rows import Row, read_rows
+from scegen.understanding.semantics.rows import Families, read_rows
 
 _KEYS = frozenset({"if", "also", "take", "fills", "of", "makes"})
 TAKES: dict[str, Callable[[Figure], bool]] = {
@@ -74,34 +74,28 @@ def _effects(row: dict[str, Any]) -> Iterable[Any]:
 
 
 @lru_cache(maxsize=1)
-def rows() -> dict[str, tuple[Row, ...]]:
+def rows() -> Families:
     """All rows by what is measured, read once.
 
     Raises:
         KeyError: names the family, and what in it means nothing.
     """
-    return read_rows("figures", _effects, _KEYS)
+    return read_rows("figures", effects=_effects, keys=_KEYS)
 
 
 @cache
 def says_how(role: str) -> bool:
     """Whether numbers that measure this say how something is done."""
-    own = rows().get(f"figures.{role}", ())
+    own = rows().rows.get(f"figures.{role}", ())
     return any(isinstance(effect, Fills) for row in own for effect in row.effects)
-
-
-@cache
-def _asked(role: str, phrases: bool) -> tuple[Row, ...]:
-    own = [r for r in rows().get(f"figures.{role}", ()) if r.events is None or role in r.events]
-    return tuple(r for r in own if phrases or not r.plain)
 
 
 def place(figure: Figure) -> bool:
     """Gives a number its place; whether it has one."""
     context = figure.text.context
-    for row in _asked(figure.role, bool(figure.event.pps)):
-        if all(test(figure, context) for test in row.tests):
-            taken = [effect(figure, context) for effect in row.effects]
-            if any(taken) or not row.also:
+    for tests, effects, also in rows().asked(f"figures.{figure.role}", figure, context):
+        if all(test(figure, context) for test in tests):
+            taken = [effect(figure, context) for effect in effects]
+            if any(taken) or not also:
                 return any(taken)
     return False

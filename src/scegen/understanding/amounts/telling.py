@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Collection
+from functools import cache
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach
@@ -15,6 +16,15 @@ from scegen.understanding.semantics.context import Clause, Context
 
 ANY: frozenset[ActKind] = frozenset(ActKind)
 _ENDS = frozenset({".", ";", "!", "?"})
+
+
+@cache
+def _openings(name: str) -> dict[str, list[str]]:
+    """The phrases of a list by their first words."""
+    found: dict[str, list[str]] = {}
+    for phrase in word_list(name):
+        found.setdefault(phrase.partition(" ")[0], []).append(phrase)
+    return found
 
 
 class Telling:
@@ -41,6 +51,8 @@ class Telling:
         self.found = Happenings()
         self._marks = [k for k, token in enumerate(self.tokens) if token.low in _ENDS]
         self._said: dict[str, list[str]] = {}
+        self._text = self.low(0, len(self.tokens))
+        self._words = frozenset(token.low for token in self.tokens)
 
     def bounds(self, i: int) -> tuple[int, int]:
         """Where the sentence of a token begins and ends."""
@@ -67,8 +79,8 @@ class Telling:
     def find(self, name: str, start: int, end: int) -> tuple[int, int] | None:
         """Where the first phrase of a list stands whole between two tokens."""
         if name not in self._said:
-            text = self.low(0, len(self.tokens))
-            said = (p for p in word_list(name) if p in text and f" {p} " in text)
+            near = self._words.intersection(_openings(name))
+            said = [p for word in near for p in _openings(name)[word] if f" {p} " in self._text]
             self._said[name] = sorted(said, key=lambda p: (-len(p), p))
         phrases = self._said[name]
         text = self.low(start, end) if phrases else ""

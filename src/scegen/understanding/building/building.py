@@ -57,6 +57,7 @@ from scegen.understanding.road.surroundings import Surroundings
 
 _NO_LIGHT = "no light stands there for it that could show that; left open"
 _NOT_SAID = (None, None)
+_FIELDS = set(FunctionalScenario.model_fields)
 
 
 @dataclass(slots=True)
@@ -125,21 +126,26 @@ class Builder:
         for name, (_, basis) in conditions.items():
             self.proofs.add(f"environment.{name}", basis)
         writer = Writer(self.happenings, ego, self.proofs)
-        return FunctionalScenario(
-            description=self.draft.text,
-            junction=junction,
-            participants=participants,
-            relations=linked,
-            groups=groups,
-            hazards=hazards,
-            objects=writer.objects(),
-            spacings=writer.spacings(),
-            acts=writer.acts(),
-            outcome=writer.outcome(),
-            environment=Environment(**{name: value for name, (value, _) in conditions.items()}),
-            evidence=self.proofs.evidence,
-            unsupported=self._unsupported(),
-        )
+        parts: dict[str, Any] = {
+            "level": "functional",
+            "description": self.draft.text,
+            "junction": junction,
+            "participants": participants,
+            "relations": linked,
+            "groups": groups,
+            "hazards": hazards,
+            "objects": writer.objects(),
+            "spacings": writer.spacings(),
+            "acts": writer.acts(),
+            "outcome": writer.outcome(),
+            "environment": Environment(**{name: value for name, (value, _) in conditions.items()}),
+            "evidence": self.proofs.evidence,
+            "unsupported": self._unsupported(),
+        }
+        scenario = FunctionalScenario.from_valid(parts, _FIELDS)  # each is checked where it is made
+        for misfit in scenario.misfits():
+            raise ValueError(misfit)
+        return scenario
 
     def _name(self, ego: Entity) -> None:
         counts: dict[str, int] = {}

@@ -75,6 +75,8 @@ def unattached(
         text = scenario.description[start:end]
         instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
+    if found == list(scenario.unsupported):
+        return scenario
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
 

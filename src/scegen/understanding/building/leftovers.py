@@ -73,14 +73,13 @@ def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
     for event in (c for c in chunks if isinstance(c, Event)):
         _beside_the_lanes(draft, event)
     for k, place in enumerate(chunks):
-        row = [*chunks[k + 2 : k + 3], None][0]
-        unranked = not (isinstance(row, Mention) and row.ranked)
-        before = next((c for c in reversed(chunks[:k]) if isinstance(c, Mention | Event)), None)
-        own = isinstance(before, Mention) and any("ranked" in e.named_by for e in before.entities)
-        ordinal = isinstance(place, Word) and place.cat == "label" and not own
-        ordinal = ordinal and draft.tokens[place.i].low in POSITIONS
-        if ordinal and unranked:
-            draft.note(place.i, place.j, _PLACE_IN_A_ROW)
+        if place.cat == "label" and draft.tokens[place.i].low in POSITIONS:
+            row = [*chunks[k + 2 : k + 3], None][0]
+            before = next((c for c in reversed(chunks[:k]) if isinstance(c, Mention | Event)), None)
+            own = before.entities if isinstance(before, Mention) else []
+            ranked = isinstance(row, Mention) and row.ranked
+            if not ranked and not any("ranked" in e.named_by for e in own):
+                draft.note(place.i, place.j, _PLACE_IN_A_ROW)
         if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
             continue
         words = {t.low for t in draft.tokens[place.i : place.j]}

@@ -54,6 +54,8 @@ class Proofs:
     def _reason(self, basis: Basis) -> str:
         """Why a field has its value, misspelt words among those that it rests on included."""
         first, end = basis.i or 0, basis.j or 0
-        slips = (self._tokens[k] for k in self._slips if first <= k < end)
+        slips = [self._tokens[k] for k in self._slips if first <= k < end]
+        if not slips:
+            return basis.reason or ""
         read = [f"'{t.text}' is read as '{t.low}'" for t in slips]
         return "; ".join([basis.reason, *read] if basis.reason else read)

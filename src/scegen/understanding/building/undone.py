@@ -58,6 +58,8 @@ def undone(
         if doers and not any(_shown(kind, doer, scenario) for doer in doers):
             text = scenario.description[start:end]
             found.append(Unsupported(text=text, start=start, end=end, instead=_INSTEAD))
+    if len(found) == len(scenario.unsupported):
+        return scenario
     found.sort(key=lambda u: (u.start, u.end))
     return scenario.model_copy(update={"unsupported": tuple(found)})
 

@@ -10,6 +10,9 @@ from typing import Any
 from scegen.scenario.acts import ActKind
 from scegen.scenario.parsing import parse
 
+_BESIDE = ("before", "next", "named")
+"""Where one phrase of all these has to be."""
+
 
 @dataclass(frozen=True, slots=True)
 class AmountFrame:
@@ -25,6 +28,8 @@ class AmountFrame:
     unless: tuple[str, ...] = ()
     most: float | None = None
     instead: str | None = None
+    cues: tuple[frozenset[str], ...] = ()
+    """With which words its phrases begin: of each set, one stands around the number."""
 
 
 @cache
@@ -34,15 +39,24 @@ def read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to fil
     return parse(text, where=f"{name}.yaml")
 
 
-@lru_cache(maxsize=1)
-def amounts() -> tuple[AmountFrame, ...]:
-    """All rows of what numbers mean, in their order."""
-    return tuple(map(_frame, read("amounts")))
+@cache
+def amounts(dimension: str) -> tuple[AmountFrame, ...]:
+    """All rows of what numbers of a dimension mean, in their order."""
+    return tuple(_frame(row) for row in read("amounts") if row["dimension"] == dimension)
+
+
+@cache
+def cues(dimension: str, *roles: str) -> frozenset[str]:
+    """Words of which one stands around a number that plays one of some roles."""
+    rows = [row for row in amounts(dimension) if row.role in roles]
+    return frozenset().union(*(words for row in rows for words in row.cues))
 
 
 def _frame(row: dict[str, Any]) -> AmountFrame:
     told = {name: tuple(said) if isinstance(said, list) else said for name, said in row.items()}
-    return AmountFrame(**told | {"verb": frozenset(row.get("verb", ()))})
+    phrases = [row.get("near", ()), [p for n in _BESIDE for p in row.get(n, ())]]
+    cues = tuple(frozenset(phrase.split()[0] for phrase in some) for some in phrases if some)
+    return AmountFrame(**told | {"verb": frozenset(row.get("verb", ())), "cues": cues})
 
 
 @lru_cache(maxsize=1)

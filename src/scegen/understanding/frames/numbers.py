@@ -40,6 +40,7 @@ class Numbers:
         ]
         self.quantities = sorted(found, key=lambda q: q.i)
         self._ends = {q.j: q.i for q in found}
+        self._around: dict[int, Window] = {}
         self._behind = {t.i: t.j - t.i for t in terms if (t.cat, t.value) == ("locus", "behind")}
 
     def measured(self, quantity: Quantity, verb: str = "", at: int | None = None) -> Measured:
@@ -51,7 +52,10 @@ class Numbers:
             at: the word for it, unless it is told as over ("has covered").
         """
         lemma = [f"to {self._tokens[at].forms[-1][0]}"] if at is not None else []
-        around = window(self._tokens, quantity.i, quantity.j, self._ends)
+        around = self._around.get(quantity.i)
+        if around is None:
+            around = window(self._tokens, quantity.i, quantity.j, self._ends)
+            self._around[quantity.i] = around
         if quantity.j in self._behind:  # "20 m after the lead", "1.9 s astern"
             rest = around.after.split()[self._behind[quantity.j] :]
             around = replace(around, after=f" {' '.join(['behind', *rest])} ")

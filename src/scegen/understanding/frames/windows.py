@@ -201,11 +201,9 @@ def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]
         around: the words around it.
         verbs: what happens in its clause, in the names of the frames; empty if nothing does.
     """
-    rest = AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
-    fitting = (
-        f
-        for f in amounts()
-        if f.dimension == dimension and (f.most is None or value <= f.most)
-        if around.fits(f, verbs)
-    )
-    return next(fitting, rest)
+    words = {*around.before.split(), *around.after.split()}
+    for frame in amounts(dimension):
+        near = not any(cues.isdisjoint(words) for cues in frame.cues)
+        if near and (frame.most is None or value <= frame.most) and around.fits(frame, verbs):
+            return frame
+    return AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")

@@ -81,13 +81,14 @@ class Interpreter:
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
         told = [clause_of(e) for e in events]
-        nouns = [clause_of_noun(c) for c in chunks if isinstance(c, Mention)]
+        of_nouns = {id(c): clause_of_noun(c) for c in chunks if isinstance(c, Mention)}
+        nouns = list(of_nouns.values())
         for clause in told:
             say("movements.sets_off", clause, self._context)
         standing.note_braking(events, self._context)
         for clause in (*nouns, *map(without_nouns, told)):
             say("nouns.numbered", clause, self._context)
-        self._named(chunks, events)
+        self._named(chunks, events, of_nouns)
         mark_answers(events)
         mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
@@ -112,7 +113,7 @@ class Interpreter:
             for clause in [c for name in among.split() for c in of[name]]:
                 say(family, clause, self._context)
 
-    def _named(self, chunks: list[Chunk], events: list[Event]) -> None:
+    def _named(self, chunks: list[Chunk], events: list[Event], of_nouns: dict[int, Clause]) -> None:
         """What nouns say, and the things on and beside the road."""
         handled = {
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
@@ -120,18 +121,17 @@ class Interpreter:
         acting = {id(m) for e in events for m in e.subject if e.name not in {"hide", "collide"}}
         for k, chunk in enumerate(chunks):
             if isinstance(chunk, Mention) and chunk.entities:
-                self._mention(chunk)
+                self._mention(chunk, of_nouns[id(chunk)])
                 if id(chunk) not in acting:
                     standing.jam(chunk, self._context)
-                    say("nouns.idle", clause_of_noun(chunk), self._context)
+                    say("nouns.idle", of_nouns[id(chunk)], self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, k, chunks, self._draft)
                 self._context.screens += [chunk.i] if chunk.kind == "object" else []
                 self._context.barred |= chunk.lies_there
 
-    def _mention(self, mention: Mention) -> None:
+    def _mention(self, mention: Mention, clause: Clause) -> None:
         placing.adjectives(mention, self._context)
-        clause = clause_of_noun(mention)
         say("nouns.noun", clause, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
         for prep in mention.pps:

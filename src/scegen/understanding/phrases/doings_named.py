@@ -56,7 +56,6 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
     if not opens or event.form not in {"base", "ing"}:
         return None
-    verb = replace(event, form="s", nominal=False)
     after = chunk_at(chunks, k + 1)
     where = chunks[k + 1 : k + 3] if isinstance(chunk_at(chunks, k + 2), Place) else []
     m = k + 1 + len(where)
@@ -65,7 +64,7 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         rest = chunks[m + 2 : sentence_end(chunks, m + 2)]
         done = any(isinstance(c, Event) for c in rest)
         # "Left turn, ego at 12 km/h", "Left turn at a junction, ego 12 km/h"
-        return None if done else ([who_else, verb, *where], m + 2)
+        return None if done else ([who_else, _verb(event), *where], m + 2)
     m = k + 1 + isinstance(after, Thing)  # "manoeuvre"
     named: dict[str, list[Chunk]] = {}
     while (group := _group(m, chunks)) and group[0] not in named:
@@ -77,13 +76,17 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     if not named:
         who = _last_told(k, chunks) if before in BOUNDARIES else None
         if who is None or event.name != "overtake":
-            return None if who is None else ([who, verb], k + 1)
+            return None if who is None else ([who, _verb(event)], k + 1)
         of_ego = who.same_as is not None and who.same_as.is_ego
-        return None if of_ego else ([teller_at(event.i), verb, who], k + 1)
+        return None if of_ego else ([teller_at(event.i), _verb(event), who], k + 1)
     of, by = named.get("of", []), named.get("by", [])
     if not by and event.name not in _DONE_TO:  # but not "reversing out of a drive, …"
-        return ([*of, verb], m) if isinstance(of[0], Mention) else None
-    return [*(by or [teller_at(event.i)]), verb, *of], m
+        return ([*of, _verb(event)], m) if isinstance(of[0], Mention) else None
+    return [*(by or [teller_at(event.i)]), _verb(event), *of], m
+
+
+def _verb(event: Event) -> Event:
+    return replace(event, form="s", nominal=False)
 
 
 def _last_told(k: int, chunks: list[Chunk]) -> Mention | None:

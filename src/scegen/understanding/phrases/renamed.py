@@ -35,20 +35,22 @@ def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """``cuts the van off``, ``runs him over``: "cut off" and "run over" with the object inside."""
     dropped: set[int] = set()
     for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Event) and tokens[chunk.i].base == "run":
+        if not isinstance(chunk, Event):
+            continue
+        if tokens[chunk.i].base == "run":
             whom, over, after = (*chunks[k + 1 : k + 4], None, None, None)[:3]
             last = after is None or after.cat in {"punct", "conj"}
             if isinstance(whom, Mention) and _is(over, "over", tokens) and last:
                 chunk.name = "collide"
                 dropped.add(id(over))
-        if not (isinstance(chunk, Event) and chunk.name == "cut"):
+        if chunk.name != "cut":
             continue
         chunk.name = "cut_in"
         for following in chunks[k + 1 : k + 4]:
             if _is(following, "off", tokens):
                 chunk.name = "cut_off"
                 dropped.add(id(following))
-    return [c for c in chunks if id(c) not in dropped]
+    return [c for c in chunks if id(c) not in dropped] if dropped else chunks
 
 
 def _is(chunk: Chunk | None, particle: str, tokens: list[Token]) -> bool:

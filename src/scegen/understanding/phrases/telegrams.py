@@ -25,7 +25,9 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
-    chunks = _after_headings(_from_titles(_in_lanes(chunks)))
+    chunks = _in_lanes(chunks)
+    if any(chunk.value == ":" for chunk in chunks):
+        chunks = _after_headings(_from_titles(chunks))
     chunks = _told_by_nobody(spell_out_doings(chunks))
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and _named_doing(chunk, chunks, k):

@@ -7,7 +7,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.lexicon import word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 ALONG, AGAINST = "along_course", "against_course"
 """Words of manner that stand for a course told by the one that somebody had before it turned."""
@@ -190,12 +190,11 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     k = 0
     while k < len(chunks):
         chunk = chunks[k]
-        text = _text(chunk, tokens)
-        from_there = value_at(chunks, k + 1) == "from"
-        if text in therefore and from_there and not isinstance(chunk, Mention):
+        from_there = value_at(chunks, k + 1) == "from" and not isinstance(chunk, Mention)
+        if from_there and _text(chunk, tokens) in therefore:
             k += 1
             continue
-        end = _seen(chunks, k, tokens) if text == "as" else None
+        end = _seen(chunks, k, tokens) if low_at(tokens, chunk.i) == "as" else None
         if end is None and isinstance(chunk, Word) and _from_a_side(found):
             end = _end_of_turn(chunks, k)
             end = k if cat_at(chunks, end) in {"dir", "prep"} else end
@@ -209,9 +208,11 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _from_a_side(before: list[Chunk]) -> bool:
     """``from the left``, ``from its left``."""
-    place = chunk_at(before, len(before) - 1)
+    place = before[-1] if before else None
+    if not isinstance(place, Place) or place.kind != "side":
+        return False
     m = len(before) - (3 if isinstance(chunk_at(before, len(before) - 2), Mention) else 2)
-    return isinstance(place, Place) and place.kind == "side" and value_at(before, m) == "from"
+    return value_at(before, m) == "from"
 
 
 def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:

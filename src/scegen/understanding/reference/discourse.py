@@ -188,7 +188,8 @@ class Discourse:
         if meant := known(self._roster, reading, mention, exclude):
             self._roster.enrich(meant, reading)
             return meant
-        reading = replace(reading, count=reading.count - (mention.ranked is not None))
+        if mention.ranked is not None:
+            reading = replace(reading, count=reading.count - 1)
         found = with_the_ranked(mention, self._roster.introduce(reading, basis))
         numbered = mention.mod("num") is not None and not reading.parked
         numbered = numbered and reading.kind is ParticipantKind.CAR
@@ -209,7 +210,7 @@ class Discourse:
 
     def tells(self, i: int, j: int) -> bool:
         """Whether words name the one who tells it ("on my side of the road")."""
-        return any(i <= k < j for k in self._own)
+        return bool(self._own) and any(i <= k < j for k in self._own)
 
     def observer(self, i: int, j: int) -> Entity:
         """``our lane``: whoever tells it takes part."""

@@ -41,10 +41,10 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     words = [tokens[h.j - 1] for h in heads]
     last = words[-1]
     specific: list[ParticipantKind] = [k for k in kinds if k is not ParticipantKind.CAR]
-    mass = any(h.data.get("mass") for h in heads)
-    driver = any(h.data.get("driver") for h in heads)
+    told = {key for h in heads for key in h.data}
+    driver = "driver" in told
     kind = (specific or kinds or [ParticipantKind.CAR])[0]
-    afoot = any("afoot" in h.data for h in heads)
+    afoot = "afoot" in told
     if kind in ON_FOOT and mention.drives and not afoot:
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
@@ -54,7 +54,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind, driver = mention.goes_by, False
         kinds, specific = [kind], [kind]
     named = (mention.label or "").startswith("#")
-    plural = mass or "several" in heads[-1].data or (heads[-1].form == "s" and not named)
+    plural = "mass" in told or "several" in heads[-1].data or (heads[-1].form == "s" and not named)
     several = mention.has("quant", "all") and not any(h.data.get("ego") for h in heads)
     plural = plural or several  # "each vehicle"
     count, vague, reason = _count(mention, tokens, plural, arms)
@@ -79,7 +79,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         labels=labels | ({_name(mention.label, kind)} if mention.label else set()),
         dirs=set(mention.dirs),
         parked=mention.has("state", "parked"),
-        ego=any(h.data.get("ego") for h in heads) or mine(mention, kind),
+        ego="ego" in told or mine(mention, kind),
         driver=driver and not kinds,
         reason=reason,
         called=called(mention, tokens),

@@ -15,10 +15,12 @@ def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """
     named = [c for c in chunks if isinstance(c, Mention)]
     for k, (place, prep, row) in enumerate(zip(chunks, chunks[1:], chunks[2:], strict=False)):
+        if not isinstance(row, Mention) or row.mod("num") is None:
+            continue
         bare = isinstance(place, Mention) and not place.heads
         label = tokens[place.j - 1].low if bare or isinstance(place, Word) else ""
         within = isinstance(prep, Word) and prep.value in ({"of", "in"} if bare else {"in"})
-        if label not in POSITIONS or not within or not isinstance(row, Mention):
+        if label not in POSITIONS or not within:
             continue
         is_, before = [None, None, *chunks[:k]][:-3:-1] if bare else (None, None)
         if bare:  # "the ego is the last of three cars"
@@ -27,7 +29,7 @@ def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
         else:
             who = [m for m in named for p in m.pps if p.target is row]
             who += [m for e in events for p in e.pps if p.target is row for m in e.subject]
-        if len(who) == 1 and row.mod("num") is not None:
+        if len(who) == 1:
             row.ranked = (who[0], POSITIONS[label])
 
 

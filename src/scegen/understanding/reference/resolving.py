@@ -188,6 +188,8 @@ def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
     Nor is it in "because a van comes, it waits".
     """
     found: set[int] = set()
+    if not any(c.value == "because" for c in chunks):
+        return found
     here: list[int] = []
     opened = False
     for k, (before, chunk) in enumerate(pairwise(chunks)):
@@ -215,7 +217,7 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
     }
     opens: Mention | None = None
     fresh = True
-    for chunk in chunks:
+    for chunk in chunks if any(c.value == "be" for c in chunks) else []:
         if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.cat == "sub"):
             opens, fresh = None, True
             continue

@@ -58,9 +58,7 @@ def _with_radius(
 ) -> tuple[int, int, Term | None]:
     """From or to a length that is called its radius, with nothing but small words between."""
     for m, term in enumerate(terms):
-        if term.cat != "quantity" or not i - _REACH <= m <= j + _REACH:
-            continue
-        if role_of(terms, m, tokens) != "radius":
+        if not i - _REACH <= m <= j + _REACH or not _is_radius(terms, m, tokens):
             continue
         first, last = min(i, m), max(j, m)
         between = {t.low for t in tokens[terms[first].i : terms[last].j]}
@@ -72,26 +70,27 @@ def _with_radius(
     return i, j, None
 
 
+def _is_radius(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    return terms[k].value == "length" and role_of(terms, k, tokens) == "radius"
+
+
 def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """``at R = 750 m``: a bend that only its radius tells of, or one that is told of elsewhere.
 
     Where a roundabout is told of, the radius is that one's.
     """
-    if any(term.data.get("kind") == JunctionKind.ROUNDABOUT for term in terms):
+    m = next((m for m in range(len(terms)) if _is_radius(terms, m, tokens)), None)
+    if m is None or any(term.data.get("kind") == JunctionKind.ROUNDABOUT for term in terms):
         return terms
     bends = [k for k, t in enumerate(terms) if t.cat == "place" and t.value == "bend"]
     if any(terms[k].data.get("radius_m") for k in bends):
         return terms
-    for m, term in enumerate(terms):
-        if term.cat not in {"quantity", "num"} or role_of(terms, m, tokens) != "radius":
-            continue
-        radius = value_of(terms, m).middle
-        if bends:
-            whole = terms[bends[0]]
-            terms[bends[0]] = replace(whole, data={**whole.data, "radius_m": radius})
-        data = {"side": None, "radius_m": radius}
-        terms[m] = Term("place", "bend", term.i, term.j, data=data)
-        break
+    radius = value_of(terms, m).middle
+    if bends:
+        whole = terms[bends[0]]
+        terms[bends[0]] = replace(whole, data={**whole.data, "radius_m": radius})
+    data = {"side": None, "radius_m": radius}
+    terms[m] = Term("place", "bend", terms[m].i, terms[m].j, data=data)
     return terms
 
 

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scegen.scenario.model import Interval
+from scegen.understanding.frames.loader import cues
 from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
+_ROLES = ("limit", "sight", "friction", "radius")
 _NUMBERS = {"quantity": "quantity", "num": "number"}
 """Class of a term -> where its number stands."""
 
 
 def role_of(terms: Sequence[Term], k: int, tokens: list[Token]) -> str:
-    """What a number measures, by the words around it alone; empty where a term is no number.
+    """What of the road a number measures, by the words around it alone; empty if nothing.
 
     Args:
         terms: the terms of the text.
@@ -25,6 +27,8 @@ def role_of(terms: Sequence[Term], k: int, tokens: list[Token]) -> str:
     if term.cat not in _NUMBERS or term.data.get(_NUMBERS[term.cat]) is None:
         return ""
     dimension = term.value if term.cat == "quantity" else "number"
+    if cues(dimension, *_ROLES).isdisjoint(t.low for t in tokens):
+        return ""
     ends = {t.j: t.i for t in terms if t.cat == "quantity"}
     around = window(tokens, term.i, last_of(terms, k).j, ends)
     return frame_of(dimension, value_of(terms, k).low, around, frozenset()).role

@@ -60,21 +60,21 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
     """
     found = Surroundings()
     for k, term in enumerate(terms):
-        basis = Basis(term.i, term.j)
         if term.cat == "env":
-            found.conditions.setdefault(term.data["field"], (term.value, basis))
+            found.conditions.setdefault(term.data["field"], (term.value, Basis(term.i, term.j)))
         elif term.cat == "side" and found.side is None:
-            found.side, found.side_basis = DrivingSide(term.value), basis
+            found.side, found.side_basis = DrivingSide(term.value), Basis(term.i, term.j)
         elif term.cat in {"quantity", "num"} and _measured(found, terms, k, tokens):
             pass
         elif term.cat == "num":
             _lanes(found, terms, k, tokens)
         elif term.value == "lane" and "count" in term.data:
-            found.lanes, found.lanes_basis = found.lanes or term.data["count"], basis
+            found.lanes = found.lanes or term.data["count"]
+            found.lanes_basis = Basis(term.i, term.j)
         elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":
             _two_lanes(found, term, tokens)
         elif term.cat == "place" and term.value == "highway":
-            found.highway = found.highway or basis
+            found.highway = found.highway or Basis(term.i, term.j)
     return found
 
 

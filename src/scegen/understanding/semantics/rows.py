@@ -18,17 +18,16 @@ follows. With ``also`` the next rows are asked as well. The keys:
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 from scegen.understanding.frames.loader import read
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
-from scegen.understanding.semantics.patterns import listed
+from scegen.understanding.semantics.needs import Known, marks_of
 
 _FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
@@ -37,24 +36,63 @@ _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place
                    "as", "targets", "actors", "rewrite", "rules_out", "implies",
                    "unsaid", "act", "always"})  # fmt: skip
 
-_PLAIN = ("negated", "passive", "nominal", "phrases")
-"""What a row may ask of an event that is known before any other condition is tried."""
 Effects: TypeAlias = Callable[[dict[str, Any]], Iterable[Effect]]
-_PATH = re.compile(r"path (?!\^)")
+
+
+Live: TypeAlias = tuple[tuple[Test, ...], tuple[Effect, ...], bool]
+"""What of a row is left to test, its effects, and whether further rows are asked."""
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row: all its conditions and all its effects; whether further rows are asked.
+    """One row: all its conditions and all its effects; whether further rows are asked."""
 
-    Which verbs it is for, and what of `_PLAIN` it asks, is looked up and not tested.
-    """
-
-    events: frozenset[str] | None
-    plain: dict[str, bool]
-    tests: tuple[Test, ...]
+    conditions: tuple[tuple[Known, Test], ...]
     effects: tuple[Effect, ...]
     also: bool
+
+
+class Families:
+    """Rows by family, as ``dangers.brake``, looked up by what stands in a clause.
+
+    Args:
+        rows: of each family, in their order.
+    """
+
+    def __init__(self, rows: dict[str, tuple[Row, ...]]) -> None:
+        self.rows = rows
+        self._named = {
+            family: frozenset[str]().union(*(c.marks for row in own for c, _ in row.conditions))
+            for family, own in rows.items()
+        }
+        marks = sorted(frozenset[str]().union(*self._named.values()))
+        self._bits = {mark: 1 << k for k, mark in enumerate(marks)}
+        self._masks = {f: sum(self._bits[m] for m in named) for f, named in self._named.items()}
+        self._live = lru_cache(maxsize=16384)(self._asked)
+
+    def asked(self, family: str, clause: Clause, context: Context) -> tuple[Live, ...]:
+        """The rows that may fit a clause, none after one that surely does."""
+        if family not in self._masks:
+            return ()
+        if clause.marks is None:
+            marks = marks_of(clause.event, context.tokens)
+            clause.marks = sum(self._bits[mark] for mark in marks if mark in self._bits)
+        return self._live(family, clause.event.name, clause.marks & self._masks[family])
+
+    def _asked(self, family: str, event: str, marks: int) -> tuple[Live, ...]:
+        held = {f"event {event}", *(m for m in self._named[family] if marks & self._bits[m])}
+        found: list[Live] = []
+        for row in self.rows[family]:
+            told = [(known.holds(held), test) for known, test in row.conditions]
+            if any(holds is False for holds, _ in told):
+                continue
+            tests = tuple(test for holds, test in told if holds is None)
+            found.append((tests, row.effects, row.also))
+            if not tests and not row.also:
+                break
+        while found and not found[-1][1]:
+            found.pop()  # it only says that nothing follows
+        return tuple(found)
 
 
 def _then(family: str) -> Effect:
@@ -72,66 +110,43 @@ def _row(
         raise KeyError(f"{where}: {unknown[0]!r} is no part of a row")
     try:
         said = list(row.get("if", ()))
-        first = said[0].partition(" ") if said and " or " not in said[0] else ("", "", "")
-        events = listed(first[2]) if first[0] == "event" else None
-        said = said[1:] if events else said
-        plain = {
-            t.removeprefix("not "): t in _PLAIN for t in said if t.removeprefix("not ") in _PLAIN
-        }
-        if any(all(map(_PATH.match, text.split(" or "))) for text in said):
-            plain["phrases"] = True
-        tests = [condition(text) for text in said if text.removeprefix("not ") not in plain]
         by = row.get("by", "drivers")
         if "hazard" in row and not by.startswith("maybe "):
-            tests.append(condition(f"some {by}"))
+            said.append(f"some {by}")
+        where_put = row.get("where", "subject")
+        if "also" in row and not where_put.startswith("subject"):
+            said.append(where_put if where_put.startswith("object ") else f"path {where_put}")
+        conditions = tuple((Known.of(text), condition(text)) for text in said)
         does = (*effects(row), *map(_then, row.get("then", ())))
-        return Row(events, plain, tuple(tests), does, bool(row.get("also")))
+        return Row(conditions, does, bool(row.get("also")))
     except KeyError as error:
         raise KeyError(f"{where}: {error} in {row}") from error
 
 
 @lru_cache(maxsize=1)
-def families() -> dict[str, tuple[Row, ...]]:
+def families() -> Families:
     """All rows of the package by family, read once.
 
     Raises:
         KeyError: names the family, and what in it means nothing.
     """
-    found: dict[str, tuple[Row, ...]] = {}
-    for name in _FILES:
-        found |= read_rows(name)
-    return found
+    return read_rows(*_FILES)
 
 
-def read_rows(
-    name: str, effects: Effects = effects_of, keys: frozenset[str] = _KEYS
-) -> dict[str, tuple[Row, ...]]:
-    """The rows of a file by family, as ``dangers.brake``.
+def read_rows(*names: str, effects: Effects = effects_of, keys: frozenset[str] = _KEYS) -> Families:
+    """The rows of some files by family, as ``dangers.brake``.
 
     Args:
-        name: of the file.
+        names: of the files.
         effects: what a row does.
         keys: what a row may have.
     """
     found: dict[str, tuple[Row, ...]] = {}
-    for events, rows in read(name).items():
-        made = tuple(_row(row, f"{name}.yaml, {events}", effects, keys) for row in rows)
-        found.update((f"{name}.{event.strip()}", made) for event in events.split(","))
-    return found
-
-
-@cache
-def _asked(family: str, event: str, *held: bool) -> tuple[Row, ...]:
-    """The rows of a family that may fit an event; none is asked after one that renames it.
-
-    Args:
-        family: file and event.
-        event: its name.
-        held: what holds of it of `_PLAIN`.
-    """
-    known = dict(zip(_PLAIN, held, strict=True))
-    rows = [r for r in families().get(family, ()) if r.events is None or event in r.events]
-    return tuple(r for r in rows if all(known[name] == asked for name, asked in r.plain.items()))
+    for name in names:
+        for events, rows in read(name).items():
+            made = tuple(_row(row, f"{name}.yaml, {events}", effects, keys) for row in rows)
+            found.update((f"{name}.{event.strip()}", made) for event in events.split(","))
+    return Families(found)
 
 
 def say(family: str, clause: Clause, context: Context) -> bool:
@@ -143,19 +158,17 @@ def say(family: str, clause: Clause, context: Context) -> bool:
         context: the scenario in the making.
 
     Returns:
-        Whether a row fits.
+        Whether a row fits that says something.
     """
     fitted = False
-    event = clause.event
-    plain = event.negated, event.passive, event.nominal, bool(event.pps)
-    for row in _asked(family, event.name, *plain):
-        for test in row.tests:
+    for tests, effects, also in families().asked(family, clause, context):
+        for test in tests:
             if not test(clause, context):
                 break
         else:
             fitted = True
-            for effect in row.effects:
+            for effect in effects:
                 effect(clause, context)
-            if not row.also:
+            if not also:
                 break
     return fitted

@@ -234,13 +234,13 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
         previous: the term before.
     """
     match = _not_inflected(match)
+    if len(match.entries) == 1:
+        return match.entries[0], _describes_a_noun(match, tokens, previous)
     before = previous.cat if previous else ""
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and before == "det":
         return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
-    if len(match.entries) == 1:
-        return match.entries[0], _describes_a_noun(match, tokens, previous)
     if match.has("verb") and match.has("prep") and before == "verb":
         return match.get("prep"), False  # "rides near the kerb"
     if match.has("verb"):

@@ -45,9 +45,10 @@ def gather(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
 def _gathered(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     """Where the words end that only gather; None if the term does nothing of the kind."""
-    term, following = terms[k], terms[k + 2 : k + 2 + _MOST_ADJECTIVES]
-    if not following or terms[k + 1].value != "of" or term.cat in {"verb", "quant"}:
+    term = terms[k]
+    if k + 2 >= len(terms) or terms[k + 1].value != "of" or term.cat in {"verb", "quant"}:
         return None
+    following = terms[k + 2 : k + 2 + _MOST_ADJECTIVES]
     noun = tokens[term.i].base in word_list("gathering") and term.j - term.i == 1
     jam = term.data.get("stands") or (following[0].cat == "num" and "mass" in term.data)
     if not (noun or jam):

@@ -9,7 +9,7 @@ from typing import Any
 from scegen.understanding.lexicon import load_contexts
 from scegen.understanding.words.paces import doing
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Match, Term, longest_match, term_at
+from scegen.understanding.words.terms import Term, longest_match, term_at
 from scegen.understanding.words.tokens import Token
 
 _SOON = 6
@@ -18,25 +18,58 @@ _SOON = 6
 
 @dataclass(frozen=True, slots=True)
 class _Item:
-    """Alternatives of which one holds, or none."""
+    """Alternatives of which one holds, or none, by what they ask."""
 
     negated: bool
-    atoms: tuple[str, ...]
+    edge: bool
+    words: frozenset[str]
+    lemmas: frozenset[str]
+    kinds: frozenset[str]
+    measures: frozenset[str]
+    named: frozenset[str]
 
     @classmethod
     def of(cls, written: str) -> _Item:
-        atoms = written.split()
-        negated = atoms[0] == "not"
-        return cls(negated, tuple(atoms[negated:]))
+        first, *rest = written.split()
+        atoms = rest if first == "not" else [first, *rest]
+        signed = {s: frozenset(a[1:] for a in atoms if a[0] == s) for s in "=+:#"}
+        named = frozenset(a for a in atoms if a[0].isalpha())
+        edge = not {"^", "$"}.isdisjoint(atoms)
+        return cls(first == "not", edge, signed["="], signed["+"], signed[":"], signed["#"], named)
+
+    def fits_name(self, names: tuple[str, ...]) -> bool:
+        """Whether the item asks for something that is called so."""
+        return self.negated == self.named.isdisjoint(names)
 
     def fits_term(self, term: Term | None, tokens: list[Token]) -> bool:
         """Whether a term, or None for the beginning of the text, is what the item asks for."""
-        return self.negated != any(_is(atom, term, tokens) for atom in self.atoms)
+        if term is None:
+            return self.negated != self.edge
+        first, measured = tokens[term.i], term.cat == "quantity" and term.value in self.measures
+        spelled = first.low in self.words or tokens[term.j - 1].low in self.words
+        if measured or spelled or first.base in self.lemmas:
+            return not self.negated
+        return self.fits_name(_names(term.cat, term.value, term.form))
 
     def fits_at(self, tokens: list[Token], j: int) -> bool:
         """Whether what begins at a token is."""
-        match = longest_match(tokens, j)
-        return self.negated != any(_begins(atom, tokens, j, match) for atom in self.atoms)
+        if j >= len(tokens):
+            return self.negated != self.edge
+        token, quantity = tokens[j], quantity_at(tokens, j) if self.measures else None
+        measured = quantity is not None and quantity.dimension in self.measures
+        if measured or token.low in self.words or token.base in self.lemmas:
+            return not self.negated
+        match = longest_match(tokens, j) if self.named else None
+        if token.kind in self.kinds or match is None:
+            return self.negated != (token.kind in self.kinds)
+        return self.fits_name((*match.cats, *(f"{cat}.{match.form}" for cat in match.cats)))
+
+
+@lru_cache(maxsize=4096)
+def _names(cat: str, value: str, form: str) -> tuple[str, ...]:
+    """All names of a term in the rows."""
+    named = f"{cat}/{value}"
+    return cat, named, f"{cat}.{form}", f"{named}.{form}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +104,6 @@ class _Row:
         """Whether the words around a term are those of the row."""
         if self.single and term.j - term.i != 1:
             return False
-        if self.at is not None and not self.at.fits_term(term, tokens):
-            return False
         if self.ends and tokens[term.j - 1].low not in self.ends:
             return False
         for back, item in enumerate(self.before, 1):
@@ -97,36 +128,6 @@ def _ago(item: _Item, terms: list[Term], tokens: list[Token]) -> bool:
     return False
 
 
-def _is(atom: str, term: Term | None, tokens: list[Token]) -> bool:
-    if term is None:
-        return atom == "^"
-    if atom[0] == "=":
-        return atom[1:] in {tokens[term.i].low, tokens[term.j - 1].low}
-    if atom[0] == "+":
-        return tokens[term.i].base == atom[1:]
-    if atom[0] == "#":
-        return (term.cat, term.value) == ("quantity", atom[1:])
-    named, _, form = atom.partition(".")
-    cat, _, value = named.partition("/")
-    return term.cat == cat and value in {"", term.value} and form in {"", term.form}
-
-
-def _begins(atom: str, tokens: list[Token], j: int, match: Match | None) -> bool:
-    if j >= len(tokens):
-        return atom == "$"
-    if atom[0] == "=":
-        return tokens[j].low == atom[1:]
-    if atom[0] == "+":
-        return tokens[j].base == atom[1:]
-    if atom[0] == ":":
-        return tokens[j].kind == atom[1:]
-    if atom[0] == "#":
-        quantity = quantity_at(tokens, j)
-        return quantity is not None and quantity.dimension == atom[1:]
-    cat, _, form = atom.partition(".")
-    return match is not None and match.has(cat) and form in {"", match.form}
-
-
 @lru_cache(maxsize=1)
 def _rows() -> dict[str, tuple[tuple[int, _Row], ...]]:
     """First word, or what the term is -> the rows that may fit, by their place in the file."""
@@ -141,10 +142,10 @@ def _rows() -> dict[str, tuple[tuple[int, _Row], ...]]:
 
 @lru_cache(maxsize=8192)
 def _candidates(low: str, lemma: str, cat: str, value: str, form: str) -> tuple[_Row, ...]:
-    named = f"{cat}/{value}"
-    keys = (f"={low}", f"+{lemma}", cat, named, f"{cat}.{form}", f"{named}.{form}")
-    found = [pair for key in keys for pair in _rows().get(key, ())]
-    return tuple(row for _, row in sorted(found, key=lambda pair: pair[0]))
+    names = _names(cat, value, form)
+    found = [pair for key in (f"={low}", f"+{lemma}", *names) for pair in _rows().get(key, ())]
+    rows = [row for _, row in sorted(found, key=lambda pair: pair[0])]
+    return tuple(row for row in rows if row.at is None or row.at.fits_name(names))
 
 
 def in_context(term: Term, terms: list[Term], tokens: list[Token]) -> Term:

@@ -13,14 +13,11 @@ def without_emptiness(tokens: list[Token]) -> list[Token]:
     Args:
         tokens: of the text.
     """
-    empty = {m for k in range(len(tokens)) for m in range(k, k + _empty(tokens, k))}
-    return [token for k, token in enumerate(tokens) if k not in empty]
-
-
-def _empty(tokens: list[Token], k: int) -> int:
-    if tokens[k].low == "of":
-        return _room(tokens, k)
-    return _stress(tokens, k) if tokens[k].low in word_list("being") else 0
+    being = word_list("being")
+    counts = {k: _room(tokens, k) for k, token in enumerate(tokens) if token.low == "of"}
+    counts |= {k: _stress(tokens, k) for k, token in enumerate(tokens) if token.low in being}
+    empty = {m for k, count in counts.items() for m in range(k, k + count)}
+    return [token for k, token in enumerate(tokens) if k not in empty] if empty else tokens
 
 
 def _room(tokens: list[Token], k: int) -> int:

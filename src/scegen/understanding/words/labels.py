@@ -22,9 +22,9 @@ def named_at(tokens: list[Token], i: int) -> Term | None:
         tokens: the tokens of the text.
         i: where it may begin.
     """
-    if i + 1 < len(tokens) and tokens[i + 1].kind == "number" and quantity_at(tokens, i + 1):
-        return None  # "v0 = 60 km/h"
-    return _labelled(tokens[i], i) or _road_number(tokens, i) or _aged(tokens, i)
+    named = _labelled(tokens[i], i) or _road_number(tokens, i) or _aged(tokens, i)
+    numbered = named is not None and i + 1 < len(tokens) and tokens[i + 1].kind == "number"
+    return None if numbered and quantity_at(tokens, i + 1) else named  # "v0 = 60 km/h"
 
 
 def _labelled(token: Token, i: int) -> Term | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
+from functools import lru_cache
 
 from scegen.errors import InputError
 from scegen.understanding.lexicon import load, word_lists
@@ -12,6 +13,16 @@ _ENGLISH = "English"
 _FEWEST = 3
 _HALF = 0.5
 _HINT = "Describe the situation in English, for example 'Two cars meet at a T-junction.'"
+
+
+@lru_cache(maxsize=1)
+def _languages() -> dict[str, list[str]]:
+    """A word -> the languages in which it stands in nearly every sentence."""
+    found: dict[str, list[str]] = {}
+    for name, common in word_lists("languages").items():
+        for word in common:
+            found.setdefault(word, []).append(name)
+    return found
 
 
 def require_english(tokens: list[Token], text: str) -> None:
@@ -30,10 +41,10 @@ def require_english(tokens: list[Token], text: str) -> None:
         msg = "the description is not written in Latin letters; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
-    counts = {
-        name: sum(map(common.__contains__, words))
-        for name, common in word_lists("languages").items()
-    }
+    counts = dict.fromkeys(word_lists("languages"), 0)
+    for word in words:
+        for name in _languages().get(word, ()):
+            counts[name] += 1
     english = counts.pop(_ENGLISH)
     likeliest = max(counts, key=lambda name: counts[name])
     if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:

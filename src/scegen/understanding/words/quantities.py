@@ -49,7 +49,7 @@ class Quantity:
     def exact(self) -> Interval:
         """The range of the numbers themselves."""
         low, high = min(p.low for p in self.parts), max(p.high for p in self.parts)
-        return Interval(low=low, high=high)
+        return Interval(low=low, high=high) if len(self.parts) > 1 else self.parts[0]
 
 
 def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
@@ -81,11 +81,12 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     """
     if tokens[i].kind != "number" and tokens[i].low not in OPENS:
         return None
-    share = share_at(tokens, i)
+    spelled = tokens[i].kind != "number"
+    share = share_at(tokens, i) if spelled else None
     if share is not None:
         return _build(tokens, i, i + share.length, [share.value], "percentage")
     opened = tokens[i].low == "between" and i + 1 < len(tokens)
-    first = _fraction(tokens, i) or number_at(tokens, i + opened)
+    first = (_fraction(tokens, i) if spelled else None) or number_at(tokens, i + opened)
     if first is None:
         return None
     j = i + opened + first.length
@@ -184,7 +185,7 @@ def _si(value: float, dimension: str, unit: str) -> float:
 def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: str) -> Quantity:
     low, high = min(values), max(values)
     parts = tuple(Interval(low=v, high=v) for v in values)
-    value, note = Interval(low=low, high=high), None
+    value, note = parts[0] if len(parts) == 1 else Interval(low=low, high=high), None
     before, last = low_at(tokens, i - 2), low_at(tokens, i - 1)
     than = last == "than"
     denied = low_at(tokens, i - 3) in {"no", "not"}  # "no less than 1.5 m"

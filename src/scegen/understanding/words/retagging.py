@@ -75,6 +75,8 @@ def _number_of_a_lane(term: Term, terms: list[Term], tokens: list[Token]) -> Ter
 
     The number one lane is the one at the centre line.
     """
+    if term.cat not in {"label", "place", "num"}:
+        return term
     two_lane = term.cat == "label" and tokens[term.j - 1].low == "lane"
     number = number_at(tokens, term.i) if two_lane else None
     if number is not None and terms and _numbers(terms[-1], tokens):

@@ -13,7 +13,7 @@ from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
 _FARTHEST = 8
-_GENITIVES = frozenset({"'s", "'"})
+GENITIVES = frozenset({"'s", "'"})
 
 
 def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | None:
@@ -28,7 +28,7 @@ def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | 
     for end in range(term.i + 2, min(term.i + _FARTHEST, len(tokens))):
         if tokens[end].kind == "punct":
             return None
-        if tokens[end].low in _GENITIVES:
+        if tokens[end].low in GENITIVES:
             break
     else:
         return None

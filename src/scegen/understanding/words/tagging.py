@@ -21,7 +21,7 @@ from scegen.understanding.words.particles import (
 )
 from scegen.understanding.words.quantities import OPENS, quantity_at
 from scegen.understanding.words.retagging import retag
-from scegen.understanding.words.somebodys import around_somebody
+from scegen.understanding.words.somebodys import GENITIVES, around_somebody
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 from scegen.understanding.words.unknown_drivers import who_drive
@@ -94,6 +94,7 @@ def tag(tokens: list[Token]) -> list[Term]:
     terms: list[Term] = []
     i = 0
     tails: dict[int, int] = {}
+    owned = any(token.low in GENITIVES for token in tokens)
     while i < len(tokens):
         if i in tails:
             terms.append(Term("inert", "noun", i, tails[i]))
@@ -102,7 +103,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
-        held = around_somebody(tokens, term)
+        held = around_somebody(tokens, term) if owned else None
         if held is not None:
             term, tail, end = held
             tails[tail] = end
@@ -180,26 +181,34 @@ def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
-    token = tokens[i]
     match = longest_match(tokens, i)
-    if match and (
+    if match is not None and match.j > i + 1:
+        match = _cut_down(match, tokens, i, previous)
+    verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
+    no_verb = match is not None and nothing_shed(tokens, match)
+    return None if verbal or no_verb else match  # "boxed in"
+
+
+def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term | None) -> Match | None:
+    """A phrase of several words without those that belong to what follows."""
+    token = tokens[i]
+    if (
         (token.low in _STEERED and tokens[match.j - 1].low == "by")  # "driven by a student"
         or (token.low == "right" and match.only("sub") and _turning(previous))
         or _is_clause(match, tokens, i, previous)
     ):
-        match = longest_match(tokens, i, i + 1)
-    if match and match.j > i + 1 and (then_a_noun(tokens, match) or over_a_place(tokens, match)):
-        match = longest_match(tokens, i, match.j - 1)
-    if match and match.j > i + 1 and match.only("verb", "aux") and _needs_infinitive(tokens, match):
-        match = longest_match(tokens, i, match.j - 1) or match
-    compound = match is not None and match.j > i + 1 and match.only(*_NOUNS)
-    if compound and any(form == "s" for _, form in token.forms):
-        match = longest_match(tokens, i, i + 1)  # "two pedestrians crossing", no crossing
-    if match and match.j > i + 1 and match.form in {"ed", "ing"} and match.only(*_NOUNS):
-        match = longest_match(tokens, i, match.j - 1)  # "a car parked", no car park
-    verbal = match is not None and match.form in {"ed", "ing"} and match.only("thing", "actor")
-    no_verb = match is not None and nothing_shed(tokens, match)
-    return None if verbal or no_verb else match  # "boxed in"
+        return longest_match(tokens, i, i + 1)
+    cut: Match | None = match
+    if then_a_noun(tokens, match) or over_a_place(tokens, match):
+        cut = longest_match(tokens, i, match.j - 1)
+    if cut and cut.j > i + 1 and cut.only("verb", "aux") and _needs_infinitive(tokens, cut):
+        cut = longest_match(tokens, i, cut.j - 1) or cut
+    if cut is None or cut.j == i + 1 or not cut.only(*_NOUNS):
+        return cut
+    if any(form == "s" for _, form in token.forms):
+        return longest_match(tokens, i, i + 1)  # "two pedestrians crossing", no crossing
+    participle = cut.form in {"ed", "ing"}  # "a car parked", no car park
+    return longest_match(tokens, i, cut.j - 1) if participle else cut
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from scegen.understanding.lexicon import Entry, load, word_list
 from scegen.understanding.lexicon.loader import Node
@@ -77,11 +77,31 @@ def begins(tokens: list[Token], i: int, *cats: str) -> bool:
     return match is not None and match.has(*cats)
 
 
+class _Phrase(NamedTuple):
+    """What ends at some nodes: all meanings, the form, the classes."""
+
+    entries: tuple[Entry, ...]
+    form: str
+    cats: frozenset[str]
+
+
 @lru_cache(maxsize=8192)
-def _begins_nothing(word: str) -> bool:
-    """Whether no phrase of the lexicon begins with a form of a word."""
+def _opening(word: str) -> tuple[list[tuple[Node, str]], _Phrase | None, frozenset[str]]:
+    """Where phrases go on behind a word, what it is alone, and which words may follow."""
     following = load().root.following
-    return not any(base in following for base, _ in lemmas(word)) and "~" not in following
+    states = [(following[base], form) for base, form in lemmas(word) if base in following]
+    if "~" in following and word in word_list("whose"):
+        states.append((following["~"], "base"))
+    return states, _ending(states), frozenset(w for node, _ in states for w in node.following)
+
+
+def _ending(states: list[tuple[Node, str]]) -> _Phrase | None:
+    ends = [state for state in states if state[0].entries]
+    if len(ends) < 2:
+        return next((_Phrase(node.entries, form, node.cats) for node, form in ends), None)
+    entries = tuple([entry for node, _ in ends for entry in node.entries])
+    cats = frozenset[str]().union(*(node.cats for node, _ in ends))
+    return _Phrase(entries, next((form for _, form in ends if form != "base"), "base"), cats)
 
 
 def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match | None:
@@ -98,11 +118,12 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
         The phrase, or None where none begins, as behind the last token.
     """
     last = len(tokens) if end is None else min(end, len(tokens))
-    if i >= last or _begins_nothing(tokens[i].low):
+    if i >= last:
         return None
-    best: list[tuple[Node, str]] = []
-    best_j = j = i
-    states = [(load().root, "base")]
+    states, best, more = _opening(tokens[i].low)
+    best_j = j = i + 1
+    if j < last and "~" not in more and more.isdisjoint([base for base, _ in tokens[j].forms]):
+        states = []
     while states and j < last:
         token = tokens[j]
         j += 1
@@ -114,15 +135,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
                     reached.append((following[base], inflection if form == "base" else form))
             if "~" in following and token.low in word_list("whose"):
                 reached.append((following["~"], form))
-        states = reached
-        ends = [state for state in reached if state[0].entries]
-        if ends:
-            best, best_j = ends, j
-    if not best:
-        return None
-    if len(best) == 1:
-        node, form = best[0]
-        return Match(node.entries, best_j, form, node.cats)
-    entries = tuple([entry for node, _ in best for entry in node.entries])
-    cats = frozenset[str]().union(*(node.cats for node, _ in best))
-    return Match(entries, best_j, next((form for _, form in best if form != "base"), "base"), cats)
+        states, ended = reached, _ending(reached)
+        if ended is not None:
+            best, best_j = ended, j
+    return Match(best.entries, best_j, best.form, best.cats) if best is not None else None

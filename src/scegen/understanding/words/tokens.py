@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from unicodedata import normalize
 
 from scegen.understanding.lexicon import abbreviations, load
@@ -94,7 +95,7 @@ def tokenize(text: str) -> list[Token]:
     points = set[int]()
     if _WITHIN.search(text):
         points = {m.start(m.lastindex or 0) for m in _LETTERS.finditer(text)}
-    known, shortened = load().words, abbreviations()
+    shortened = abbreviations()
     layout = laid_out(text) if _LAYOUT.search(text) else {}
     for match in _TOKEN.finditer(text):
         start, end = match.span()
@@ -108,18 +109,23 @@ def tokenize(text: str) -> list[Token]:
         if mark is not None:
             found.append(Token(written, mark, start, end, "punct", ((mark, "base"),)))
             continue
-        kind = _KINDS.get(group, group)
-        low = written.lower() if group in _BARE else _spelt(written, group)
-        low = shortened.get(low, low)
-        inflected = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
-        forms = lemmas(low) if inflected else ((low, "base"),)
-        mended = None
-        if kind == "word" and len(forms) == 1 and low not in known:
-            mended = meant(low)  # no form of the word occurs in the lexicon
-        if mended is not None:
-            low, forms = mended, lemmas(mended)
-        found.append(Token(written, low, start, end, kind, forms, mended is not None))
+        low, kind, forms, slip = _read(written, group)
+        found.append(Token(written, low, start, end, kind, forms, slip))
     return found
+
+
+@lru_cache(maxsize=8192)
+def _read(written: str, group: str) -> tuple[str, str, tuple[tuple[str, str], ...], bool]:
+    """A word as it is meant, its kind, its base forms, and whether it is misspelt."""
+    kind = _KINDS.get(group, group)
+    low = written.lower() if group in _BARE else _spelt(written, group)
+    low = abbreviations().get(low, low)
+    inflected = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD
+    forms = lemmas(low) if inflected else ((low, "base"),)
+    mended = None
+    if kind == "word" and len(forms) == 1 and low not in load().words:
+        mended = meant(low)  # no form of the word occurs in the lexicon
+    return (low, kind, forms, False) if mended is None else (mended, kind, lemmas(mended), True)
 
 
 def low_at(tokens: Sequence[Token], i: int) -> str:

@@ -28,6 +28,8 @@ def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
         for k, t in enumerate(terms)
         if _is_letter(t, tokens) and (t.value != "indef" or _stands_alone(terms, k))
     }
+    if not letters:
+        return terms
     used = set(letters.values())
     found = list(terms)
     for k, letter in letters.items():
@@ -39,8 +41,9 @@ def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
 
 def _is_letter(term: Term, tokens: list[Token]) -> bool:
-    single = term.j - term.i == 1 and bool(_LETTER.match(tokens[term.i].text))
-    return single and (term.cat == "unknown" or (term.cat, term.value) == ("det", "indef"))
+    if term.cat != "unknown" and (term.cat, term.value) != ("det", "indef"):
+        return False
+    return term.j - term.i == 1 and bool(_LETTER.match(tokens[term.i].text))
 
 
 def _stands_alone(terms: list[Term], k: int) -> bool:
@@ -62,8 +65,10 @@ def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:
 
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """``First car stops, second brakes``: the first car, the second."""
-    found: list[Term] = []
     named = {k for k in range(len(terms)) if _names(terms, k, tokens)}
+    if not named:
+        return terms
+    found: list[Term] = []
     for k, term in enumerate(terms):
         word = tokens[term.i].low
         if k in named and (len(named) > 1 or word != "first"):
