@@ -30,7 +30,7 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
     if name in scene.walks:
         begins, walk = leaves_s(scene, name), scene.walks[name]
         if act.kind is ActKind.STOP and walk.stops_after_m is not None:
-            return begins + walk.slows_s(), begins + walk.rests_s()
+            return begins + walk.slows_s(), begins + walk.profile.rests_s(0.0)
         return begins, begins + walk.runs_s(walk.path.length_m)
     if name not in scene.drives:
         return 0.0, 0.0

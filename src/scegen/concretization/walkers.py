@@ -236,7 +236,7 @@ def leaves_s(scene: Setup, name: str) -> float:
         return leaves
     left_m = max(0.0, point.first_s_m - draft.body.front_m - place)  # it brakes from there on
     comes_s = there_s + left_m / max(draft.course.speed_at(place), 1.0)
-    return min(leaves, comes_s - walk.rests_s() - STOOD_S)
+    return min(leaves, comes_s - walk.profile.rests_s(0.0) - STOOD_S)
 
 
 def stop_in_the_way(scene: Setup) -> None:

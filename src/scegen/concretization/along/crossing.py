@@ -6,13 +6,11 @@ from dataclasses import replace
 from itertools import chain
 from math import ceil
 
-import numpy as np
-
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m, strip_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m, gained
+from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
     BEHIND_KERB_M,
@@ -73,7 +71,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     walk.setback_m = max(walk.gains_m + least, setback_m(walk, strip))
     soon_s = _until_met_s(story, walk, meets)
     if soon_s is not None:  # so near that the other does not come by first
-        way = float(gained(pace, walk.rate_mps2, np.array([soon_s]))[0][0]) - to_aim
+        way = walk.going.way_m(soon_s) - to_aim
         nearest = max(strip, body.front_m + BEHIND_KERB_M)
         if way > nearest or story.contact_wanted(participant.id, meets.id):
             walk.setback_m = max(min(walk.setback_m, way), nearest)
@@ -85,7 +83,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     if far is not None:
         walk.stops_after_m = walk.setback_m + far
         if stands:
-            takes = walk.rests_s() + STOOD_S
+            takes = walk.profile.rests_s(0.0) + STOOD_S
     _time(story, walk, meets, takes)
     first = next(iter(story.walks.values()), None)
     if first is not None and crossing.arm in story.functional.junction.crosswalks:
@@ -134,7 +132,7 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
     moment = 0.0 if act is None else walk.sets_off_s
     if act is not None and act is walk.stop:
-        moment += walk.rests_s() if since == "end" else walk.slows_s()
+        moment += walk.profile.rests_s(0.0) if since == "end" else walk.slows_s()
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
     if act is None and not walk.timed:
