@@ -20,7 +20,7 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     STOPPING_MPS2,
 )
-from scegen.concretization.meetings import meeting_point, sampled
+from scegen.concretization.meetings import sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
@@ -90,14 +90,13 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
 
 def back_up_to(scene: Setup, draft: DriveDraft, walk: WalkDraft) -> None:
     """Let it drive past the place where somebody will cross, stop, and go back to it."""
-    point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
-    if point is None:
+    shared = next(iter(grounds(draft.laid.path, draft.body, walk.path, walk.body)), None)
+    if shared is None:
         raise MotionInfeasibleError(
             f"its way and that of {walk.id} do not meet, so it cannot reverse into it",
             where=draft.id,
         )
-    tail_s = point.first_s_m + draft.body.rear_m + walk.body.width_m / 2
-    _up_and_back(scene, draft, tail_s + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
+    _up_and_back(scene, draft, shared.leave_m + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
     draft.backs_to = walk.id
 
 

@@ -19,7 +19,7 @@ def leave_lanes(scene: Setup) -> list[Meeting]:
 
     Dangers first: one that leaves its lane for one reason does all of them in one.
     """
-    meetings: list[Meeting] = []
+    meetings, passing = list[Meeting](), list[Meeting]()
     for draft in scene.drives.values():
         kinds = scene.kinds_by(draft.id)
         for kind in (each for each in LEAVING if each in kinds):
@@ -28,8 +28,8 @@ def leave_lanes(scene: Setup) -> list[Meeting]:
         overtakes = HazardKind.OVERTAKING in kinds
         maneuver = Maneuver.OVERTAKE if overtakes else draft.drive.maneuver
         if maneuver in SIDEWAYS and not draft.lane_changes:
-            meetings += _maneuver(scene, draft, maneuver)
-    return [*meetings, *_side_by_side(scene, meetings)]
+            passing += _maneuver(scene, draft, maneuver)
+    return [*meetings, *passing, *_side_by_side(scene, passing)]
 
 
 def _maneuver(scene: Setup, draft: DriveDraft, maneuver: Maneuver) -> list[Meeting]:
