@@ -13,7 +13,6 @@ from scegen.measures.conflict_areas import least_gap_m
 from scegen.measures.grounds import grounds
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
-from scegen.scenario.bodies import Body
 
 _SAMPLE_M = 1.0
 _OPPOSED = -0.85
@@ -67,18 +66,6 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     )
 
 
-def meeting_point(first: Path, body: Body, second: Path, other_body: Body) -> MeetingPoint | None:
-    """Where two ways that start apart first cross or merge: amid the ground that they share."""
-    ground = next(iter(grounds(first, body, second, other_body)), None)
-    if ground is None:
-        return None
-    one = (ground.enter_m + min(ground.leave_m, first.length_m)) / 2 + body.centre_ahead_m
-    two = (ground.other_enters_m + min(ground.other_leaves_m, second.length_m)) / 2
-    two += other_body.centre_ahead_m
-    turn = first.pose(one).heading_rad - second.pose(two).heading_rad
-    return MeetingPoint(one, two, opposed=cos(turn) < _OPPOSED)
-
-
 def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
     """(arc length, distance) of the place of a path that is nearest to a point."""
     s, x, y, _ = sampled(path)
@@ -90,28 +77,27 @@ def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
 def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
     """Where two drives meet that start in different lanes, as places of their reference points.
 
-    The bodies' centres are to meet, which lie ahead of the reference points; of one who strays and
-    comes back the other comes onto the ground as it has just left it. Of two on one arm nobody
-    changes lanes: they meet where one turns across the other.
+    That is amid the ground that they share; of one who strays and comes back the other comes onto
+    it as it has just left it. Of two on one arm nobody changes lanes: they meet where one turns
+    across the other.
     """
     if first.drive.entry == second.drive.entry:
         together = first.entry_lane == second.entry_lane
         if together or first.lane_changes or second.lane_changes:
             return None
-    ways = first.laid.path, first.body, second.laid.path, second.body
-    point = meeting_point(*ways)
-    if point is None:
+    one, two = first.laid.path, second.laid.path
+    ground = next(iter(grounds(one, first.body, two, second.body)), None)
+    if ground is None:
         return None
-    ground = grounds(*ways)[0]
-    if point.opposed and _comes_back(first):
-        return MeetingPoint(ground.leave_m, ground.other_enters_m, opposed=True)
-    if point.opposed and _comes_back(second):
-        return MeetingPoint(ground.enter_m, ground.other_leaves_m, opposed=True)
-    return MeetingPoint(
-        max(0.0, point.first_s_m - first.body.centre_ahead_m),
-        max(0.0, point.second_s_m - second.body.centre_ahead_m),
-        point.opposed,
-    )
+    first_s_m = (ground.enter_m + min(ground.leave_m, one.length_m)) / 2
+    second_s_m = (ground.other_enters_m + min(ground.other_leaves_m, two.length_m)) / 2
+    turn = one.pose(first_s_m).heading_rad - two.pose(second_s_m).heading_rad
+    opposed = cos(turn) < _OPPOSED
+    if opposed and _comes_back(first):
+        first_s_m, second_s_m = ground.leave_m, ground.other_enters_m
+    elif opposed and _comes_back(second):
+        first_s_m, second_s_m = ground.enter_m, ground.other_leaves_m
+    return MeetingPoint(first_s_m, second_s_m, opposed)
 
 
 def _comes_back(draft: DriveDraft) -> bool:
