@@ -124,7 +124,7 @@ class Profile:
         n = np.maximum(np.searchsorted(ways, ways_m) - 1, 0)
         left, speed = ways_m - ways[n], speeds[n]
         mean = (speed + np.sqrt(np.maximum(speed * speed + 2 * rates[n] * left, 0.0))) / 2
-        return begins[n] + left / np.maximum(mean, 1e-9)
+        return np.asarray(begins[n] + left / np.maximum(mean, 1e-9))
 
     def rests_s(self, after_s: float) -> float:
         """When it first stands from a time on; ``NEVER_S`` if it never does."""
