@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from scegen.concretization.boxes import apart, box_at
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.hazards.parties import same_arm
 from scegen.concretization.limits import (
     CREEP_MPS,
     HARD_BRAKING_MPS2,
@@ -61,47 +62,39 @@ _WAY_ON_M = 0.3
 """The way of one that stays where it has come to ends a little farther on: it has not left."""
 
 
-def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
+def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | None) -> None:
     """Let it stop on its way, stand there, go back on it and drive on.
 
     On another's arm ahead of it; where the ways cross, beyond the other's way.
     """
-    laid, ways = draft.laid, None
-    if other is not None and other.drive.entry != draft.drive.entry:
-        shared = grounds(draft.laid.path, draft.body, other.laid.path, other.body)
-        ways = next(((ground.enter_m, ground.leave_m) for ground in shared), None)
-        if ways is None:
-            raise MotionInfeasibleError(
-                f"its way and that of {other.id} do not touch, so it cannot reverse into it",
-                where=draft.id,
-            )
-    back_m = float(scene.rng.uniform(*_BACK_M))
-    if ways is None:
-        stops_s = laid.path.length_m / 2 + _BEHIND_MIDDLE_M
+    back_m, waits_s = float(scene.rng.uniform(*_BACK_M)), _WAITS_S
+    if other is None or (isinstance(other, DriveDraft) and same_arm(draft, other)):
+        stops_s = draft.laid.path.length_m / 2 + _BEHIND_MIDDLE_M
         if not scene.network.plain:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
-    elif ways[1] < laid.path.length_m - _MERGED_M - _BEFORE_END_M and ways[1] - ways[0] < 40.0:
-        stops_s = ways[1] + _CLEAR_M
-        back_m = min(stops_s - (ways[0] + ways[1]) / 2, _LONGEST_BACK_M)
-    else:
-        stops_s = ways[0] + _MERGED_M + draft.body.length_m
-    _up_and_back(scene, draft, stops_s, back_m)
-
-
-def back_up_to(scene: Setup, draft: DriveDraft, walk: WalkDraft) -> None:
-    """Let it drive past the place where somebody will cross, stop, and go back to it."""
-    shared = next(iter(grounds(draft.laid.path, draft.body, walk.path, walk.body)), None)
+        _up_and_back(scene, draft, stops_s, back_m, waits_s)
+        return
+    way = other.path if isinstance(other, WalkDraft) else other.laid.path
+    shared = next(iter(grounds(draft.laid.path, draft.body, way, other.body)), None)
     if shared is None:
         raise MotionInfeasibleError(
-            f"its way and that of {walk.id} do not meet, so it cannot reverse into it",
+            f"its way and that of {other.id} do not touch, so it cannot reverse into it",
             where=draft.id,
         )
-    _up_and_back(scene, draft, shared.leave_m + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
-    draft.backs_to = walk.id
+    enters, leaves = shared.enter_m, shared.leave_m
+    if isinstance(other, WalkDraft):
+        stops_s, back_m, waits_s = leaves + _PAST_M, _PAST_M - _ROOM_M, _GOES_AT_ONCE_S
+        draft.backs_to = other.id
+    elif leaves < draft.laid.path.length_m - _MERGED_M - _BEFORE_END_M and leaves - enters < 40.0:
+        stops_s = leaves + _CLEAR_M
+        back_m = min(stops_s - (enters + leaves) / 2, _LONGEST_BACK_M)
+    else:
+        stops_s = enters + _MERGED_M + draft.body.length_m
+    _up_and_back(scene, draft, stops_s, back_m, waits_s)
 
 
 def _up_and_back(
-    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float = _WAITS_S
+    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float
 ) -> None:
     laid = draft.laid
     station = laid.station_m(stops_s)

@@ -13,7 +13,6 @@ from math import hypot
 from scegen.concretization.backing import (
     back_out,
     back_up,
-    back_up_to,
     brakes_from,
     in_each_others_way,
 )
@@ -99,18 +98,16 @@ def reverse(scene: Setup) -> list[Meeting]:
     for hazard, draft, other in _each(scene):
         if draft.reversal is not None:
             continue
-        crossing = [n for h in scene.functional.hazards if draft.id in h.to for n in h.by]
         if draft.drive.reverses is Reverses.SQUARE and other is not None:
             met = back_straight_out(scene, draft, other)
             meetings.append(met or _braked_for(draft, other))
             continue
-        walk = next((n for n in (*hazard.to, *crossing) if n in scene.walks), None)
         if other is not None and draft.drive.reverses not in {None, Reverses.BACKS_UP}:
             back_out(scene, draft)
-        elif other is None and walk is not None:
-            back_up_to(scene, draft, scene.walks[walk])
         else:
-            back_up(scene, draft, other)
+            crossing = (n for h in scene.functional.hazards if draft.id in h.to for n in h.by)
+            walks = (scene.walks[n] for n in (*hazard.to, *crossing) if n in scene.walks)
+            back_up(scene, draft, other or next(walks, None))
         if other is not None:
             meetings.append(_braked_for(draft, other))
     return meetings
