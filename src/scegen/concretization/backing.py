@@ -54,7 +54,6 @@ _BEHIND_MIDDLE_M = 10.0
 _TIGHTEST = 1.7
 """Radius of a tight turn in wheelbases, at 30 degrees of steering."""
 _ROOM_M = 0.5
-_SAMPLE_M = 0.1
 _OUT_OF_ARM_M = 2.0
 _BEFORE_END_M = 15.0
 _REACH_M = 60.0
@@ -107,7 +106,7 @@ def _up_and_back(
     rest_s, ends_s = draft.laid.path.backwards[0]
     hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
     rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
-    begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
+    begins = draft.course.profile.brakes_from_m(rest_s - _CREEPS_M, CREEP_MPS, rate)
     require_room(draft.id, begins, _LEAST_RUN_UP_M)
     draft.alone_s_m = (begins, ends_s + _ROOM_M)
     draft.marks.append(SpeedChange(CREEP_MPS, rate, s_m=begins))
@@ -199,15 +198,6 @@ def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     draft.marks.append(SpeedChange(CREEP_MPS, REVERSING_MPS2, s_m=slows))
     stop = SpeedChange(0.0, _STOPS_MPS2, s_m=_brakes_at(ends_s))
     draft.hold(stop, _PAUSE_S)
-
-
-def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: float) -> float:
-    """Where it has to begin to brake to be that slow at a place; below 0 if it is too late."""
-    s = np.arange(0.0, until_s, _SAMPLE_M)
-    speed = draft.course.profile.at_times(draft.course.times_at(s))[1]
-    spare = until_s - s - np.maximum(speed**2 - to_mps**2, 0.0) / (2 * rate_mps2)
-    in_time = np.flatnonzero(spare >= 0.0)
-    return float(s[in_time[-1]]) if in_time.size else float(spare.max())
 
 
 def _brakes_at(rest_s: float) -> float:

@@ -142,20 +142,7 @@ class _Driving:
             slower = act.sort is Sort.ACT and act.target_mps <= mark.target_mps
             if slower and act.s_m + change / (2 * act.rate_mps2) <= mark.by_m:
                 return mark.by_m
-        return max(mark.by_m - change / (2 * mark.rate_mps2), self._gaining_m(mark))
-
-    def _gaining_m(self, mark: SpeedChange) -> float:
-        """Where one who still gains speed must begin to slow down; 0 if it does not."""
-        if not self.phases:
-            return 0.0
-        speed, place = self.profile.speed_mps(self.ready_s), self.profile.way_m(self.ready_s)
-        gains, slows = self.phases[-1].rate_mps2, mark.rate_mps2
-        if self.target <= speed + _SAME_MPS:
-            return 0.0
-        left = 2 * slows * (mark.by_m - place) - speed**2 + mark.target_mps**2
-        further = max(0.0, left / (2 * (gains + slows)))
-        gained = (self.target**2 - speed**2) / (2 * gains)
-        return place + further if further < gained else 0.0
+        return max(self.profile.brakes_from_m(mark.by_m, mark.target_mps, mark.rate_mps2), 0.0)
 
     def _change(self, mark: SpeedChange, begins_s: float, target_mps: float) -> None:
         stood_s = mark.then_s if self.profile.speed_mps(begins_s) < _SAME_MPS else None

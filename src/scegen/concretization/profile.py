@@ -126,6 +126,19 @@ class Profile:
         mean = (speed + np.sqrt(np.maximum(speed * speed + 2 * rates[n] * left, 0.0))) / 2
         return np.asarray(begins[n] + left / np.maximum(mean, 1e-9))
 
+    def brakes_from_m(self, by_m: float, to_mps: float, rate_mps2: float) -> float:
+        """Where it has to begin to brake to be that slow at a place; below 0 if it is too late."""
+        found = by_m
+        for _, way, speed, rate in reversed(self._phases):
+            # The square of a speed changes evenly with the way.
+            if rate + rate_mps2 > 1e-9:
+                found = way + (rate_mps2 * (by_m - way) - (speed**2 - to_mps**2) / 2) / (
+                    rate + rate_mps2
+                )
+            if found >= way:
+                break
+        return min(found, by_m)
+
     def rests_s(self, after_s: float) -> float:
         """When it first stands from a time on; ``NEVER_S`` if it never does."""
         standing = (t for t, _, speed, rate in self._phases if abs(speed) + abs(rate) < 1e-9)

@@ -13,7 +13,6 @@ from math import hypot
 from scegen.concretization.backing import (
     back_out,
     back_up,
-    brakes_from,
     in_each_others_way,
 )
 from scegen.concretization.drafts import DriveDraft
@@ -128,7 +127,8 @@ def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     course = draft.course
     sees_s = course.time_at(begins_s + _BEGINS_M) + _SEEN_S
     event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
-    brakes_s = brakes_from(other, stops_s, other.braking_mps2(_BRAKING_MPS2), 0.0)
+    rate = other.braking_mps2(_BRAKING_MPS2)
+    brakes_s = other.course.profile.brakes_from_m(stops_s, 0.0, rate)
     require_room(other.id, brakes_s, _LEAST_RUN_UP_M)
     reason = "reversing: brakes when it comes back"
     return Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason)
