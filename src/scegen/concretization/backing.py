@@ -21,12 +21,11 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     STOPPING_MPS2,
 )
-from scegen.concretization.meetings import sampled
+from scegen.concretization.meetings import first_ground, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.errors import MotionInfeasibleError
-from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Array
 from scegen.motion.standing import side_sign
@@ -68,13 +67,12 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | Non
     """
     back_m, waits_s = float(scene.rng.uniform(*_BACK_M)), _WAITS_S
     if other is None or (isinstance(other, DriveDraft) and same_arm(draft, other)):
-        stops_s = draft.laid.path.length_m / 2 + _BEHIND_MIDDLE_M
+        stops_s = draft.path.length_m / 2 + _BEHIND_MIDDLE_M
         if not scene.network.plain:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
         _up_and_back(scene, draft, stops_s, back_m, waits_s)
         return
-    way = other.path if isinstance(other, WalkDraft) else other.laid.path
-    shared = next(iter(grounds(draft.laid.path, draft.body, way, other.body)), None)
+    shared = first_ground(draft, other)
     if shared is None:
         raise MotionInfeasibleError(
             f"its way and that of {other.id} do not touch, so it cannot reverse into it",
@@ -84,7 +82,7 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | Non
     if isinstance(other, WalkDraft):
         stops_s, back_m, waits_s = leaves + _PAST_M, _PAST_M - _ROOM_M, _GOES_AT_ONCE_S
         draft.backs_to = other.id
-    elif leaves < draft.laid.path.length_m - _MERGED_M - _BEFORE_END_M and leaves - enters < 40.0:
+    elif leaves < draft.path.length_m - _MERGED_M - _BEFORE_END_M and leaves - enters < 40.0:
         stops_s = leaves + _CLEAR_M
         back_m = min(stops_s - (enters + leaves) / 2, _LONGEST_BACK_M)
     else:
@@ -103,7 +101,7 @@ def _up_and_back(
     draft.lay(scene.network)
     scene.note(f"{draft.id}.reversal.from_m", station, "reversing: stops here and goes back")
     # Brake to creeping, creep, stand: at the place from which it goes back.
-    rest_s, ends_s = draft.laid.path.backwards[0]
+    rest_s, ends_s = draft.path.backwards[0]
     hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
     rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
     begins = draft.course.profile.brakes_from_m(rest_s - _CREEPS_M, CREEP_MPS, rate)
@@ -129,7 +127,7 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
         back = BacksOut(side=side, setback_m=setback, radius_m=radius)
         _come_to(scene, draft, _BEFORE_END_M, back)
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
-    draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
+    draft.alone_s_m = (0.0, draft.path.backwards[0][1] + _ROOM_M)
     _go_back(scene, draft, _WAITS_S)
 
 
@@ -162,7 +160,7 @@ def _come_to(scene: Setup, draft: DriveDraft, before_m: float, back: BacksOut) -
 
 def back_straight(scene: Setup, draft: DriveDraft, speed: float, stop: SpeedChange) -> float:
     """Stand, go back and stop before the way ends; returns where it begins to."""
-    begins_s, ends_s = draft.laid.path.backwards[0]
+    begins_s, ends_s = draft.path.backwards[0]
     scene.note(f"{draft.id}.reversal.setback_m", ends_s - begins_s, "reversing: comes so far back")
     draft.alone_s_m = (0.0, ends_s + _ROOM_M)
     act = scene.first_act(draft.id, ActKind.REVERSE)
@@ -184,7 +182,7 @@ def reversing_mps(scene: Setup, draft: DriveDraft) -> float:
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     """Stand, go back, stop where the way back ends, pause, and drive on."""
-    begins_s, ends_s = draft.laid.path.backwards[0]
+    begins_s, ends_s = draft.path.backwards[0]
     said = scene.functional.participant(draft.id).speed_mps
     speed = said.middle if said is not None else float(scene.rng.uniform(*REVERSING_MPS))
     if said is None:
@@ -208,7 +206,7 @@ def in_each_others_way(
     draft: DriveDraft, other: DriveDraft
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Places of the one and of the other (see ``sampled``), and whether bodies touch there."""
-    (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
+    (s, *own), (its, *theirs) = sampled(draft.path), sampled(other.path)
     x, y, heading = (row[:, None] for row in own)
     x2, y2, heading2 = (row[None, :] for row in theirs)
     still = np.zeros(1)

@@ -108,7 +108,7 @@ def _index(places_m: Array, place_m: float) -> int:
 
 def _in_time(one: DriveDraft, other: DriveDraft) -> Iterator[Ground]:
     a, b = one.course, other.course
-    for ground in grounds(one.laid.path, one.body, other.laid.path, other.body):
+    for ground in grounds(one.path, one.body, other.path, other.body):
         yield Ground(*map(_when_s, (a, a, b, b), ground))
 
 
@@ -118,10 +118,10 @@ def _along(one: DriveDraft, other: DriveDraft) -> Iterator[Line]:
     begins = [(0.0, 0.0)] if one.drive.entry == other.drive.entry else []
     begins += [
         (ground.enter_m + a.front_m, ground.other_enters_m + b.front_m)
-        for ground in grounds(one.laid.path, a, other.laid.path, b)
+        for ground in grounds(one.path, a, other.path, b)
     ]
     for one_m, other_m in begins:
-        length = _along_m(one.laid.path, one_m, other.laid.path, other_m)
+        length = _along_m(one.path, one_m, other.path, other_m)
         length = min(length, one.exit_s_m + _BEYOND_M - one_m)
         if length > 0.0:
             s = np.append(np.arange(0.0, length, _STEP_M), length)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.aside import LEAVING, come_into_lane, leave_lane
+from scegen.concretization.hazards.aside import ASIDE, come_into_lane, leave_lane
 from scegen.concretization.hazards.parties import ahead_on_arm, same_arm
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.passing import pass_drive
@@ -22,7 +22,7 @@ def leave_lanes(scene: Setup) -> list[Meeting]:
     meetings, passing = list[Meeting](), list[Meeting]()
     for draft in scene.drives.values():
         kinds = scene.kinds_by(draft.id)
-        for kind in (each for each in LEAVING if each in kinds):
+        for kind in (each for each in ASIDE if each in kinds):
             if not draft.lane_changes:
                 meetings += leave_lane(scene, draft, kind)
         overtakes = HazardKind.OVERTAKING in kinds

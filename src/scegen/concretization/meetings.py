@@ -5,14 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import pairwise
 from math import cos
+from typing import Protocol
 
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.measures.conflict_areas import least_gap_m
-from scegen.measures.grounds import grounds
+from scegen.measures.grounds import Ground, grounds
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
+from scegen.scenario.bodies import Body
 
 _SAMPLE_M = 1.0
 _OPPOSED = -0.85
@@ -53,6 +55,16 @@ class MeetingPoint:
     opposed: bool = False
 
 
+class OnItsWay(Protocol):
+    """One with a body and a way, however it moves on it."""
+
+    body: Body
+
+    @property
+    def path(self) -> Path:
+        """Its way as a line."""
+
+
 @remembered
 def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     """s, x, y and heading about every metre."""
@@ -74,6 +86,11 @@ def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
     return float(s[i]), float(gaps[i])
 
 
+def first_ground(one: OnItsWay, other: OnItsWay) -> Ground | None:
+    """The first ground that the bodies of two use on their ways; None if they share none."""
+    return next(iter(grounds(one.path, one.body, other.path, other.body)), None)
+
+
 def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
     """Where two drives meet that start in different lanes, as places of their reference points.
 
@@ -85,8 +102,8 @@ def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
         together = first.entry_lane == second.entry_lane
         if together or first.lane_changes or second.lane_changes:
             return None
-    one, two = first.laid.path, second.laid.path
-    ground = next(iter(grounds(one, first.body, two, second.body)), None)
+    one, two = first.path, second.path
+    ground = first_ground(first, second)
     if ground is None:
         return None
     first_s_m = (ground.enter_m + min(ground.leave_m, one.length_m)) / 2
@@ -107,7 +124,7 @@ def _comes_back(draft: DriveDraft) -> bool:
 
 def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
     """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
-    _, x1, y1, _ = sampled(first.laid.path)
-    _, x2, y2, _ = sampled(second.laid.path)
+    _, x1, y1, _ = sampled(first.path)
+    _, x2, y2, _ = sampled(second.path)
     wide_m = (first.body.width_m + second.body.width_m) / 2
     return least_gap_m(x1, y1, x2, y2, wide_m) < wide_m

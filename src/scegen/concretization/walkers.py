@@ -8,10 +8,11 @@ from typing import NamedTuple
 
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.meetings import first_ground
 from scegen.concretization.others import STOPS_SHORT_M, WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of
-from scegen.measures.grounds import Ground, grounds
+from scegen.measures.grounds import Ground
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
@@ -170,7 +171,8 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
 def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, Ground] | None:
     """The drive into whose way a walker steps, and the ground that both use."""
     for draft in scene.concerned(walk.id):
-        for shared in grounds(draft.laid.path, draft.body, walk.path, walk.body)[:1]:
+        shared = first_ground(draft, walk)
+        if shared is not None:
             return draft, shared
     return None
 
@@ -184,7 +186,7 @@ def rendezvous(
     Behind one that reverses it is where the tail will be.
     """
     if draft.backs_to == walk.id:
-        begins_s, ends_s = draft.laid.path.backwards[0]
+        begins_s, ends_s = draft.path.backwards[0]
         return (begins_s + ends_s) / 2, (shared.other_enters_m + shared.other_leaves_m) / 2
     way, place = aim_m(scene, walk, _met_at(draft, walk, shared)), max(1.0, shared.enter_m)
     if scene.contact_wanted(walk.id, draft.id):
@@ -202,7 +204,7 @@ def rendezvous(
 
 def _met_at(draft: DriveDraft, walk: WalkDraft, shared: Ground) -> Met:
     """How a walker is met by a drive whose front comes to its line."""
-    there, kerb = draft.laid.path.pose(shared.enter_m), walk.path.pose(0.0)
+    there, kerb = draft.path.pose(shared.enter_m), walk.path.pose(0.0)
     across, heading = sin(kerb.heading_rad - there.heading_rad), there.heading_rad
     if abs(across) < _CROSSES:
         middle_m = (shared.other_enters_m + min(shared.other_leaves_m, walk.path.length_m)) / 2

@@ -13,7 +13,6 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
-    BEHIND_KERB_M,
     OWES,
     STOOD_S,
     Met,

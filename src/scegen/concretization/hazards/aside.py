@@ -36,7 +36,7 @@ _IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
 _BEND_RAD = 0.35
 _ABRUPT = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.SUDDEN_TURN})
-LEAVING = (
+ASIDE = (
     HazardKind.SUDDEN_TURN,
     HazardKind.CUT_IN,
     HazardKind.ONCOMING_LANE,
@@ -68,7 +68,7 @@ def leave_lane(scene: Setup, draft: DriveDraft, kind: HazardKind) -> list[Meetin
         return come_into_lane(scene, draft, along[0], kind) if wide else []
     if kind is HazardKind.ONCOMING_LANE and blocking_m(scene, draft):
         return []  # it strays round that one
-    heading = draft.laid.path.heading_rad
+    heading = draft.path.heading_rad
     if kind is HazardKind.SUDDEN_TURN and abs(heading - heading[0]).max() > _BEND_RAD:
         return []  # it turns; where there is no bend, it turns the wheel all the same
     return _out_and_back(scene, draft, along, kind)
@@ -97,8 +97,8 @@ def _in_ring(
     end_s = culprit.laid.path_s_m(end_m)
     target = scene.road.ring_lanes if goes_outwards(scene, culprit) else 1
     move_aside(scene, culprit, target, ends_m=end_m, over_m=length, hazard=kind)
-    pose = culprit.laid.path.pose(end_s)
-    place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
+    pose = culprit.path.pose(end_s)
+    place, apart = nearest_s_m(victim.path, pose.x_m, pose.y_m)
     return [] if apart > _SAME_LINE_M else [close_before(scene, culprit, victim, end_s, place)]
 
 

@@ -115,7 +115,7 @@ def reverse(scene: Setup) -> list[Meeting]:
 def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     """The one is so far when the other has to brake."""
     s, its, touching = in_each_others_way(draft, other)
-    begins_s, ends_s = draft.laid.path.backwards[0]
+    begins_s, ends_s = draft.path.backwards[0]
     back = (s >= begins_s) & (s <= ends_s)
     meets = touching[back]
     if not meets.any():
@@ -141,13 +141,13 @@ def go_back_as_they_come(scene: Setup, meetings: Sequence[Meeting]) -> None:
         square = draft.drive.reverses is Reverses.SQUARE
         # What either does by then may have changed how late the other can brake.
         brakes_s = (met if square else _braked_for(draft, other)).second_s_m
-        begins_s, _ = draft.laid.path.backwards[0]
+        begins_s, _ = draft.path.backwards[0]
         goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
         at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
         speed = other.course.speed_at(at_s)
         if at_s >= brakes_s or speed < 1.0:
             continue
-        here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+        here, there = other.path.pose(at_s), other.path.pose(brakes_s)
         away_m = hypot(there.x_m - here.x_m, there.y_m - here.y_m)
         place_m, time_s = round(brakes_s - other.start_m, 3), round(away_m / speed, 3)
         waits = ArrivalBelow(participant=other.id, place_m=place_m, time_s=time_s)

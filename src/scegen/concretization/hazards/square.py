@@ -13,11 +13,10 @@ from scegen.concretization.amounts import change_of_speed
 from scegen.concretization.backing import back_straight, reversing_mps, stand_square
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import REVERSING_MPS2
-from scegen.concretization.meetings import DANGER, Meeting
+from scegen.concretization.meetings import DANGER, Meeting, first_ground
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
-from scegen.measures.grounds import grounds
 from scegen.scenario.acts import SLOWING
 from scegen.scenario.vocabulary import BodySide
 
@@ -39,15 +38,15 @@ def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Mee
         MotionInfeasibleError: the other does not come past behind it.
     """
     stand_square(scene, draft)
-    path, body, outcome = draft.laid.path, draft.body, scene.functional.outcome
-    shared = next(iter(grounds(path, body, other.laid.path, other.body)), None)
+    path, body, outcome = draft.path, draft.body, scene.functional.outcome
+    shared = first_ground(draft, other)
     if shared is None:
         raise MotionInfeasibleError(f"{other.id} does not come past behind it", where=draft.id)
     # How far it has come when its rear is at the other's way, and beyond it; where the other comes
     # behind it then, which goes to its left or to its right.
     nearest_m, comes_m = shared.enter_m - path.backwards[0][0], shared.other_enters_m
     across_m = nearest_m + other.body.width_m + _ACROSS_M
-    turn = other.laid.path.pose(comes_m).heading_rad - path.pose(0.0).heading_rad
+    turn = other.path.pose(comes_m).heading_rad - path.pose(0.0).heading_rad
     left_of_middle = (0.5 - scene.impact_share) * (1 if sin(turn) > 0 else -1)
     speed, stop = reversing_mps(scene, draft), _stop(scene, draft)
     braking_m, lag_s = speed**2 / (2 * stop.rate_mps2), 0.0
