@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from scegen.concretization.boxes import apart, box_at
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import same_arm
 from scegen.concretization.limits import (
     CREEP_MPS,
     HARD_BRAKING_MPS2,
@@ -66,7 +65,7 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | Non
     On another's arm ahead of it; where the ways cross, beyond the other's way.
     """
     back_m, waits_s = float(scene.rng.uniform(*_BACK_M)), _WAITS_S
-    if other is None or (isinstance(other, DriveDraft) and same_arm(draft, other)):
+    if other is None or (isinstance(other, DriveDraft) and other.drive.entry == draft.drive.entry):
         stops_s = draft.path.length_m / 2 + _BEHIND_MIDDLE_M
         if not scene.network.plain:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
