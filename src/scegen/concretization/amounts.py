@@ -20,6 +20,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Side
 
 OUT_AND_BACK = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
+ASIDE = OUT_AND_BACK | {ActKind.CHANGE_LANE}
 BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
 """The dangers that the braking of who comes up behind somebody may be."""
 CLOSEST_M = 0.65

@@ -20,11 +20,12 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     STOPPING_MPS2,
 )
-from scegen.concretization.meetings import first_ground, sampled
+from scegen.concretization.meetings import meeting_point, sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.errors import MotionInfeasibleError
+from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Array
 from scegen.motion.standing import side_sign
@@ -52,6 +53,7 @@ _BEHIND_MIDDLE_M = 10.0
 _TIGHTEST = 1.7
 """Radius of a tight turn in wheelbases, at 30 degrees of steering."""
 _ROOM_M = 0.5
+_SAMPLE_M = 0.1
 _OUT_OF_ARM_M = 2.0
 _BEFORE_END_M = 15.0
 _REACH_M = 60.0
@@ -59,38 +61,48 @@ _WAY_ON_M = 0.3
 """The way of one that stays where it has come to ends a little farther on: it has not left."""
 
 
-def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | None) -> None:
+def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
     """Let it stop on its way, stand there, go back on it and drive on.
 
     On another's arm ahead of it; where the ways cross, beyond the other's way.
     """
-    back_m, waits_s = float(scene.rng.uniform(*_BACK_M)), _WAITS_S
-    if other is None or (isinstance(other, DriveDraft) and other.drive.entry == draft.drive.entry):
-        stops_s = draft.path.length_m / 2 + _BEHIND_MIDDLE_M
+    laid, ways = draft.laid, None
+    if other is not None and other.drive.entry != draft.drive.entry:
+        shared = grounds(draft.laid.path, draft.body, other.laid.path, other.body)
+        ways = next(((ground.enter_m, ground.leave_m) for ground in shared), None)
+        if ways is None:
+            raise MotionInfeasibleError(
+                f"its way and that of {other.id} do not touch, so it cannot reverse into it",
+                where=draft.id,
+            )
+    back_m = float(scene.rng.uniform(*_BACK_M))
+    if ways is None:
+        stops_s = laid.path.length_m / 2 + _BEHIND_MIDDLE_M
         if not scene.network.plain:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
-        _up_and_back(scene, draft, stops_s, back_m, waits_s)
-        return
-    shared = first_ground(draft, other)
-    if shared is None:
+    elif ways[1] < laid.path.length_m - _MERGED_M - _BEFORE_END_M and ways[1] - ways[0] < 40.0:
+        stops_s = ways[1] + _CLEAR_M
+        back_m = min(stops_s - (ways[0] + ways[1]) / 2, _LONGEST_BACK_M)
+    else:
+        stops_s = ways[0] + _MERGED_M + draft.body.length_m
+    _up_and_back(scene, draft, stops_s, back_m)
+
+
+def back_up_to(scene: Setup, draft: DriveDraft, walk: WalkDraft) -> None:
+    """Let it drive past the place where somebody will cross, stop, and go back to it."""
+    point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
+    if point is None:
         raise MotionInfeasibleError(
-            f"its way and that of {other.id} do not touch, so it cannot reverse into it",
+            f"its way and that of {walk.id} do not meet, so it cannot reverse into it",
             where=draft.id,
         )
-    enters, leaves = shared.enter_m, shared.leave_m
-    if isinstance(other, WalkDraft):
-        stops_s, back_m, waits_s = leaves + _PAST_M, _PAST_M - _ROOM_M, _GOES_AT_ONCE_S
-        draft.backs_to = other.id
-    elif leaves < draft.path.length_m - _MERGED_M - _BEFORE_END_M and leaves - enters < 40.0:
-        stops_s = leaves + _CLEAR_M
-        back_m = min(stops_s - (enters + leaves) / 2, _LONGEST_BACK_M)
-    else:
-        stops_s = enters + _MERGED_M + draft.body.length_m
-    _up_and_back(scene, draft, stops_s, back_m, waits_s)
+    tail_s = point.first_s_m + draft.body.rear_m + walk.body.width_m / 2
+    _up_and_back(scene, draft, tail_s + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
+    draft.backs_to = walk.id
 
 
 def _up_and_back(
-    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float
+    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float = _WAITS_S
 ) -> None:
     laid = draft.laid
     station = laid.station_m(stops_s)
@@ -100,10 +112,10 @@ def _up_and_back(
     draft.lay(scene.network)
     scene.note(f"{draft.id}.reversal.from_m", station, "reversing: stops here and goes back")
     # Brake to creeping, creep, stand: at the place from which it goes back.
-    rest_s, ends_s = draft.path.backwards[0]
+    rest_s, ends_s = draft.laid.path.backwards[0]
     hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
     rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
-    begins = draft.course.profile.brakes_from_m(rest_s - _CREEPS_M, CREEP_MPS, rate)
+    begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
     require_room(draft.id, begins, _LEAST_RUN_UP_M)
     draft.alone_s_m = (begins, ends_s + _ROOM_M)
     draft.marks.append(SpeedChange(CREEP_MPS, rate, s_m=begins))
@@ -126,7 +138,7 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
         back = BacksOut(side=side, setback_m=setback, radius_m=radius)
         _come_to(scene, draft, _BEFORE_END_M, back)
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
-    draft.alone_s_m = (0.0, draft.path.backwards[0][1] + _ROOM_M)
+    draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
     _go_back(scene, draft, _WAITS_S)
 
 
@@ -159,7 +171,7 @@ def _come_to(scene: Setup, draft: DriveDraft, before_m: float, back: BacksOut) -
 
 def back_straight(scene: Setup, draft: DriveDraft, speed: float, stop: SpeedChange) -> float:
     """Stand, go back and stop before the way ends; returns where it begins to."""
-    begins_s, ends_s = draft.path.backwards[0]
+    begins_s, ends_s = draft.laid.path.backwards[0]
     scene.note(f"{draft.id}.reversal.setback_m", ends_s - begins_s, "reversing: comes so far back")
     draft.alone_s_m = (0.0, ends_s + _ROOM_M)
     act = scene.first_act(draft.id, ActKind.REVERSE)
@@ -181,7 +193,7 @@ def reversing_mps(scene: Setup, draft: DriveDraft) -> float:
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     """Stand, go back, stop where the way back ends, pause, and drive on."""
-    begins_s, ends_s = draft.path.backwards[0]
+    begins_s, ends_s = draft.laid.path.backwards[0]
     said = scene.functional.participant(draft.id).speed_mps
     speed = said.middle if said is not None else float(scene.rng.uniform(*REVERSING_MPS))
     if said is None:
@@ -197,6 +209,15 @@ def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     draft.hold(stop, _PAUSE_S)
 
 
+def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: float) -> float:
+    """Where it has to begin to brake to be that slow at a place; below 0 if it is too late."""
+    s = np.arange(0.0, until_s, _SAMPLE_M)
+    speed = np.interp(draft.course.times_at(s), draft.course.time_s, draft.course.speed_mps)
+    spare = until_s - s - np.maximum(speed**2 - to_mps**2, 0.0) / (2 * rate_mps2)
+    in_time = np.flatnonzero(spare >= 0.0)
+    return float(s[in_time[-1]]) if in_time.size else float(spare.max())
+
+
 def _brakes_at(rest_s: float) -> float:
     return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2)
 
@@ -205,7 +226,7 @@ def in_each_others_way(
     draft: DriveDraft, other: DriveDraft
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Places of the one and of the other (see ``sampled``), and whether bodies touch there."""
-    (s, *own), (its, *theirs) = sampled(draft.path), sampled(other.path)
+    (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
     x, y, heading = (row[:, None] for row in own)
     x2, y2, heading2 = (row[None, :] for row in theirs)
     still = np.zeros(1)

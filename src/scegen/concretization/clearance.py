@@ -6,10 +6,10 @@ keeps two apart is a range of differences that is taken: no contact, a headway, 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from math import inf
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -23,8 +23,9 @@ _STEP_M, _ASIDE_M, _NEAR_M = 2.0, 2.0, 1.0
 _BEYOND_M = 100.0
 """Farther behind the junction whoever comes up with another brakes for it."""
 
+T = TypeVar("T")
 Placed = tuple[DriveDraft, float]
-Both = tuple[str, str, Course, Course]
+Known = dict[tuple[str, str], tuple[Course, Course, list[T]]]
 
 
 class Line(NamedTuple):
@@ -48,36 +49,28 @@ class Differences:
     """
 
     begins_s: float
-    _grounds: dict[Both, list[Ground]] = field(default_factory=dict)
-    _lines: dict[Both, list[Line]] = field(default_factory=dict)
+    _grounds: Known[Ground] = field(default_factory=dict)
+    _lines: Known[Line] = field(default_factory=dict)
 
     def grounds_s(self, one: DriveDraft, other: DriveDraft) -> list[Ground]:
         """The grounds of two in times, each on its own clock; inf where one never gets."""
-        both = one.id, other.id, one.course, other.course
-        if both not in self._grounds:
-            self._grounds[both] = list(_in_time(one, other))
-        return self._grounds[both]
-
-    def _lines_of(self, one: DriveDraft, other: DriveDraft) -> list[Line]:
-        both = one.id, other.id, one.course, other.course
-        if both not in self._lines:
-            self._lines[both] = list(_along(one, other))
-        return self._lines[both]
+        return _found(self._grounds, _in_time, (one, other), (one.course, other.course))
 
     def touch(self, one: Placed, two: Placed, room_s: float) -> bool:
         """Whether two so late ever touch, or come so near in time."""
         # What is known of two is kept in one order only.
         (first, first_s), (second, second_s) = (one, two) if one[0].id < two[0].id else (two, one)
+        both, courses = (first, second), (first.course, second.course)
         if any(
             first_s + shared.enter_m < second_s + shared.other_leaves_m + room_s
             and second_s + shared.other_enters_m < first_s + shared.leave_m + room_s
-            for shared in self.grounds_s(first, second)
+            for shared in _found(self._grounds, _in_time, both, courses)
         ):
             return True
-        for line in self._lines_of(first, second):
+        for line in _found(self._lines, _along, both, courses):
             # The one behind starts somewhere on the line; what lies before that is nothing to it.
-            here = _index(line.one_m, first.course.s_at(self.begins_s - first_s))
-            there = _index(line.other_m, second.course.s_at(self.begins_s - second_s))
+            here = _index(line.one_m, courses[0].s_at(self.begins_s - first_s))
+            there = _index(line.other_m, courses[1].s_at(self.begins_s - second_s))
             later_s = second_s - first_s
             if later_s < line.later_s[there] + room_s and -later_s < line.earlier_s[here] + room_s:
                 return True
@@ -86,6 +79,21 @@ class Differences:
     def touches(self, one: Placed, others: Iterable[Placed], room_s: float) -> bool:
         """Whether a drive with this offset touches any of the others."""
         return any(self.touch(one, two, room_s) for two in others if two[0] is not one[0])
+
+
+def _found(
+    known: Known[T],
+    find: Callable[[DriveDraft, DriveDraft], Iterator[T]],
+    both: tuple[DriveDraft, DriveDraft],
+    courses: tuple[Course, Course],
+) -> list[T]:
+    """What was found of two, as long as their courses are the same."""
+    pair = both[0].id, both[1].id
+    first, second, found = known.get(pair, (None, None, []))
+    if first is not courses[0] or second is not courses[1]:
+        found = list(find(*both))
+        known[pair] = *courses, found
+    return found
 
 
 def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
@@ -98,7 +106,7 @@ def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
 
 
 def _when_s(course: Course, place_m: float) -> float:
-    return course.time_at(place_m) if place_m < course.ends_m + _NEAR_M else inf
+    return course.time_at(place_m) if place_m < float(course.s_m[-1]) + _NEAR_M else inf
 
 
 def _index(places_m: Array, place_m: float) -> int:
@@ -108,7 +116,7 @@ def _index(places_m: Array, place_m: float) -> int:
 
 def _in_time(one: DriveDraft, other: DriveDraft) -> Iterator[Ground]:
     a, b = one.course, other.course
-    for ground in grounds(one.path, one.body, other.path, other.body):
+    for ground in grounds(one.laid.path, one.body, other.laid.path, other.body):
         yield Ground(*map(_when_s, (a, a, b, b), ground))
 
 
@@ -118,10 +126,10 @@ def _along(one: DriveDraft, other: DriveDraft) -> Iterator[Line]:
     begins = [(0.0, 0.0)] if one.drive.entry == other.drive.entry else []
     begins += [
         (ground.enter_m + a.front_m, ground.other_enters_m + b.front_m)
-        for ground in grounds(one.path, a, other.path, b)
+        for ground in grounds(one.laid.path, a, other.laid.path, b)
     ]
     for one_m, other_m in begins:
-        length = _along_m(one.path, one_m, other.path, other_m)
+        length = _along_m(one.laid.path, one_m, other.laid.path, other_m)
         length = min(length, one.exit_s_m + _BEYOND_M - one_m)
         if length > 0.0:
             s = np.append(np.arange(0.0, length, _STEP_M), length)

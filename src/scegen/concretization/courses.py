@@ -15,61 +15,90 @@ import numpy as np
 from scegen.concretization.profile import NEVER_S, Profile, Sort, SpeedChange
 from scegen.motion.model import Array
 
+STEP_S = 0.05
 _LONGEST_S = 240.0
-_CREEPS_MPS = 0.5
 _SAME_MPS = 1e-3
 _KEPT = 256
 """Courses that are kept: the same are driven for every place in line that is tried."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Course:
-    """When a lone vehicle that starts at the outer end of its path is where, at which speed.
-
-    The same only as the same object: what follows from it is kept by it.
-    """
+    """When a lone vehicle that starts at the outer end of its path is where, at which speed."""
 
     phases: tuple[SpeedChange, ...]
     profile: Profile
     length_m: float
 
-    @cached_property
-    def ends_s(self) -> float:
-        """When it is at the end of its path, or comes to rest for good before."""
-        ends = self.profile.time_s(self.length_m)
-        return min(ends if ends < NEVER_S else self.profile.times_s[-1], _LONGEST_S)
+    @property
+    def time_s(self) -> Array:
+        """Times, about as far apart as a step."""
+        return self._sampled[0]
 
-    @cached_property
-    def ends_m(self) -> float:
-        """How far it comes."""
-        return self.profile.way_m(self.ends_s)
+    @property
+    def s_m(self) -> Array:
+        """Where it is then."""
+        return self._sampled[1]
+
+    @property
+    def speed_mps(self) -> Array:
+        """How fast it is then."""
+        return self._sampled[2]
 
     @cached_property
     def fastest_mps(self) -> float:
         """The greatest of its speeds."""
-        return max(map(self.speed_then, [*self.profile.times_s, self.ends_s]))
+        return float(self.speed_mps.max())
+
+    @cached_property
+    def _sampled(self) -> tuple[Array, Array, Array]:
+        """Worked out where it is asked for: many a course is only tried by its phases."""
+        profile = self.profile
+        ends = min(profile.time_s(self.length_m), _LONGEST_S)
+        if profile.time_s(self.length_m) >= NEVER_S:
+            ends = min(profile.times_s[-1], _LONGEST_S)
+        count = max(2, int(np.ceil(ends / STEP_S)) + 1)
+        edges = [time for time in profile.times_s if time < ends]
+        steps = np.linspace(0.0, max(ends, STEP_S), count)
+        times = np.sort(np.concatenate([steps, edges]), kind="stable")
+        places, speeds = profile.at_times(times)
+        # Strictly rising places, so that the time at a place is the first one.
+        first = np.concatenate(([True], np.diff(places) > 1e-9))
+        return times[first], places[first], speeds[first]
 
     def time_at(self, s_m: float) -> float:
         """When it first reaches ``s_m``; before its start and behind its end at steady speed."""
-        if 0.0 <= s_m <= self.ends_m:
-            return self.profile.time_s(s_m)
-        ends_s, ends_m = (self.ends_s, self.ends_m) if s_m > 0.0 else (0.0, 0.0)
-        return ends_s + (s_m - ends_m) / max(self.speed_then(ends_s), _CREEPS_MPS)
+        if s_m not in self._reached_s:
+            self._reached_s[s_m] = self._reaches_s(s_m)
+        return self._reached_s[s_m]
+
+    @cached_property
+    def _reached_s(self) -> dict[float, float]:
+        """When it reaches the places asked for: the same are asked for again and again."""
+        return {}
+
+    def _reaches_s(self, s_m: float) -> float:
+        last = float(self.s_m[-1])
+        if s_m > last:
+            return float(self.time_s[-1]) + (s_m - last) / max(float(self.speed_mps[-1]), 0.5)
+        if s_m < 0:
+            return s_m / max(float(self.speed_mps[0]), 0.5)
+        return float(np.interp(s_m, self.s_m, self.time_s))
 
     def times_at(self, s_m: Array) -> Array:
         """The same for places up to its end."""
-        before = np.minimum(s_m, 0.0) / max(self.speed_then(0.0), _CREEPS_MPS)
-        return self.profile.at_ways(np.clip(s_m, 0.0, self.ends_m)) + before
+        before = np.minimum(s_m, 0.0) / max(float(self.speed_mps[0]), 0.5)
+        return np.interp(s_m, self.s_m, self.time_s) + before
 
     def s_at(self, time_s: float) -> float:
         """Where it is at a time; before the start it approaches at its first speed."""
         if time_s < 0:
-            return time_s * self.speed_then(0.0)
-        return min(self.profile.way_m(time_s), self.ends_m)
+            return time_s * float(self.speed_mps[0])
+        return min(self.profile.way_m(time_s), float(self.s_m[-1]))
 
     def speed_at(self, s_m: float) -> float:
         """Its speed where it first reaches ``s_m``."""
-        return self.speed_then(min(self.time_at(s_m), self.ends_s))
+        return float(np.interp(self.time_at(s_m), self.time_s, self.speed_mps))
 
     def speed_then(self, time_s: float) -> float:
         """Its speed at a time."""
@@ -142,7 +171,20 @@ class _Driving:
             slower = act.sort is Sort.ACT and act.target_mps <= mark.target_mps
             if slower and act.s_m + change / (2 * act.rate_mps2) <= mark.by_m:
                 return mark.by_m
-        return max(self.profile.brakes_from_m(mark.by_m, mark.target_mps, mark.rate_mps2), 0.0)
+        return max(mark.by_m - change / (2 * mark.rate_mps2), self._gaining_m(mark))
+
+    def _gaining_m(self, mark: SpeedChange) -> float:
+        """Where one who still gains speed must begin to slow down; 0 if it does not."""
+        if not self.phases:
+            return 0.0
+        speed, place = self.profile.speed_mps(self.ready_s), self.profile.way_m(self.ready_s)
+        gains, slows = self.phases[-1].rate_mps2, mark.rate_mps2
+        if self.target <= speed + _SAME_MPS:
+            return 0.0
+        left = 2 * slows * (mark.by_m - place) - speed**2 + mark.target_mps**2
+        further = max(0.0, left / (2 * (gains + slows)))
+        gained = (self.target**2 - speed**2) / (2 * gains)
+        return place + further if further < gained else 0.0
 
     def _change(self, mark: SpeedChange, begins_s: float, target_mps: float) -> None:
         stood_s = mark.then_s if self.profile.speed_mps(begins_s) < _SAME_MPS else None

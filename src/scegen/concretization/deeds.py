@@ -70,7 +70,7 @@ def stand_in_line(scene: Setup) -> None:
         for other in [o for o in ahead if o.entry_lane == draft.entry_lane][-1:]:
             if other.stands:
                 behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
-                place = other.course.ends_m - behind
+                place = float(other.course.s_m[-1]) - behind
         begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
         draft.steps = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
 

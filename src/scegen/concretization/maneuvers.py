@@ -1,9 +1,9 @@
-"""Who leaves its lane at a junction: for dangers, and for manoeuvres that are asked for."""
+"""Lane changes and overtakes that are asked for as manoeuvres, not as dangers."""
 
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.aside import ASIDE, come_into_lane, leave_lane
+from scegen.concretization.hazards.aside import come_into_lane
 from scegen.concretization.hazards.parties import ahead_on_arm, same_arm
 from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
 from scegen.concretization.passing import pass_drive
@@ -14,31 +14,26 @@ from scegen.errors import MotionInfeasibleError
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 
-def leave_lanes(scene: Setup) -> list[Meeting]:
-    """The moves of all who leave their lane, and the meetings that they need.
-
-    Dangers first: one that leaves its lane for one reason does all of them in one.
-    """
-    meetings, passing = list[Meeting](), list[Meeting]()
+def shape_maneuvers(scene: Setup) -> list[Meeting]:
+    """Lane changes and overtakes of those who have none yet, and the meetings they need."""
+    meetings: list[Meeting] = []
     for draft in scene.drives.values():
-        kinds = scene.kinds_by(draft.id)
-        for kind in (each for each in ASIDE if each in kinds):
-            if not draft.lane_changes:
-                meetings += leave_lane(scene, draft, kind)
-        overtakes = HazardKind.OVERTAKING in kinds
-        maneuver = Maneuver.OVERTAKE if overtakes else draft.drive.maneuver
-        if maneuver in SIDEWAYS and not draft.lane_changes:
-            passing += _maneuver(scene, draft, maneuver)
-    return [*meetings, *passing, *_side_by_side(scene, passing)]
+        maneuver = _goes(scene, draft)
+        if draft.lane_changes or maneuver not in SIDEWAYS:
+            continue
+        passed = _passed(scene, draft)
+        if passed is not None:
+            comes_back = maneuver is Maneuver.OVERTAKE
+            meetings += pass_drive(scene, draft, passed, comes_back=comes_back)
+        elif draft.drive.maneuver in SIDEWAYS and not _has_cause(scene, draft):
+            meetings += _free_change(scene, draft)
+    return [*meetings, *_side_by_side(scene, meetings)]
 
 
-def _maneuver(scene: Setup, draft: DriveDraft, maneuver: Maneuver) -> list[Meeting]:
-    """Past the one ahead, or into the lane beside, if it has no other cause to leave its own."""
-    passed = _passed(scene, draft)
-    if passed is not None:
-        return pass_drive(scene, draft, passed, comes_back=maneuver is Maneuver.OVERTAKE)
-    free = draft.drive.maneuver in SIDEWAYS and not _has_cause(scene, draft)
-    return _free_change(scene, draft) if free else []
+def _goes(scene: Setup, draft: DriveDraft) -> Maneuver:
+    """What it does beside its turn: who overtakes as a danger does so, too."""
+    overtakes = HazardKind.OVERTAKING in scene.kinds_by(draft.id)
+    return Maneuver.OVERTAKE if overtakes else draft.drive.maneuver
 
 
 def _passed(scene: Setup, draft: DriveDraft) -> DriveDraft | None:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import cos
-from typing import Protocol
+from math import cos, sin
 
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.measures.conflict_areas import least_gap_m
-from scegen.measures.grounds import Ground, grounds
+from scegen.measures.grounds import grounds
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
 from scegen.scenario.bodies import Body
@@ -19,6 +18,8 @@ from scegen.scenario.bodies import Body
 _SAMPLE_M = 1.0
 _OPPOSED = -0.85
 """The cosine between those who meet head-on is less."""
+_CROSSES = 0.2
+_STEP_M, _AGAIN = 0.05, 5
 
 STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
 """Priorities of meetings: what a manoeuvre's shape needs, dangers to or by the ego, dangers
@@ -55,16 +56,6 @@ class MeetingPoint:
     opposed: bool = False
 
 
-class OnItsWay(Protocol):
-    """One with a body and a way, however it moves on it."""
-
-    body: Body
-
-    @property
-    def path(self) -> Path:
-        """Its way as a line."""
-
-
 @remembered
 def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     """s, x, y and heading about every metre."""
@@ -78,6 +69,54 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     )
 
 
+def meeting_point(first: Path, body: Body, second: Path, other_body: Body) -> MeetingPoint | None:
+    """Where two ways that start apart first cross or merge: amid the ground that they share."""
+    ground = next(iter(grounds(first, body, second, other_body)), None)
+    if ground is None:
+        return None
+    one = (ground.enter_m + min(ground.leave_m, first.length_m)) / 2 + body.centre_ahead_m
+    two = (ground.other_enters_m + min(ground.other_leaves_m, second.length_m)) / 2
+    two += other_body.centre_ahead_m
+    turn = first.pose(one).heading_rad - second.pose(two).heading_rad
+    return MeetingPoint(one, two, opposed=cos(turn) < _OPPOSED)
+
+
+def crossing_at(first: Path, second: Path, near: MeetingPoint) -> tuple[float, float, float]:
+    """Where exactly two ways cross (arc lengths), and by which angle the second goes to the left.
+
+    Ways that hardly cross do so where they come near.
+    """
+    a, b = first.pose(near.first_s_m), second.pose(near.second_s_m)
+    turn = b.heading_rad - a.heading_rad
+    if abs(sin(turn)) < _CROSSES:
+        return near.first_s_m, near.second_s_m, turn
+    dx, dy = b.x_m - a.x_m, b.y_m - a.y_m
+    along = (dx * sin(b.heading_rad) - dy * cos(b.heading_rad)) / sin(turn)
+    across = (dx * sin(a.heading_rad) - dy * cos(a.heading_rad)) / sin(turn)
+    return near.first_s_m + along, near.second_s_m + across, turn
+
+
+def before_front_m(
+    first: Path, second: Path, near: MeetingPoint, reach_m: float, aside_m: float
+) -> float:
+    """Where on the second way, which crosses the first, one is so far before it and to its left.
+
+    Before one that bends its nose points elsewhere than its way goes.
+    """
+    s = np.arange(max(0.0, near.first_s_m - 2 * reach_m), near.first_s_m, _STEP_M)
+    x, y, heading = (np.interp(s, first.s_m, v) for v in (first.x_m, first.y_m, first.heading_rad))
+    middle = crossing_at(first, second, near)
+    way, to_left = middle[1], 1 if sin(middle[2]) > 0 else -1
+    for _ in range(_AGAIN):
+        there = second.pose(way)
+        dx, dy = there.x_m - x, there.y_m - y
+        ahead = dx * np.cos(heading) + dy * np.sin(heading)
+        at = int(np.abs(ahead - reach_m).argmin())
+        left = float(dy[at] * np.cos(heading[at]) - dx[at] * np.sin(heading[at]))
+        way += to_left * (aside_m - left)
+    return way
+
+
 def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
     """(arc length, distance) of the place of a path that is nearest to a point."""
     s, x, y, _ = sampled(path)
@@ -86,35 +125,31 @@ def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
     return float(s[i]), float(gaps[i])
 
 
-def first_ground(one: OnItsWay, other: OnItsWay) -> Ground | None:
-    """The first ground that the bodies of two use on their ways; None if they share none."""
-    return next(iter(grounds(one.path, one.body, other.path, other.body)), None)
-
-
 def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
     """Where two drives meet that start in different lanes, as places of their reference points.
 
-    That is amid the ground that they share; of one who strays and comes back the other comes onto
-    it as it has just left it. Of two on one arm nobody changes lanes: they meet where one turns
-    across the other.
+    The bodies' centres are to meet, which lie ahead of the reference points; of one who strays and
+    comes back the other comes onto the ground as it has just left it. Of two on one arm nobody
+    changes lanes: they meet where one turns across the other.
     """
     if first.drive.entry == second.drive.entry:
         together = first.entry_lane == second.entry_lane
         if together or first.lane_changes or second.lane_changes:
             return None
-    one, two = first.path, second.path
-    ground = first_ground(first, second)
-    if ground is None:
+    ways = first.laid.path, first.body, second.laid.path, second.body
+    point = meeting_point(*ways)
+    if point is None:
         return None
-    first_s_m = (ground.enter_m + min(ground.leave_m, one.length_m)) / 2
-    second_s_m = (ground.other_enters_m + min(ground.other_leaves_m, two.length_m)) / 2
-    turn = one.pose(first_s_m).heading_rad - two.pose(second_s_m).heading_rad
-    opposed = cos(turn) < _OPPOSED
-    if opposed and _comes_back(first):
-        first_s_m, second_s_m = ground.leave_m, ground.other_enters_m
-    elif opposed and _comes_back(second):
-        first_s_m, second_s_m = ground.enter_m, ground.other_leaves_m
-    return MeetingPoint(first_s_m, second_s_m, opposed)
+    ground = grounds(*ways)[0]
+    if point.opposed and _comes_back(first):
+        return MeetingPoint(ground.leave_m, ground.other_enters_m, opposed=True)
+    if point.opposed and _comes_back(second):
+        return MeetingPoint(ground.enter_m, ground.other_leaves_m, opposed=True)
+    return MeetingPoint(
+        max(0.0, point.first_s_m - first.body.centre_ahead_m),
+        max(0.0, point.second_s_m - second.body.centre_ahead_m),
+        point.opposed,
+    )
 
 
 def _comes_back(draft: DriveDraft) -> bool:
@@ -124,7 +159,7 @@ def _comes_back(draft: DriveDraft) -> bool:
 
 def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
     """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
-    _, x1, y1, _ = sampled(first.path)
-    _, x2, y2, _ = sampled(second.path)
+    _, x1, y1, _ = sampled(first.laid.path)
+    _, x2, y2, _ = sampled(second.laid.path)
     wide_m = (first.body.width_m + second.body.width_m) / 2
     return least_gap_m(x1, y1, x2, y2, wide_m) < wide_m

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.amounts import OUT_AND_BACK
+from scegen.concretization.amounts import ASIDE, OUT_AND_BACK
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.setup import Setup
@@ -16,7 +16,7 @@ from scegen.concretization.walkers import leaves_s
 from scegen.motion.model import Array
 from scegen.motion.standing import object_path
 from scegen.motion.trigger_steps import STEP_S
-from scegen.scenario.acts import LEAVING, Act, ActKind, WhenMeasure
+from scegen.scenario.acts import Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import Spacing
 
 _GONE_M = 0.1
@@ -30,13 +30,13 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
     if name in scene.walks:
         begins, walk = leaves_s(scene, name), scene.walks[name]
         if act.kind is ActKind.STOP and walk.stops_after_m is not None:
-            return begins + walk.slows_s(), begins + walk.profile.rests_s(0.0)
+            return begins + walk.slows_s(), begins + walk.rests_s()
         return begins, begins + walk.runs_s(walk.path.length_m)
     if name not in scene.drives:
         return 0.0, 0.0
     draft = scene.drives[name]
     course, late = draft.course, draft.offset_s
-    if act.kind in LEAVING:
+    if act.kind in ASIDE:
         out_m, back_m = _aside_m(scene, draft, act)
         return late + course.time_at(out_m), late + course.time_at(back_m)
     phase = course.phase_of(act.id)
@@ -51,7 +51,7 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
 def _aside_m(scene: Setup, draft: DriveDraft, act: Act) -> tuple[float, float]:
     """From where to where on its path somebody moves to the side by an act."""
     changes = list(draft.lane_changes)
-    own = [a for a in scene.acts if a.participant == draft.id and a.kind in LEAVING]
+    own = [a for a in scene.acts if a.participant == draft.id and a.kind in ASIDE]
     for earlier in own[: own.index(act)]:
         changes = changes[2 if earlier.kind in OUT_AND_BACK else 1 :] or changes[-1:]
     if not changes:
@@ -68,7 +68,7 @@ def track(scene: Setup, name: str, times_s: Array) -> tuple[Boxes, Array]:
         own = times_s - draft.offset_s
         way, speed = draft.course.profile.at_times(np.maximum(own, 0.0))
         way = way + np.minimum(own, 0.0) * speed
-        return box_on(draft.path, draft.body, way), speed
+        return box_on(draft.laid.path, draft.body, way), speed
     if name in scene.walks:
         walk = scene.walks[name]
         way, speed = walk.gone(times_s - leaves_s(scene, name))
@@ -103,7 +103,7 @@ def traffic_of(scene: Setup) -> Traffic:
             walk.sets_off_s = leaves_s(scene, name)
     timed = (name for name, walk in scene.walks.items() if walk.sets_off_s is not None)
     backs = frozenset(n for n, draft in drives.items() if draft.reversal is not None)
-    ends = max(d.offset_s + d.course.ends_s for d in drives.values())
+    ends = max(d.offset_s + float(d.course.time_s[-1]) for d in drives.values())
     things = (thing.id for thing in scene.objects)
     return Traffic(
         tale=scene,
@@ -124,7 +124,7 @@ def _track_until_gone(scene: Setup, name: str, times_s: Array) -> tuple[Boxes, A
     draft = scene.drives.get(name)
     if draft is None:
         return boxes, speed
-    leaves = draft.course.profile.time_s(draft.path.length_m - _GONE_M)
+    leaves = draft.course.profile.time_s(draft.laid.path.length_m - _GONE_M)
     gone = times_s >= draft.offset_s + leaves
     return boxes._replace(x=np.where(gone, np.nan, boxes.x)), speed
 

@@ -9,7 +9,6 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.limits import WALKING_START_MPS2
-from scegen.concretization.profile import Profile
 from scegen.concretization.written import Comes, as_they_come
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import crossing_path
@@ -29,6 +28,14 @@ _CROSSES = {
     ParticipantKind.ANIMAL: HazardKind.CROSSING_ANIMAL,
     ParticipantKind.LARGE_ANIMAL: HazardKind.CROSSING_ANIMAL,
 }
+
+
+def gained(speed_mps: float, rate_mps2: float, since_s: Array) -> tuple[Array, Array]:
+    """(way, speed) of one who gains speed from rest, by the time since it was to go."""
+    since = np.maximum(since_s, 0.0)
+    gaining = np.minimum(since, speed_mps / rate_mps2)
+    way = rate_mps2 * gaining**2 / 2 + speed_mps * (since - gaining)
+    return way, rate_mps2 * gaining
 
 
 def abreast_m(number: int) -> float:
@@ -71,32 +78,28 @@ class Walker:
         """How far it goes until it has its pace."""
         return self.speed_mps**2 / (2 * self.rate_mps2)
 
-    @property
-    def going(self) -> Profile:
-        """Its way over the time since setting off, if it does not stop."""
-        profile = Profile(0.0)
-        profile.change(0.0, self.speed_mps, self.rate_mps2)
-        return profile
-
-    @property
-    def profile(self) -> Profile:
-        """Its way over the time since setting off, up to where it comes to rest on its way."""
-        profile = self.going
-        if self.stops_after_m is not None:
-            profile.change(self.slows_s(), 0.0, self.rate_mps2)
-        return profile
-
     def runs_s(self, way_m: float) -> float:
-        """How long it takes from setting off until so much way is behind it, if it goes on."""
-        return self.going.time_s(way_m)
+        """How long it takes from setting off until so much way is behind it."""
+        return way_m / self.speed_mps + self.speed_mps / (2 * self.rate_mps2)
 
     def slows_s(self) -> float:
         """How long after setting off one begins to come to rest who does not go across."""
         return self.runs_s((self.stops_after_m or 0.0) - STOPS_SHORT_M - self.gains_m)
 
+    def rests_s(self) -> float:
+        """How long after setting off that one has come to rest."""
+        return self.slows_s() + self.speed_mps / self.rate_mps2
+
     def gone(self, since_s: Array) -> tuple[Array, Array]:
-        """(way, speed) by the time since setting off."""
-        return self.profile.at_times(np.maximum(since_s, 0.0))
+        """(way, speed) by the time since setting off, up to where it comes to rest on its way."""
+        way, speed = gained(self.speed_mps, self.rate_mps2, since_s)
+        if self.stops_after_m is None:
+            return way, speed
+        lost = np.clip(since_s - self.slows_s(), 0.0, self.speed_mps / self.rate_mps2)
+        slower = np.minimum(speed, self.speed_mps - self.rate_mps2 * lost)
+        rests = max(0.0, self.stops_after_m - STOPS_SHORT_M)
+        left = slower**2 / (2 * self.rate_mps2)
+        return np.where(lost > 0.0, rests - left, np.minimum(way, rests)), slower
 
     def motion_at(self, from_junction_m: float) -> CrossingMotion:
         """Its way across, so far from the inner end of its arm."""

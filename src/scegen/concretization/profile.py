@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
+from bisect import bisect_right
 from dataclasses import dataclass
 from enum import Enum
 from math import sqrt
-from operator import itemgetter
 
 import numpy as np
 
@@ -112,32 +111,17 @@ class Profile:
 
     def time_s(self, way_m: float) -> float:
         """When that way has been travelled; ``NEVER_S`` if it never is."""
-        n = max(bisect_left(self._phases, way_m, key=itemgetter(1)) - 1, 0)
-        begins, way, speed, rate = self._phases[n]
-        left = way_m - way
-        mean = (speed + sqrt(max(speed * speed + 2 * rate * left, 0.0))) / 2
-        return begins + left / mean if mean > 1e-9 else NEVER_S
-
-    def at_ways(self, ways_m: Array) -> Array:
-        """The same for many ways."""
-        begins, ways, speeds, rates = np.array(self._phases).T
-        n = np.maximum(np.searchsorted(ways, ways_m) - 1, 0)
-        left, speed = ways_m - ways[n], speeds[n]
-        mean = (speed + np.sqrt(np.maximum(speed * speed + 2 * rates[n] * left, 0.0))) / 2
-        return np.asarray(begins[n] + left / np.maximum(mean, 1e-9))
-
-    def brakes_from_m(self, by_m: float, to_mps: float, rate_mps2: float) -> float:
-        """Where it has to begin to brake to be that slow at a place; below 0 if it is too late."""
-        found = by_m
-        for _, way, speed, rate in reversed(self._phases):
-            # The square of a speed changes evenly with the way.
-            if rate + rate_mps2 > 1e-9:
-                found = way + (rate_mps2 * (by_m - way) - (speed**2 - to_mps**2) / 2) / (
-                    rate + rate_mps2
-                )
-            if found >= way:
-                break
-        return min(found, by_m)
+        for n, phase in enumerate(self._phases):
+            begins, way, speed, rate = phase
+            later = self._phases[n + 1] if n + 1 < len(self._phases) else None
+            if later is not None and later[1] < way_m:
+                continue
+            left = way_m - way
+            if abs(rate) < 1e-9:
+                return begins + left / speed if speed > 1e-9 else NEVER_S
+            root = speed * speed + 2 * rate * left
+            return begins + (sqrt(max(root, 0.0)) - speed) / rate
+        return NEVER_S
 
     def rests_s(self, after_s: float) -> float:
         """When it first stands from a time on; ``NEVER_S`` if it never does."""

@@ -107,9 +107,9 @@ def _meets(scene: Setup, draft: DriveDraft) -> list[Meeting]:
     """The one in whose way it pulls out is close behind as it is in the lane."""
     change = draft.lane_changes[0]
     in_lane_m = draft.laid.path_s_m(change.position_m + change.length_m)
-    pose = draft.path.pose(in_lane_m)
+    pose = draft.laid.path.pose(in_lane_m)
     for other in scene.concerned(draft.id):
-        place, apart = nearest_s_m(other.path, pose.x_m, pose.y_m)
+        place, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
         if other is draft or apart > _LANE_M:
             continue
         return [close_before(scene, draft, other, in_lane_m, place)]

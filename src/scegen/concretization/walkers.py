@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from math import cos, sin, sqrt
+from math import sin, sqrt
 from typing import NamedTuple
 
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import first_ground
+from scegen.concretization.meetings import (
+    MeetingPoint,
+    before_front_m,
+    crossing_at,
+    meeting_point,
+)
 from scegen.concretization.others import STOPS_SHORT_M, WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of
-from scegen.measures.grounds import Ground
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
@@ -30,8 +34,6 @@ room there."""
 _PASSES_BEFORE_S = 0.5
 """Who is just missed has left the way of the vehicle so long before it comes."""
 _STEPS_OFF_M = 0.5
-_CROSSES = 0.2
-"""Ways whose sine is less hardly cross: they meet amid the ground that they share."""
 STOOD_S = 1.0
 """Who stops in somebody's way has stood there so long when that one comes."""
 _OF_PEAK = 0.9
@@ -168,17 +170,17 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
     return max(0.5, nearest.motion.from_junction_m - front - _BEYOND_PARKED_M)
 
 
-def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, Ground] | None:
-    """The drive into whose way a walker steps, and the ground that both use."""
+def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
+    """The drive into whose way a walker steps."""
     for draft in scene.concerned(walk.id):
-        shared = first_ground(draft, walk)
-        if shared is not None:
-            return draft, shared
+        point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
+        if point is not None:
+            return draft, point
     return None
 
 
 def rendezvous(
-    scene: Setup, draft: DriveDraft, walk: WalkDraft, shared: Ground
+    scene: Setup, draft: DriveDraft, walk: WalkDraft, point: MeetingPoint
 ) -> tuple[float, float]:
     """(place of the driver, way of the walker) to be reached at the same time.
 
@@ -186,9 +188,11 @@ def rendezvous(
     Behind one that reverses it is where the tail will be.
     """
     if draft.backs_to == walk.id:
-        begins_s, ends_s = draft.path.backwards[0]
-        return (begins_s + ends_s) / 2, (shared.other_enters_m + shared.other_leaves_m) / 2
-    way, place = aim_m(scene, walk, _met_at(draft, walk, shared)), max(1.0, shared.enter_m)
+        begins_s, ends_s = draft.laid.path.backwards[0]
+        return (begins_s + ends_s) / 2, point.second_s_m
+    line_s, met = _met_at(draft, walk, point)
+    way = aim_m(scene, walk, met)
+    place = max(1.0, line_s - draft.body.front_m - walk.body.width_m / 2)
     if scene.contact_wanted(walk.id, draft.id):
         return place, way
     marks = [m for m in draft.marks if m.then is not None]
@@ -202,16 +206,18 @@ def rendezvous(
     return place, way
 
 
-def _met_at(draft: DriveDraft, walk: WalkDraft, shared: Ground) -> Met:
-    """How a walker is met by a drive whose front comes to its line."""
-    there, kerb = draft.path.pose(shared.enter_m), walk.path.pose(0.0)
-    across, heading = sin(kerb.heading_rad - there.heading_rad), there.heading_rad
-    if abs(across) < _CROSSES:
-        middle_m = (shared.other_enters_m + min(shared.other_leaves_m, walk.path.length_m)) / 2
-    else:
-        dx, dy = kerb.x_m - there.x_m, kerb.y_m - there.y_m
-        middle_m = (dx * sin(heading) - dy * cos(heading)) / across - walk.body.centre_ahead_m
-    return Met(draft.id, draft.body, draft.cruise_mps, middle_m, 1 if across > 0 else -1)
+def _met_at(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tuple[float, Met]:
+    """Where on a drive a walker's line lies, and how it meets that one there."""
+    line_s, middle_m, turn = crossing_at(draft.laid.path, walk.path, point)
+    middle_m -= walk.body.centre_ahead_m
+    to_left = 1 if sin(turn) > 0 else -1
+    return line_s, Met(draft.id, draft.body, draft.cruise_mps, middle_m, to_left)
+
+
+def _by_the_road(scene: Setup, walk: WalkDraft) -> bool:
+    """Whether it is told by the road alone where one stops."""
+    own = (s for s in scene.functional.spacings if s.participant == s.reference == walk.id)
+    return any(walk.stop is not None and said.at == walk.stop.id for said in own)
 
 
 def leaves_s(scene: Setup, name: str) -> float:
@@ -222,15 +228,15 @@ def leaves_s(scene: Setup, name: str) -> float:
     found = partner_of(scene, walk)
     if found is None:
         return 1.0
-    draft, shared = found
-    place, way_m = rendezvous(scene, draft, walk, shared)
+    draft, point = found
+    place, way_m = rendezvous(scene, draft, walk, point)
     there_s = draft.offset_s + draft.course.time_at(place)
     leaves = there_s - walk.runs_s(way_m)
     if walk.stops_after_m is None or not stops(scene, name):
         return leaves
-    left_m = max(0.0, shared.enter_m - place)  # it brakes from there on
+    left_m = max(0.0, point.first_s_m - draft.body.front_m - place)  # it brakes from there on
     comes_s = there_s + left_m / max(draft.course.speed_at(place), 1.0)
-    return min(leaves, comes_s - walk.profile.rests_s(0.0) - STOOD_S)
+    return min(leaves, comes_s - walk.rests_s() - STOOD_S)
 
 
 def stop_in_the_way(scene: Setup) -> None:
@@ -239,10 +245,15 @@ def stop_in_the_way(scene: Setup) -> None:
         found = partner_of(scene, walk) if stops(scene, walk.id) else None
         if found is None or walk.stops_after_m is not None:
             continue
-        draft, shared = found
+        draft, point = found
         walk.stop = scene.first_act(walk.id, ActKind.STOP)
-        centre_m = walk.path.length_m / 2 - walk.body.centre_ahead_m
-        rests = rests_m(scene, walk, _met_at(draft, walk, shared), centre_m=centre_m)
+        _, met = _met_at(draft, walk, point)
+        ahead_m = walk.body.centre_ahead_m
+        rests = rests_m(scene, walk, met, centre_m=walk.path.length_m / 2 - ahead_m)
+        if not _by_the_road(scene, walk):
+            aside_m = met.to_left * (rests - met.middle_m)
+            reach_m = draft.body.front_m + walk.body.width_m / 2
+            rests = before_front_m(draft.laid.path, walk.path, point, reach_m, aside_m) - ahead_m
         length = min(rests + STOPS_SHORT_M, walk.path.length_m)
         # Nobody reaches its full pace on a way too short to stop from it.
         walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)

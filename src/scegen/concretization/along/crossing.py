@@ -6,13 +6,16 @@ from dataclasses import replace
 from itertools import chain
 from math import ceil
 
+import numpy as np
+
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m, strip_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m
+from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m, gained
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
+    BEHIND_KERB_M,
     OWES,
     STOOD_S,
     Met,
@@ -68,6 +71,12 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
     walk.setback_m = max(walk.gains_m + least, setback_m(walk, strip))
+    soon_s = _until_met_s(story, walk, meets)
+    if soon_s is not None:  # so near that the other does not come by first
+        way = float(gained(pace, walk.rate_mps2, np.array([soon_s]))[0][0]) - to_aim
+        nearest = max(strip, body.front_m + BEHIND_KERB_M)
+        if way > nearest or story.contact_wanted(participant.id, meets.id):
+            walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
     if said is not None and said.at == START:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
@@ -76,7 +85,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     if far is not None:
         walk.stops_after_m = walk.setback_m + far
         if stands:
-            takes = walk.profile.rests_s(0.0) + STOOD_S
+            takes = walk.rests_s() + STOOD_S
     _time(story, walk, meets, takes)
     first = next(iter(story.walks.values()), None)
     if first is not None and crossing.arm in story.functional.junction.crosswalks:
@@ -99,6 +108,15 @@ def _meets(story: Story, name: str) -> str:
     return next(chain(owing, suffering), story.ego.id)
 
 
+def _until_met_s(story: Story, walk: Walk, meets: Runner) -> float | None:
+    """How long the other takes to its line from when it sets off, where that is said."""
+    spacing = _spacing(story, walk, meets.id)
+    if spacing is None or spacing[2] is None or spacing[2] is walk.stop or meets.speed_mps <= 0.0:
+        return None
+    measure, value, _, _ = spacing
+    return value / meets.speed_mps if measure is Measure.GAP_M else value
+
+
 def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
     """When it sets off and where its line lies, so that it ``takes`` as long as the other does."""
     half = walk.body.width_m / 2
@@ -116,7 +134,7 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
     moment = 0.0 if act is None else walk.sets_off_s
     if act is not None and act is walk.stop:
-        moment += walk.profile.rests_s(0.0) if since == "end" else walk.slows_s()
+        moment += walk.rests_s() if since == "end" else walk.slows_s()
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
     if act is None and not walk.timed:

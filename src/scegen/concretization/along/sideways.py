@@ -51,19 +51,18 @@ def strip_m(story: Story, *, left: bool) -> float:
 def offset_all(story: Story) -> None:
     """Put those aside of whom the text says how far they are so, or where they are hit."""
     told: set[str] = set()
-    still = {s.participant: _standing(story, s) for s in standings_beside(story)}
-    known = story.runners | still
     for spacing in story.functional.spacings:
         who, other = spacing.participant, spacing.reference
         if who == other and who in story.runners:
             story.runners[who].shift(spacing.value.middle)
-        elif {who, other} <= known.keys() and {who, other} - still.keys():
-            turned = who in still or (who == story.ego.id and other not in still)
-            mover, fixed = (known[n] for n in ((other, who) if turned else (who, other)))
-            left = _left_m(story, spacing, known[who], known[other])
-            if left is not None and not _in_passing(story, spacing, mover, fixed):
+        elif {who, other} <= story.runners.keys():
+            mover, fixed = (who, other) if who != story.ego.id else (other, who)
+            turned = mover != who
+            left = _left_m(story, spacing, story.runners[who], story.runners[other])
+            if left is not None and not _in_passing(story, spacing):
                 later = spacing.at == CONTACT or spacing.at in story.begins_s
-                _put_aside(mover, fixed, -left if turned else left, in_the_end=later)
+                aside = -left if turned else left
+                _put_aside(story.runners[mover], story.runners[fixed], aside, in_the_end=later)
                 told |= {who, other}
     outcome = story.functional.outcome
     if outcome is None or outcome.impact_percent is None:
@@ -79,22 +78,12 @@ def offset_all(story: Story) -> None:
         _put_aside(runner, ego, left, in_the_end=True)
 
 
-def _standing(story: Story, standing: Standing) -> Runner:
-    """One who stands beside the lanes, seen as the ego drives."""
-    name, left = standing.participant, on_left(story, standing)
-    participant = story.functional.participant(name)
-    kind, body = participant.kind, participant.body
-    still = replace(story.ego, id=name, kind=kind, body=body, lane=0, moves=[])
-    beyond_m = strip_middle_m(story, name) * (1 if left else -1)
-    still.offset_m += edge_y_m(story, left=left) + beyond_m - still.y_m(0.0)
-    return still
-
-
-def _in_passing(story: Story, spacing: Spacing, mover: Runner, fixed: Runner) -> bool:
+def _in_passing(story: Story, spacing: Spacing) -> bool:
     """Whether a lateral gap is the one with which somebody passes the other in its lane."""
     passing = {act.participant for act in story.acts if story.goes_round(act)}
-    gap = spacing.measure is Measure.LATERAL_GAP_M and mover.lane == fixed.lane
-    return gap and bool(passing & {mover.id, fixed.id})
+    pair = {spacing.participant, spacing.reference}
+    in_line = len({story.runners[name].lane for name in pair}) == 1
+    return spacing.measure is Measure.LATERAL_GAP_M and in_line and bool(passing & pair)
 
 
 def _left_m(story: Story, spacing: Spacing, who: Runner, other: Runner) -> float | None:

@@ -15,6 +15,7 @@ from scegen.concretization.tale import as_meant, outward, pace_of
 from scegen.concretization.things import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import (
     Crossing,
@@ -26,11 +27,13 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.vocabulary import ON_FOOT, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind, Side
 
 _STANDS_MPS = 1.0
 _EDGE_M = 1.5
 """Who walks along the side of the road keeps so far from the middle of its outermost lane."""
+_PASSES_BY_MPS = 6.0
+"""By so much one who overtakes is faster, where no speeds are said."""
 
 
 def cast(story: Story) -> None:
@@ -87,6 +90,11 @@ def _speeds(story: Story) -> None:
             speed = max(min(pace.default, with_ego), pace.low)
             slow = runner.id in on_ramp and runner.id not in said
             runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
+    for hazard in story.of_kind(HazardKind.OVERTAKING):
+        _make_faster(story, hazard.by, hazard.to)
+    for act in functional.acts:
+        if act.kind is ActKind.OVERTAKE and act.into:
+            _make_faster(story, (act.participant,), (act.into,))
 
 
 def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
@@ -117,6 +125,20 @@ def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
     runner.steps = [SpeedChange(speed, REVERSING_MPS2, begins)]
     slows = FORTH_M + far - speed**2 / (2 * REVERSING_MPS2)
     runner.steps.append(SpeedChange(0.0, REVERSING_MPS2, runner.profile.time_s(slows)))
+
+
+def _make_faster(story: Story, by: tuple[str, ...], to: tuple[str, ...]) -> None:
+    """Who overtakes is clearly faster; where its speed is said, the other is slower."""
+    for fast in (story.runners[name] for name in by if name in story.runners):
+        for slow in (story.runners[name] for name in to if name in story.runners):
+            enough = 2.0 if story.has_said_speed(slow.id) else _PASSES_BY_MPS
+            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= enough:
+                continue
+            if not story.has_said_speed(slow.id):
+                slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)
+            elif not story.has_said_speed(fast.id):
+                top = BODIES[fast.kind].top_speed_mps
+                fast.speed_mps = min(slow.speed_mps + _PASSES_BY_MPS, top)
 
 
 def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:

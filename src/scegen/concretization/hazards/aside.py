@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import culprits, same_arm
+from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
     CUT_IN_HEADWAY_S,
@@ -36,7 +36,7 @@ _IN_LANE_M, _IN_LANE_S = 0.85, 0.75
 _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
 _BEND_RAD = 0.35
 _ABRUPT = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.SUDDEN_TURN})
-ASIDE = (
+_ASIDE = (
     HazardKind.SUDDEN_TURN,
     HazardKind.CUT_IN,
     HazardKind.ONCOMING_LANE,
@@ -57,9 +57,24 @@ def goes_outwards(scene: Setup, draft: DriveDraft) -> bool:
     return side is None or outward(scene.functional, side) > 0
 
 
-def leave_lane(scene: Setup, draft: DriveDraft, kind: HazardKind) -> list[Meeting]:
-    """The move by which somebody endangers others, if it is one, and the meeting that it needs."""
-    others = [scene.drives[n] for n in scene.endangered_by(draft.id, kind) if n in scene.drives]
+def leave_lanes(scene: Setup) -> list[Meeting]:
+    """The moves of those who endanger somebody by one, and the meetings that they need.
+
+    One that leaves its lane for another danger already does both in one.
+    """
+    meetings: list[Meeting] = []
+    for kind in _ASIDE:
+        for hazard in scene.of_kind(kind):
+            for draft in culprits(scene, hazard):
+                if not draft.lane_changes:
+                    others = victims(scene, hazard, draft)
+                    meetings += _leave_lane(scene, draft, others, kind)
+    return meetings
+
+
+def _leave_lane(
+    scene: Setup, draft: DriveDraft, others: list[DriveDraft], kind: HazardKind
+) -> list[Meeting]:
     along = [other for other in others if same_arm(draft, other)]
     if kind is HazardKind.CUT_IN and scene.ring:
         return _in_ring(scene, draft, others[0], kind) if others else []
@@ -68,7 +83,7 @@ def leave_lane(scene: Setup, draft: DriveDraft, kind: HazardKind) -> list[Meetin
         return come_into_lane(scene, draft, along[0], kind) if wide else []
     if kind is HazardKind.ONCOMING_LANE and blocking_m(scene, draft):
         return []  # it strays round that one
-    heading = draft.path.heading_rad
+    heading = draft.laid.path.heading_rad
     if kind is HazardKind.SUDDEN_TURN and abs(heading - heading[0]).max() > _BEND_RAD:
         return []  # it turns; where there is no bend, it turns the wheel all the same
     return _out_and_back(scene, draft, along, kind)
@@ -97,8 +112,8 @@ def _in_ring(
     end_s = culprit.laid.path_s_m(end_m)
     target = scene.road.ring_lanes if goes_outwards(scene, culprit) else 1
     move_aside(scene, culprit, target, ends_m=end_m, over_m=length, hazard=kind)
-    pose = culprit.path.pose(end_s)
-    place, apart = nearest_s_m(victim.path, pose.x_m, pose.y_m)
+    pose = culprit.laid.path.pose(end_s)
+    place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
     return [] if apart > _SAME_LINE_M else [close_before(scene, culprit, victim, end_s, place)]
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import drives_meet, first_ground
+from scegen.concretization.meetings import drives_meet
 from scegen.concretization.setup import Setup
+from scegen.measures.grounds import grounds
 from scegen.scenario.acts import GAINING, ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Case, Motion
@@ -76,8 +77,7 @@ def stops_for_walkers(scene: Setup, draft: DriveDraft, *names: str) -> tuple[flo
     """
     stops = []
     for walk in (scene.walks[n] for n in names or scene.walks if n in scene.walks):
-        shared = first_ground(draft, walk)
-        if shared is not None:
+        for shared in grounds(draft.laid.path, draft.body, walk.path, walk.body)[:1]:
             over = min(shared.other_leaves_m, walk.path.length_m)
             clear = over + _CLEAR_BEHIND_M - walk.setback_m
             stops.append((shared.enter_m - _CLEAR_OF_WALKER_M, clear / walk.speed_mps))
@@ -105,7 +105,7 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
         # The ego brakes to avoid, the others brake in its way.
         place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
     elif act is ActKind.STOP and place > draft.junction_s_m:
-        path = draft.path
+        path = draft.laid.path
         turned = np.abs(path.heading_rad - path.heading_rad[0]) >= _TURNED_RAD
         place = max(place, float(path.s_m[turned.argmax()]))
     return place

@@ -13,6 +13,8 @@ from math import hypot
 from scegen.concretization.backing import (
     back_out,
     back_up,
+    back_up_to,
+    brakes_from,
     in_each_others_way,
 )
 from scegen.concretization.drafts import DriveDraft
@@ -97,16 +99,18 @@ def reverse(scene: Setup) -> list[Meeting]:
     for hazard, draft, other in _each(scene):
         if draft.reversal is not None:
             continue
+        crossing = [n for h in scene.functional.hazards if draft.id in h.to for n in h.by]
         if draft.drive.reverses is Reverses.SQUARE and other is not None:
             met = back_straight_out(scene, draft, other)
             meetings.append(met or _braked_for(draft, other))
             continue
+        walk = next((n for n in (*hazard.to, *crossing) if n in scene.walks), None)
         if other is not None and draft.drive.reverses not in {None, Reverses.BACKS_UP}:
             back_out(scene, draft)
+        elif other is None and walk is not None:
+            back_up_to(scene, draft, scene.walks[walk])
         else:
-            crossing = (n for h in scene.functional.hazards if draft.id in h.to for n in h.by)
-            walks = (scene.walks[n] for n in (*hazard.to, *crossing) if n in scene.walks)
-            back_up(scene, draft, other or next(walks, None))
+            back_up(scene, draft, other)
         if other is not None:
             meetings.append(_braked_for(draft, other))
     return meetings
@@ -115,7 +119,7 @@ def reverse(scene: Setup) -> list[Meeting]:
 def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     """The one is so far when the other has to brake."""
     s, its, touching = in_each_others_way(draft, other)
-    begins_s, ends_s = draft.path.backwards[0]
+    begins_s, ends_s = draft.laid.path.backwards[0]
     back = (s >= begins_s) & (s <= ends_s)
     meets = touching[back]
     if not meets.any():
@@ -127,8 +131,7 @@ def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     course = draft.course
     sees_s = course.time_at(begins_s + _BEGINS_M) + _SEEN_S
     event_s = course.s_at(max(sees_s, course.time_at(intrudes_s) + _INTRUDED_S))
-    rate = other.braking_mps2(_BRAKING_MPS2)
-    brakes_s = other.course.profile.brakes_from_m(stops_s, 0.0, rate)
+    brakes_s = brakes_from(other, stops_s, other.braking_mps2(_BRAKING_MPS2), 0.0)
     require_room(other.id, brakes_s, _LEAST_RUN_UP_M)
     reason = "reversing: brakes when it comes back"
     return Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason)
@@ -141,13 +144,13 @@ def go_back_as_they_come(scene: Setup, meetings: Sequence[Meeting]) -> None:
         square = draft.drive.reverses is Reverses.SQUARE
         # What either does by then may have changed how late the other can brake.
         brakes_s = (met if square else _braked_for(draft, other)).second_s_m
-        begins_s, _ = draft.path.backwards[0]
+        begins_s, _ = draft.laid.path.backwards[0]
         goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
         at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
         speed = other.course.speed_at(at_s)
         if at_s >= brakes_s or speed < 1.0:
             continue
-        here, there = other.path.pose(at_s), other.path.pose(brakes_s)
+        here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
         away_m = hypot(there.x_m - here.x_m, there.y_m - here.y_m)
         place_m, time_s = round(brakes_s - other.start_m, 3), round(away_m / speed, 3)
         waits = ArrivalBelow(participant=other.id, place_m=place_m, time_s=time_s)

@@ -6,14 +6,17 @@ while before, and then stops short of the other's way, or is across it as both t
 
 from __future__ import annotations
 
-from dataclasses import replace
-from math import sin
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from math import cos, sin
+
+import numpy as np
 
 from scegen.concretization.amounts import change_of_speed
 from scegen.concretization.backing import back_straight, reversing_mps, stand_square
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import REVERSING_MPS2
-from scegen.concretization.meetings import DANGER, Meeting, first_ground
+from scegen.concretization.meetings import DANGER, Meeting, sampled
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
@@ -29,6 +32,20 @@ _STOOD_S = 0.5
 _ACROSS_M = 0.5
 """Who comes across the other's way has its rear so far beyond it."""
 _STOPS_MPS2 = 2.0
+_LEAST_ACROSS = 0.7
+
+
+@dataclass(frozen=True, slots=True)
+class _Passage:
+    """How another comes past behind one that stands square to the road.
+
+    ``depth_m`` is how far behind that one's place its line is, ``s_m`` where it is on its path when
+    it is so far to the left, and ``sense`` 1 if it comes towards the left, else -1.
+    """
+
+    depth_m: float
+    s_m: Callable[[float], float]
+    sense: int
 
 
 def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Meeting | None:
@@ -38,33 +55,24 @@ def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Mee
         MotionInfeasibleError: the other does not come past behind it.
     """
     stand_square(scene, draft)
-    path, body, outcome = draft.path, draft.body, scene.functional.outcome
-    shared = first_ground(draft, other)
-    if shared is None:
-        raise MotionInfeasibleError(f"{other.id} does not come past behind it", where=draft.id)
-    # How far it has come when its rear is at the other's way, and beyond it; where the other comes
-    # behind it then, which goes to its left or to its right.
-    nearest_m, comes_m = shared.enter_m - path.backwards[0][0], shared.other_enters_m
-    across_m = nearest_m + other.body.width_m + _ACROSS_M
-    turn = other.path.pose(comes_m).heading_rad - path.pose(0.0).heading_rad
-    left_of_middle = (0.5 - scene.impact_share) * (1 if sin(turn) > 0 else -1)
+    passage, body, half_m = _passage(draft, other), draft.body, other.body.width_m / 2
     speed, stop = reversing_mps(scene, draft), _stop(scene, draft)
-    braking_m, lag_s = speed**2 / (2 * stop.rate_mps2), 0.0
+    braking_m, stops_s = speed**2 / (2 * stop.rate_mps2), speed / stop.rate_mps2
     wanted = scene.contact_wanted(draft.id, other.id)
     short = not wanted and (draft is scene.ego or stop.act is not None)
-    event_m, rests_m = across_m, across_m + _ACROSS_M + braking_m
+    nearest_m = passage.depth_m - half_m - body.rear_m
+    across_m = passage.depth_m + half_m + _ACROSS_M - body.rear_m
+    comes_m = passage.s_m(-passage.sense * body.width_m / 2) - other.body.front_m
+    lag_s = 0.0
     if short:
-        event_m, rests_m = nearest_m - _SHORT_M - braking_m, nearest_m - _SHORT_M
-        lag_s = speed / stop.rate_mps2 + _STOOD_S
+        event_m, lag_s = nearest_m - _SHORT_M - braking_m, stops_s + _STOOD_S
+        rests_m = event_m + braking_m
     elif wanted and _strikes(scene, draft):
-        # Its rear touches the other's side; where on its width is said of the ego alone.
-        share = 0.5 + (left_of_middle if draft is scene.ego else 0.0)
-        comes_m += share * body.width_m + other.body.front_m - other.body.centre_ahead_m
+        share = scene.impact_share if draft is scene.ego else 0.5
+        comes_m = passage.s_m((0.5 - share) * body.width_m) - other.body.centre_ahead_m
         event_m, rests_m = nearest_m, across_m + braking_m
-    elif other is scene.ego and outcome is not None and outcome.impact_percent is not None:
-        # The other's front touches its side, whose middle is then where that is said.
-        event_m = nearest_m + (0.5 + left_of_middle) * other.body.width_m
-        event_m += body.rear_m + body.centre_ahead_m
+    else:
+        event_m = _struck_m(scene, passage, draft, other, across_m)
         rests_m = event_m + _ACROSS_M + braking_m
     more_m = max(0.0, speed**2 / (2 * REVERSING_MPS2) + _HELD_S * speed - event_m)
     stand_square(scene, draft, more_m=more_m, straight_m=more_m + rests_m)
@@ -73,6 +81,27 @@ def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Mee
         return None
     at_m = begins_m + event_m + more_m
     return Meeting(DANGER, draft.id, other.id, at_m, comes_m, lag_s, "comes past behind")
+
+
+def _passage(draft: DriveDraft, other: DriveDraft) -> _Passage:
+    """Where the other's line lies behind it."""
+    stands = draft.laid.path.pose(draft.laid.path.backwards[0][0])
+    c, s = cos(stands.heading_rad), sin(stands.heading_rad)
+    place, x, y, heading = sampled(other.laid.path)
+    behind = -(x - stands.x_m) * c - (y - stands.y_m) * s
+    to_left = (y - stands.y_m) * c - (x - stands.x_m) * s
+    across = np.sin(heading - stands.heading_rad)
+    there = (behind > draft.body.rear_m) & (np.abs(across) > _LEAST_ACROSS)
+    if not there.any():
+        raise MotionInfeasibleError(f"{other.id} does not come past behind it", where=draft.id)
+    n = int(np.where(there, np.abs(to_left), np.inf).argmin())
+    left_m, slope = float(to_left[n]), float(across[n])
+    along = float(np.cos(heading[n] - stands.heading_rad)) / slope
+    return _Passage(
+        float(behind[n]) + left_m * along,
+        lambda aside_m: float(place[n]) + (aside_m - left_m) / slope,
+        1 if slope > 0.0 else -1,
+    )
 
 
 def _stop(scene: Setup, draft: DriveDraft) -> SpeedChange:
@@ -89,3 +118,17 @@ def _strikes(scene: Setup, draft: DriveDraft) -> bool:
     struck = scene.functional.outcome.struck if scene.functional.outcome is not None else None
     sides = {BodySide.LEFT, BodySide.RIGHT}
     return struck not in sides if draft is scene.ego else struck in sides
+
+
+def _struck_m(
+    scene: Setup, passage: _Passage, draft: DriveDraft, other: DriveDraft, across_m: float
+) -> float:
+    """How far it has come as the other's front touches its side.
+
+    Its middle is then where that is said on the other's width; else it is just across.
+    """
+    outcome = scene.functional.outcome
+    if other is not scene.ego or outcome is None or outcome.impact_percent is None:
+        return across_m
+    left_m = (0.5 - scene.impact_share) * other.body.width_m
+    return passage.depth_m + passage.sense * left_m + draft.body.centre_ahead_m
