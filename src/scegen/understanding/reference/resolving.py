@@ -191,8 +191,6 @@ def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
     Nor is it in "because a van comes, it waits".
     """
     found: set[int] = set()
-    if not any(c.value == "because" for c in chunks):
-        return found
     here: list[int] = []
     opened = False
     for k, (before, chunk) in enumerate(pairwise(chunks)):
