@@ -21,7 +21,9 @@ def refers_to_nobody(mention: Mention) -> bool:
     prep = mention.opening
     first = [m.value for m in mention.mods[:1]]
     several = mention.is_mass or mention.plural
-    if prep == "without" and (first in (["indef"], ["other"]) or (not first and several)):
+    if prep == "without" and (
+        first in (["indef"], ["other"], ["another"]) or (not first and several)
+    ):
         return True  # "without any target", "without other cars", "free of traffic"
     mass = mention.is_mass and all(
         m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods

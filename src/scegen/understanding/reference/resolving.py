@@ -110,6 +110,9 @@ def _done_to(event: Event, mentions: list[Mention], found: _Bonds) -> None:
     for who in event.subject if isinstance(known, Mention) else []:
         if who.pronoun and known is not None and known.i < who.i:
             found.unlike[id(who)].append(known)  # "the van it is following": "it" is not the van
+        elif who.pronoun == "it" and known is not None and known.has("det", "def"):
+            # "it strikes the motorcycle": "it" is not that motorcycle
+            found.unlike[id(who)] += [m for m in mentions if m.i < who.i and m.noun == known.noun]
     _of_another(event, found)
     _not_by_itself(event, found)
     for prep in event.pps:
@@ -188,8 +191,6 @@ def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
     Nor is it in "because a van comes, it waits".
     """
     found: set[int] = set()
-    if not any(c.value == "because" for c in chunks):
-        return found
     here: list[int] = []
     opened = False
     for k, (before, chunk) in enumerate(pairwise(chunks)):

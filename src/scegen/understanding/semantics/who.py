@@ -124,7 +124,9 @@ def _in_phrases(pattern: str) -> Who:
 
 
 def _hiders(clause: Clause, context: Context) -> list[Entity]:
-    behind = _BEHIND(clause, context)
+    parts = [p.place for p in clause.event.pps if p.value in {"behind", "by"} and p.place]
+    owners = [part.owner for part in parts if part.owner is not None]  # "by the front of a van"
+    behind = [*_BEHIND(clause, context), *(e for owner in owners for e in owner.entities)]
     own = [] if clause.event.passive else clause.actors
     by = [e for e in own if e.is_vehicle and not e.ego]
     return by + [e for e in behind if e not in by]
