@@ -66,7 +66,7 @@ def _followed(
     underway = entity.moves or (entity.heading_basis if entity.bound else None)
     through = entity.through if entity.ego or entity.claimed else None
     stays = entity.moves is None and entity.sets_off < 0 and not entity.pulls_out
-    held = entity.held if stays else None
+    held = (entity.held or (entity.stands if entity.ego else None)) if stays else None
     if any(token.low == "green" for token in draft.tokens):
         held = None  # "stands at a red light", and it turns green
     for words, why in (
