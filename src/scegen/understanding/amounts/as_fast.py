@@ -37,11 +37,13 @@ def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
 def _until_alike(text: Telling) -> None:
     """``slows down to the speed of the lorry``, ``brakes to match it``: as fast in the end."""
     for doing in text.acts(0, len(text.tokens), _CHANGES):
-        end = min([e.event.i for e in text.scenes if e.event.i > doing.i and e.event.finite]
-                  + [text.bounds(doing.i)[1]])  # fmt: skip
+        if "target_speed_mps" in doing.amounts:
+            continue
+        within = text.within(doing.i + 1, text.bounds(doing.i)[1])
+        end = next((s.event.i for s in within if s.event.finite), text.bounds(doing.i)[1])
         span = text.find("to_their_speed", doing.i, end)
         others = [e for e in text.draft.entities if e is not doing.entity]
-        if span is None or "target_speed_mps" in doing.amounts:
+        if span is None:
             continue
         named = [e for e in text.spoken_of(span[0], end) if e is not doing.entity] or others
         model = next((e for e in named if e.speed is not None), None)

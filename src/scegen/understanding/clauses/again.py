@@ -37,11 +37,12 @@ def names_another(events: list[Event]) -> None:
     Nobody calls himself by his noun again: then the verb goes with the one outside the clause.
     """
     for k, event in enumerate(events):
-        told = next((e for e in events[:k] if e.embedded and e.subject == event.subject), None)
-        if told is None or event.embedded or len(event.subject) != 1 or event.nominal:
+        if event.embedded or event.nominal or len(event.subject) != 1:
             continue
         (one,) = event.subject
-        outer = [e for e in events[: events.index(told)] if not e.embedded and one not in e.subject]
+        said = (m for m, e in enumerate(events[:k]) if e.embedded and e.subject == [one])
+        first = next(said, 0)  # the clause within another that tells of it
+        outer = [e for e in events[:first] if not e.embedded and one not in e.subject]
         if outer and outer[-1].subject and any(_same_noun(m, one) for m in _named_with(event)):
             event.subject = outer[-1].subject
 

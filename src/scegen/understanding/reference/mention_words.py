@@ -55,8 +55,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kinds, specific = [kind], [kind]
     named = (mention.label or "").startswith("#")
     plural = "mass" in told or "several" in heads[-1].data or (heads[-1].form == "s" and not named)
-    several = mention.has("quant", "all") and not any(h.data.get("ego") for h in heads)
-    plural = plural or several  # "each vehicle"
+    plural = plural or (mention.has("quant", "all") and "ego" not in told)  # "each vehicle"
     count, vague, reason = _count(mention, tokens, plural, arms)
     det = next((m for m in mention.mods if m.cat in {"det", "possessive"}), None)
     numbered = mention.mod("num")
