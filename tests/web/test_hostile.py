@@ -2,7 +2,7 @@
 
 import http.client
 import json
-from urllib.parse import urlsplit
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from websockets.exceptions import InvalidStatus
@@ -65,6 +65,19 @@ def test_rules_read_no_other_file(server, visit):
     visitor.page.get_by_role("button", name="Keep them").click()
     visitor.page.wait_for_selector(".tiles .problem >> text=#include is not read")
     assert "root:x" not in visitor.page.content()
+
+
+@pytest.mark.parametrize(("of", "edition"), [("1", 0), ("1", 99), ("100000", None)])
+def test_tiles_of_a_list_that_is_gone_are_none_and_no_error(server, visit, of, edition):
+    visitor = visit(server.url)
+    visitor.understood("Two cars meet at a four-way intersection.")
+    visitor.go("Choose")
+    visitor.page.wait_for_selector(".tile svg")
+    present = next(url for url in visitor.requested if "/tiles?" in url)
+    edition = parse_qs(urlsplit(present).query)["edition"][0] if edition is None else edition
+    answer = visitor.context.request.get(f"{server.url}/tiles?of={of}&edition={edition}")
+    assert (answer.status, answer.json()) == (200, [])
+    assert visitor.context.request.get(present).json() != []
 
 
 def test_ten_megabytes_are_not_even_sent(server, visit):

@@ -70,6 +70,10 @@ class Listing:
             raise InputError(f"there is no scenario {index}")
         return self._by_index[index]
 
+    def known(self, indices: Iterable[int]) -> list[LogicalScenario]:
+        """The scenarios of these numbers, without those that are not listed (yet, or any more)."""
+        return [self._by_index[index] for index in indices if index in self._by_index]
+
     def matching(self, where: str, scenarios: Iterable[LogicalScenario]) -> list[int]:
         """The numbers of those for which an expression holds; of all if it is empty.
 

@@ -13,7 +13,6 @@ from fastapi import Request
 from fastapi.responses import JSONResponse, PlainTextResponse, Response
 from nicegui import app as pages
 
-from scegen.errors import InputError
 from scegen.pipeline.folder import SUMMARY_FILE, made_files
 from scegen.web.pictures import tile
 from scegen.web.project import zipped
@@ -81,15 +80,15 @@ def deliver(sessions: Sessions) -> None:
 
 
 def _tiles(work: Work, of: str, edition: int) -> Response:
-    """Pictures of logical scenarios; none of a list that is no longer the present one."""
+    """Pictures of logical scenarios, as far as they are listed.
+
+    A list may begin anew while a page still asks for the one before: that is no error.
+    """
     listing = work.listing
     if listing is None or edition != work.edition:
-        return JSONResponse([], 409)
+        return JSONResponse([], headers=_UNKEPT)
     asked = [int(part) for part in of.split(",")[:MOST_TILES] if part.isdecimal()]
-    try:
-        drawn = [tile(listing.scenario(index), listing.functional) for index in asked]
-    except InputError:
-        return _nothing("scenario")
+    drawn = [tile(one, listing.functional) for one in listing.known(asked)]
     return JSONResponse(drawn, headers=_UNKEPT)
 
 
