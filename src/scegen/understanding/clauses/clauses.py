@@ -148,7 +148,10 @@ class ClauseReader:
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         relative = word.cat == "quantity" and bool(state.events) and not state.between
         before_event = before_event and (not relative or self._clause_start())
-        if "rel" in state.between and state.mentions and predicate:
+        noun = state.last_pp or state.anchor
+        if word.cat == "state" and isinstance(noun, Mention) and {","} == state.between:
+            noun.mods.append(word.term)  # "hits the van, by then stationary, in the rear"
+        elif "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word.term)
         elif before_event and (not after_event or waits) and word.cat not in {"dir", "compass"}:
             state.ahead.append(word.term)
