@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.phrases.lookahead import (
@@ -24,10 +25,11 @@ _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
 def announce(chunks: list[Chunk]) -> list[Chunk]:
-    """``oncoming traffic: three cars come``, ``several targets, both …: a van and a bus …``.
+    """``oncoming traffic: three cars come``, ``somebody jumps the light: a taxi races …``.
 
     Whoever a heading names without a number are those told after its colon, and nobody besides.
     """
+    left_out: set[int] = set()
     for begin, k in sentences(chunks):
         who = next(iter(_others(chunks[begin:k])), None)
         if chunks[k].value != ":" or who is None or who.head is None or who.has("num"):
@@ -35,13 +37,40 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
         again = chunk_at(chunks, k + 1)
         number = again.mod("num") if isinstance(again, Mention) and again.head else None
         told = _listed(chunks, k + 1)
+        first = next(iter(free_mentions(chunks[k + 1 :])), None)
+        if _anybody(who) and first is not None and first in told and _new(first):
+            _turns_out(who, first)
+            if chunks[begin:k] == [who]:
+                first.same_as = None  # "A wrong-way driver: 300 m ahead, a car comes"
+                left_out |= {begin, k}
+            continue
         if "mass" in who.head.data and number is not None and isinstance(again, Mention):
             who.mods.append(number)
             who.heads, who.head, again.same_as = again.heads, again.head, who
         elif who.plural and who.noun in _GENERIC and len(told) > 1:
             count = Term("num", "count", who.i, who.i, data={"number": float(len(told))})
             who.mods = [count, *(m for m in who.mods if m.cat != "quant")]
-    return chunks
+    return _without(left_out, chunks)
+
+
+def _anybody(mention: Mention) -> bool:
+    """``somebody``, ``another road user``, ``a wrong-way driver``: of no kind yet."""
+    data = mention.head.data if mention.head is not None else {}
+    return "vague" in data or ("driver" in data and mention.mod("def") is None)
+
+
+def _turns_out(who: Mention, named: Mention) -> None:
+    """``somebody …: a taxi …``: that is who it is, and of what kind."""
+    does = {k: v for head in who.heads for k, v in head.data.items() if k == "does"}
+    named.heads = [replace(head, data=head.data | does) for head in named.heads]
+    named.head = named.heads[-1]
+    named.mods = [*named.mods, *(m for m in who.mods if m.cat not in _FIRST_WORDS)]
+    named.same_as, who.heads, who.head = who, named.heads, named.head
+
+
+def _new(mention: Mention) -> bool:
+    """``a taxi``: nobody who is named before."""
+    return any(m.value == "indef" for m in mention.mods[:1])
 
 
 def _listed(chunks: list[Chunk], k: int) -> list[Mention]:
@@ -73,7 +102,11 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
             joints.add(k)
         elif (mark == ":" or not begin) and _is_heading(title, rest, mark):
             _silence(title, rest)
-    return [c for k, c in enumerate(chunks) if k not in joints]
+    return _without(joints, chunks)
+
+
+def _without(places: set[int], chunks: list[Chunk]) -> list[Chunk]:
+    return [c for k, c in enumerate(chunks) if k not in places]
 
 
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
@@ -92,7 +125,8 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
     mentions = [c for c in title if isinstance(c, Mention)]
     if not _others(rest):  # "Stationary traffic ahead: the ego brakes": nobody else can be meant
         mentions = [m for m in mentions if _names_ego([m])]
-    for mention in mentions:
+    again = [c.same_as for c in rest if isinstance(c, Mention)]
+    for mention in (m for m in mentions if m not in again):
         kind = mention.noun
         alone = [m.noun for m in mentions].count(kind) == 1
         told = isinstance(chunk_at(title, title.index(mention) + 1), Event)
@@ -128,16 +162,15 @@ def _comes_again(mention: Mention, rest: list[Chunk], *, old: bool) -> bool:
     """
     kind = "" if mention.plural else mention.noun
     named = [c for c in rest if isinstance(c, Mention) and c.head is not None]
-    fresh = [c for c in named if old or any(m.value == "indef" for m in c.mods[:1])]
+    fresh = [c for c in named if old or _new(c)]
     generic = kind == "car" and any(c.is_ego or _of_kind(c, kind) for c in named)
     return generic or any(kind == "car" or _of_kind(c, kind) for c in fresh)
 
 
 def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:
     """``Cut-out before a stopped car: … a car that has broken down``."""
-    named = [c for c in _others(rest) if _of_kind(c, mention.noun)]
-    single = not mention.plural and not mention.label
-    return single and any(m.value == "indef" for c in named for m in c.mods[:1])
+    named = [c for c in _others(rest) if mention.noun == "car" or _of_kind(c, mention.noun)]
+    return not mention.plural and not mention.label and any(map(_new, named))
 
 
 def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
@@ -202,7 +235,7 @@ def read_entries(chunks: list[Chunk]) -> list[Chunk]:
     for begin, k in sentences(chunks):
         if chunks[k].value == ":":
             left_out |= {*range(k, _entry(chunks[begin:k], chunks, k))}
-    return [c for k, c in enumerate(chunks) if k not in left_out]
+    return _without(left_out, chunks)
 
 
 def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int:
