@@ -201,19 +201,26 @@ def _opens_clause(state: State) -> bool:
     if value_at(chunks, m) == ",":
         if not (begins or listed):
             return False
-        m = _behind_participle(chunks, m + 1)
+        m = _behind_insertion(chunks, m + 1)
     m += _word_of(chunks, m, frozenset({"aux", "copy"})) or _stands_before_subject(chunks, m)
     return isinstance(chunk_at(chunks, m), Mention)
 
 
-def _behind_participle(chunks: list[Chunk], m: int) -> int:
-    """``from the right, partly hidden by a wall, a van comes``: behind what is put in."""
+def _behind_insertion(chunks: list[Chunk], m: int) -> int:
+    """Behind what is put in between two commas.
+
+    "From the right, partly hidden by a wall, a van comes", "ahead of the ego, which does 50 km/h,
+    …", "in front of it, at a distance of 20 m, …".
+    """
     ends = [n for n, c in enumerate(chunks[m : m + _INSERTED], start=m) if is_word(c, ",")]
     inside = chunks[m : ends[0]] if ends else []
     events = [c for c in inside if isinstance(c, Event)]
     opens = [c for c in inside if not isinstance(c, Word) or c.cat in GOVERNING][:1]
     participle = opens == events and bool(events) and events[0].form in {"ed", "ing"}
-    return ends[0] + 1 if participle else m
+    relative = bool(events) and _word_of(chunks, m, frozenset({"rel"}))
+    measure = any(getattr(c, "cat", "") == "quantity" for c in inside)
+    measure = measure and not any(isinstance(c, Event | Mention) for c in inside)
+    return ends[0] + 1 if participle or relative or measure else m
 
 
 def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:

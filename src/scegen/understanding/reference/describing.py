@@ -108,7 +108,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
         mention.goes_by = ParticipantKind.PEDESTRIAN  # "the insured walked": no driver
     if event.passive:
         return  # "the car is hit by a van from the right": the van comes from there
-    whence = [p for p in event.pps if p.value == "from" and p.place is not None]
+    froms = (p for p in event.pps if p.value == "from" and p.place is not None)
+    whence = [p for p in froms if p.place is not None and "rear" not in p.place.dirs]
     mention.sides |= _sides(whence)
     if whence:
         mention.elsewhere = mention.pronoun is None

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass, field
 from itertools import pairwise
+from typing import NamedTuple
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
@@ -24,8 +25,17 @@ _DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
+_UNDERWAY = frozenset({"move", "wait"})
 _BEHIND = ("locus", "behind", None, None)
 _COMING_OUT = frozenset({"cross", "appear", "pull_out"})
+
+
+class _Along(NamedTuple):
+    """``a van drives 20 m ahead of the ego``; by None: of whoever looks on."""
+
+    who: Mention
+    locus: str
+    by: Mention | None
 
 
 @dataclass(slots=True)
@@ -41,6 +51,7 @@ class _Bonds:
         subjects: those that a clause tells of.
         settled: those of whom the text says which way they go.
         everywhere: those that come one from each of so many sides.
+        along: who drives or stands ahead of whom, or behind, under both of them.
     """
 
     unlike: dict[int, list[NounPhrase]] = field(default_factory=lambda: defaultdict(list))
@@ -51,6 +62,7 @@ class _Bonds:
     subjects: set[int] = field(default_factory=set)
     settled: set[int] = field(default_factory=set)
     everywhere: dict[int, int] = field(default_factory=dict)
+    along: dict[int, list[_Along]] = field(default_factory=lambda: defaultdict(list))
 
 
 def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bonds:
@@ -69,6 +81,11 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
     mentions = [c for c in chunks if isinstance(c, Mention)]
     for event in events:
         _done_to(event, mentions, found)
+        for who in event.subject if event.name in _UNDERWAY and not event.negated else []:
+            _stands_along(who, [p for p in event.pps if p.outer is None], found)
+        if event.name == "precede" and isinstance(event.object, Mention) and not event.passive:
+            for who in event.subject:
+                _along(who, "ahead", event.object, found)
         if event.name == "approach" or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
         if _comes_out(event):
@@ -84,7 +101,21 @@ def _bonds(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> _Bo
                 found.unlike[id(prep.who)].append(mention)  # "a bus behind it"
             elif prep.place and (whose := prep.place.beside or prep.place.owner) is not None:
                 found.unlike[id(whose)].append(mention)  # "two vans on either side of it"
+        _stands_along(mention, [p for p in mention.pps if p.predicate], found)
     return found
+
+
+def _stands_along(who: Mention, pps: list[Prep], found: _Bonds) -> None:
+    for prep in pps:
+        nobody = prep.target is None and prep.outer is None
+        by = prep.who
+        if prep.word.cat == "locus" and prep.value in _BACKWARDS and (nobody or by is not None):
+            _along(who, prep.value, by, found)
+
+
+def _along(who: Mention, locus: str, by: Mention | None, found: _Bonds) -> None:
+    for of in (who, by) if by is not None else (who,):
+        found.along[id(of)].append(_Along(who, locus, by))
 
 
 def _going_elsewhere(event: Event, events: list[Event], found: _Bonds) -> None:
@@ -289,6 +320,10 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: _Bonds) -> None:
     for entity in mention.entities:
         entity.loci |= loci
         entity.nears = not entity.ego if id(mention) in bonds.nearing else entity.nears
+    for who, locus, by in bonds.along[id(mention)]:
+        if by is None or any(e.ego for e in by.entities):
+            for entity in who.entities:
+                entity.loci |= {locus}
 
 
 def _seen_from_the_ego(mention: Mention, placed: list[Mention], events: list[Event]) -> set[str]:
