@@ -22,8 +22,12 @@ def is_it(noun: object) -> TypeGuard[Mention]:
 
 
 def loci_of(mention: Mention) -> set[str]:
-    """Where a noun is said to be: "the car behind" is not "the car in front"."""
-    loci = {p.value for p in mention.pps if p.word.cat == "locus" and not p.predicate}
+    """Where a noun is said to be: "the car behind" is not "the car in front".
+
+    "Hits the car from behind" tells how it is done, and not where the car is.
+    """
+    told = (p for p in mention.pps if not (p.predicate or p.outer == "from"))
+    loci = {p.value for p in told if p.word.cat == "locus"}
     return loci | ({"elsewhere"} if mention.elsewhere else set())
 
 
