@@ -198,6 +198,9 @@ def _opens_clause(state: State) -> bool:
     m = _phrase_end(state.k, chunks)
     if m is None:
         return False
+    if value_at(chunks, m) == "(":  # "ahead of the ego (40 km/h) a van drives"
+        closed = (n + 1 for n, c in enumerate(chunks[m:], start=m) if c.value == ")")
+        m = next(closed, m)
     if value_at(chunks, m) == ",":
         if not (begins or listed):
             return False

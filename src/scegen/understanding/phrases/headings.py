@@ -38,9 +38,12 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
         number = again.mod("num") if isinstance(again, Mention) and again.head else None
         told = _listed(chunks, k + 1)
         first = next(iter(free_mentions(chunks[k + 1 :])), None)
-        if _anybody(who) and first is not None and first in told and _new(first):
+        alone = chunks[begin:k] == [who]
+        entry = alone and again is first and _bare(who) and who.noun in _GENERIC
+        new = first is not None and (_new(first) or (entry and _bare(first)))
+        if (entry or _anybody(who)) and first is not None and first in told and new:
             _turns_out(who, first)
-            if chunks[begin:k] == [who]:
+            if alone and not entry:
                 first.same_as = None  # "A wrong-way driver: 300 m ahead, a car comes"
                 left_out |= {begin, k}
             continue
@@ -57,6 +60,12 @@ def _anybody(mention: Mention) -> bool:
     """``somebody``, ``another road user``, ``a wrong-way driver``: of no kind yet."""
     data = mention.head.data if mention.head is not None else {}
     return "vague" in data or ("driver" in data and mention.mod("def") is None)
+
+
+def _bare(mention: Mention) -> bool:
+    """``Target: bus, 40 km/h``: neither has an article."""
+    opened = [m for m in mention.mods if m.cat in _FIRST_WORDS | {"quantity"}]
+    return not mention.plural and all(m.value == "other" for m in opened)
 
 
 def _turns_out(who: Mention, named: Mention) -> None:

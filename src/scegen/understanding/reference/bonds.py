@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import NamedTuple
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.relatives import aside
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
 from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.words.tokens import Token
@@ -81,6 +82,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
     for event in events:
         _done_to(event, mentions, found)
         _drives_along(event, found)
+        _keeps_away(event, tokens, found)
         if event.name == "approach" or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
         if _comes_out(event):
@@ -98,6 +100,14 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
                 found.unlike[id(whose)].append(mention)  # "two vans on either side of it"
         _stands_along(mention, [p for p in mention.pps if p.predicate], found)
     return found
+
+
+def _keeps_away(event: Event, tokens: list[Token], found: Bonds) -> None:
+    """``keeps a headway of 2 s to a van``: drives behind it."""
+    what = event.object
+    if isinstance(what, Thing) and tokens[what.j - 1].low in word_list("gauged"):
+        for prep in (p for p in event.pps if p.value in {"to", "from"}):
+            found.follows[id(prep.who)].append(event)
 
 
 def _drives_along(event: Event, found: Bonds) -> None:
@@ -141,7 +151,7 @@ def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:
     if known is not None:
         found.unlike[id(known)] += event.subject
         found.passed |= {id(known)} if event.name == "bypass" else set()
-        if event.name in _FOLLOWING:
+        if event.name in _FOLLOWING or event.name == "approach":
             found.follows[id(known)].append(event)
     for who in event.subject if isinstance(known, Mention) else []:
         if who.pronoun and known is not None and known.i < who.i:
