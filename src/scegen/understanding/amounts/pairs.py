@@ -59,7 +59,8 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     word = figure.after[0] if figure.after is not None else None
     located = word is not None and word.cat == "locus"
     before = [m for m in text.mentions if m.i < figure.i]
-    holder = [m for m in before for p in m.pps if located and p.word is word]
+    holds = ((m, p) for m in text.mentions for p in m.pps if located and p.word is word)
+    holder = [m for m, p in holds if p.fronted or m.i < figure.i]  # "10 m ahead of it a bus"
     if holder and len(holder[0].entities) == 1 and named:
         subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
     pronoun = isinstance(noun, Mention) and noun.pronoun is not None

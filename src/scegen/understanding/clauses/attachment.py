@@ -89,6 +89,7 @@ def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
     before, state.last_prep = _before(prep, state), prep
     if prep.fronted:
+        _of_the_one_listed(prep, state)
         if not _counts_lanes(prep, before):
             state.fronted.append(prep)
         return
@@ -118,6 +119,13 @@ def attach(prep: Prep, state: State) -> None:
         state.events[-1].pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _of_the_one_listed(prep: Prep, state: State) -> None:
+    """``ahead of the ego: a van and, 10 m in front of it, a bus``: in front of the van."""
+    listed = {"conj", ","} <= state.between and not state.events
+    if listed and state.waiting is state.anchor and is_it(prep.target):
+        prep.target.same_as = state.waiting
 
 
 def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
@@ -192,7 +200,8 @@ def _opens_clause(state: State) -> bool:
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between
     inserted = {"conj", ","} <= state.between  # "a child and, behind the child, a bus"
     listed = "conj" in state.between
-    if not begins and not (joins and (inserted or state.candidate_done or state.events)):
+    complete = state.candidate_done or bool(state.events) or state.being is not None
+    if not begins and not (joins and (inserted or complete)):
         return False
     chunks = state.chunks
     m = _phrase_end(state.k, chunks)

@@ -39,7 +39,8 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
         told = _listed(chunks, k + 1)
         first = next(iter(free_mentions(chunks[k + 1 :])), None)
         alone = chunks[begin:k] == [who]
-        entry = alone and again is first and _bare(who) and who.noun in _GENERIC
+        placed = [getattr(c, "cat", "") for c in chunks[begin + 1 : k]] == ["locus"]
+        entry = (alone or placed) and again is first and _bare(who) and who.noun in _GENERIC
         new = first is not None and (_new(first) or (entry and _bare(first)))
         if (entry or _anybody(who)) and first is not None and first in told and new:
             _turns_out(who, first)

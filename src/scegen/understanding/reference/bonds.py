@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
@@ -111,13 +111,27 @@ def _keeps_away(event: Event, tokens: list[Token], found: Bonds) -> None:
 
 
 def _drives_along(event: Event, found: Bonds) -> None:
-    """``drives ahead of the ego``, ``leads the ego``."""
-    leads = event.name == "precede" and isinstance(event.object, Mention) and not event.passive
-    for who in event.subject if not event.negated else []:
+    """``drives ahead of the ego``, ``leads the ego``, ``follows it``, ``closes in from behind``."""
+    whom = event.object if isinstance(event.object, Mention) else None
+    if event.negated:
+        return
+    if event.passive:  # "is followed by a van"
+        agents = [p.who for p in event.pps if p.value == "by" and event.name in _FOLLOWING]
+        for who, by in product(agents, event.subject):
+            if who is not None:
+                _along(who, "behind", by, found)
+        return
+    astern = any((p.value, p.outer) == ("behind", "from") for p in event.pps)
+    behind = event.name in _FOLLOWING or (event.name == "approach" and astern)
+    for who in event.subject:
         if event.name in _UNDERWAY:
             _stands_along(who, [p for p in event.pps if p.outer is None], found)
-        elif leads and isinstance(event.object, Mention):
-            _along(who, "ahead", event.object, found)
+        elif whom is not None and event.name == "precede":
+            _along(who, "ahead", whom, found)
+        elif whom is not None and (
+            event.name in _FOLLOWING or (event.name == "approach" and astern)
+        ):
+            _along(who, "behind", whom, found)
 
 
 def _stands_along(who: Mention, pps: list[Prep], found: Bonds) -> None:

@@ -46,13 +46,16 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
     if mention.pronoun == "both" and [e.ego for e in roster.entities] == [False]:
         the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+    two = roster.joined if len(roster.joined) == _TWO else []
+    if mention.pronoun == "both" and two and roster.subject == two[-1:]:
+        return two  # "a van and a bus drive ahead of the ego; both brake"
     meant = roster.together(exclude)
     number = mention.mod("num")
     if number is not None and int(number.data["number"]) != len(meant):
         people = [e for e in everybody(mention, roster.draft) if e not in exclude]
         return people if len(people) == int(number.data["number"]) else meant
     opens = mention.i == 0 or roster.tokens[mention.i - 1].kind == "punct"
-    if opens and _word(roster, mention) == "all" and len(meant) == _TWO:
+    if opens and _word(roster, mention) in word_list("all_of_them") and len(meant) == _TWO:
         return everybody(mention, roster.draft)  # of two one would say "both"
     return meant
 

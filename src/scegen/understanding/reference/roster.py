@@ -30,6 +30,7 @@ class Roster:
         subject: who acted last.
         before: who acted before them.
         pair: the two of whom one was called "the former".
+        joined: who was named as one subject ("a van and a bus").
         teller: what the one who tells it goes by.
         apart: that one is not the ego.
     """
@@ -41,6 +42,7 @@ class Roster:
     subject: list[Entity] = field(default_factory=list)
     before: list[Entity] = field(default_factory=list)
     pair: list[Entity] = field(default_factory=list)
+    joined: list[Entity] = field(default_factory=list)
     teller: ParticipantKind = ParticipantKind.CAR
     apart: bool = False
 

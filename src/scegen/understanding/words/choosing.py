@@ -123,11 +123,14 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
 
 
 def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
-    """``one exits``, ``a car from the left speeds through``, ``they both cross``."""
+    """``one exits``, ``a car from the left speeds through``, ``all three brake``."""
     if previous is None:
         return False
     if previous.cat == "quant" and previous.value in {"all", "both"}:
-        return not (match.has(*_NOUNS) and match.form == "s")
+        single = tokens[previous.i].low in word_list("each_one")  # "everybody brakes"
+        return single or not (match.has(*_NOUNS) and match.form == "s")
+    if previous.cat == "num" and previous.data.get("number", 0) > 1 and match.form == "base":
+        return not noun_follows(tokens, match.j)
     if match.form != "s":
         return False
     headed = tokens[previous.j - 1].low in {"way", "direction"}
