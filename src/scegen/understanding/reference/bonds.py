@@ -128,9 +128,7 @@ def _drives_along(event: Event, found: Bonds) -> None:
             _stands_along(who, [p for p in event.pps if p.outer is None], found)
         elif whom is not None and event.name == "precede":
             _along(who, "ahead", whom, found)
-        elif whom is not None and (
-            event.name in _FOLLOWING or (event.name == "approach" and astern)
-        ):
+        elif whom is not None and behind:
             _along(who, "behind", whom, found)
 
 
