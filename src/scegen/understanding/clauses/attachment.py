@@ -207,6 +207,8 @@ def _opens_clause(state: State) -> bool:
     m = _phrase_end(state.k, chunks)
     if m is None:
         return False
+    while _word_of(chunks, m, GOVERNING) and (further := _phrase_end(m, chunks)) is not None:
+        m = further  # "in the left lane beside the ego a van drives"
     if value_at(chunks, m) == "(":  # "ahead of the ego (40 km/h) a van drives"
         closed = (n + 1 for n, c in enumerate(chunks[m:], start=m) if c.value == ")")
         m = next(closed, m)

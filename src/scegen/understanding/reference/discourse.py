@@ -107,6 +107,7 @@ class Discourse:
             entity.sides |= mention.sides
             entity.named_by |= states_of(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
+        self._roster.stands_near(mention, found)
         if subject and mention.joined is not None:
             self._roster.joined = [*mention.joined.entities, *found]
         return found

@@ -67,6 +67,9 @@ def _word(roster: Roster, mention: Mention) -> str:
 def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
     subject, recent = roster.subject, roster.recent
     word = _word(roster, mention)
+    near = [e for e in roster.still_near(mention) if e not in exclude]
+    if near and word == "it":
+        return near
     afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
     if word == "it" and mention.walks and not mention.drives and afoot:
         return afoot[-1:]  # "two cars hide a child; it walks out"

@@ -31,6 +31,8 @@ class Roster:
         before: who acted before them.
         pair: the two of whom one was called "the former".
         joined: who was named as one subject ("a van and a bus").
+        landmark: of whom the last phrase of place told where somebody is, its word and since when.
+        turns: how many mentions came up.
         teller: what the one who tells it goes by.
         apart: that one is not the ego.
     """
@@ -43,6 +45,8 @@ class Roster:
     before: list[Entity] = field(default_factory=list)
     pair: list[Entity] = field(default_factory=list)
     joined: list[Entity] = field(default_factory=list)
+    landmark: tuple[list[Entity], str, int] | None = None
+    turns: int = 0
     teller: ParticipantKind = ParticipantKind.CAR
     apart: bool = False
 
@@ -64,6 +68,20 @@ class Roster:
             if found != self.subject:
                 self.before = self.subject
             self.subject = found
+
+    def stands_near(self, mention: Mention, found: list[Entity]) -> None:
+        """Remembers of whom a phrase of place says where somebody is ("ahead of the ego")."""
+        self.turns += 1
+        if mention.prep is not None and mention.prep.cat == "locus" and len(found) == 1:
+            self.landmark = (found, mention.prep.value, self.turns)
+
+    def still_near(self, mention: Mention) -> list[Entity]:
+        """``a van drives ahead of the ego, a bus behind it``: "it" is the ego, not the van."""
+        if self.landmark is None or mention.prep is None or mention.prep.cat != "locus":
+            return []
+        found, word, since = self.landmark
+        parallel = word != mention.prep.value and self.turns - since == 1
+        return found if parallel else []
 
     @property
     def entities(self) -> list[Entity]:

@@ -65,7 +65,14 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
 
 def _goes_on(event: Event) -> bool:
     """``a cyclist riding to its right``: where it rides all the time."""
-    return (event.name, event.form) == ("move", "ing") and not event.finite
+    going = (event.name, event.form) == ("move", "ing") and not event.finite
+    return going or _drives_along(event)
+
+
+def _drives_along(event: Event) -> bool:
+    """``a van drives to its left``: beside it, of somebody new."""
+    new = any(m.opened_by("indef") for m in event.subject)
+    return event.name == "move" and new and event.lemma in word_list("driving_along")
 
 
 def _our_side(side: Place, event: Event) -> bool:
@@ -203,6 +210,7 @@ def _a_little_aside(clause: Clause, context: Context) -> bool:
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "a_little_aside": _a_little_aside,
+    "drives_along": lambda clause, _: _drives_along(clause.event),
     "overtaking": _overtaking,
     "across_the_road": _across_the_road,
     "past_the_roadside": _past_the_roadside,
