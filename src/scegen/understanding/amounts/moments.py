@@ -44,6 +44,7 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     if into:
         return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
     into = _of_its_doer(figure, acts)
+    into = into or [a for a in _opens_with(figure, acts) if a.kind in _INTO]
     if into:
         return into[0]
     here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
@@ -66,7 +67,7 @@ def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing
 
 
 def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
-    """``at a TTC of 2 s the lead car brakes``: what the clause tells that it opens."""
+    """``at a TTC of 2 s the lead car brakes``, ``10 m ahead of the ego a van swerves``: then."""
     text = figure.text
     if any(figure.start <= m.i < figure.i for m in text.mentions):
         return []

@@ -111,7 +111,7 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = None
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
-    described = _described(prep, state)
+    described = _described(prep, state) or _also_there(state)
     if described is not None and not _of_who_acts(prep, described, state):
         described.pps.append(prep)
         prep.predicate = "rel" not in state.between
@@ -179,6 +179,14 @@ def _described(prep: Prep, state: State) -> Mention | None:
     if "aux:be" not in state.between:
         return anchor if _aside(prep, state) else None
     return anchor if anchor is state.waiting or "rel" in state.between else None
+
+
+def _also_there(state: State) -> Mention | None:
+    """``while the ego drives, a van is ahead of it in the left lane``: in both places."""
+    who = state.waiting
+    is_there = who is not None and any(p.predicate for p in who.pps)
+    since = who is not None and bool(state.events) and state.events[-1].i < who.i
+    return who if is_there and since and not state.between else None
 
 
 def _aside(prep: Prep, state: State) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.clauses.dependents import alternative, chain
+from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
 
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
@@ -51,7 +52,7 @@ def coordinate(event: Event, state: State) -> None:
     outer = [e for e in verbs if not e.embedded]
     relative = bool(verbs) and verbs[-1].embedded and verbs[-1].form == event.form
     # "A car passes the ego, which drives on, and changes lanes", "… a jam that crawls and brakes".
-    if relative and ("," in state.between or _no_jam(event, verbs[-1].subject)):
+    if relative and ("," in state.between or _no_jam(event, verbs[-1].subject, state)):
         verbs = outer or verbs
     alike = [e for e in verbs if _shape(e) == wanted]
     exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
@@ -78,9 +79,13 @@ def coordinate(event: Event, state: State) -> None:
     alternative(event, parallel, state)
 
 
-def _no_jam(event: Event, subject: list[Mention]) -> bool:
-    """``comes up to a jam that crawls and brakes late``: what one does, and no jam."""
-    return event.name in _ONES and bool(subject) and subject[-1].is_mass
+def _no_jam(event: Event, subject: list[Mention], state: State) -> bool:
+    """``comes up to a jam that crawls and brakes late``: what one does, and no jam.
+
+    In "drives behind a van that does 40 km/h and overtakes it" it is the van that is overtaken.
+    """
+    passed = event.name == "overtake" and is_it(state.at(1))
+    return passed or (event.name in _ONES and bool(subject) and subject[-1].is_mass)
 
 
 def _as_finite(first: Event, second: Event) -> bool:

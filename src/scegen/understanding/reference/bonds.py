@@ -242,19 +242,21 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
         if not any(m.cat == "state" for m in chunk.mods)
     }
     opens: Mention | None = None
-    fresh = True
+    fresh, subordinate = True, False
     for chunk in chunks if any(c.value == "be" for c in chunks) else []:
         if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.cat == "sub"):
-            opens, fresh = None, True
-            continue
-        if isinstance(chunk, Mention) and fresh:
+            opens, fresh, subordinate = None, True, chunk.cat == "sub"
+        elif isinstance(chunk, Word) and (chunk.value == "," or chunk.cat == "conj"):
+            opens, fresh = None, subordinate  # "while the ego drives, a van is ahead of it"
+        elif isinstance(chunk, Mention) and fresh:
             opens, fresh = chunk, False
         elif isinstance(chunk, Word) and (chunk.cat, chunk.value) == ("aux", "be"):
             found |= {id(opens)} if opens is not None else set()
-        elif isinstance(chunk, Event):
-            found -= {id(opens)} if opens is not None else set()
-            opens = None
-        fresh = False
+        else:
+            if isinstance(chunk, Event):
+                found -= {id(opens)} if opens is not None else set()
+                opens = None
+            fresh = False
     return found
 
 

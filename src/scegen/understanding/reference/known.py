@@ -142,8 +142,9 @@ def _definite(
 ) -> list[Entity]:
     alike = [e for e in reversed(roster.recent) if roster.compatible(e, reading)]
     options = [e for e in alike if not (e in exclude or elsewhere(reading, mention, e))]
-    which = [p for p in mention.pps if not p.predicate]
-    loci = loci_of(mention)
+    which = [p for p in mention.pps if not (p.predicate or p.fronted)]
+    fronted = {p.value for p in mention.pps if p.fronted}
+    loci = loci_of(mention) - fronted  # "15 m ahead of the ego the van cuts in": no other van
     told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
     if not (told or mention.narrowed or (which and not as_the_ego_sees(mention))):
         options = options or roster.cast(reading, loci)
@@ -163,7 +164,7 @@ def _definite(
     placed = which or mention.elsewhere or mention.narrowed or done
     restricted = reading.dirs or reading.labels or placed
     only = [e for e in roster.entities if e.is_vehicle]
-    own = all(p.value == "to" for p in which) and not (mention.narrowed or loci)
+    own = all(p.value == "to" for p in which) and not (mention.narrowed or loci or fronted)
     own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
     ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
     car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0

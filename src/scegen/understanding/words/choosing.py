@@ -193,6 +193,8 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
         return True
     after = longest_match(tokens, match.j)
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    if previous.value == ")":  # "a van (40 km/h) that changes lanes"
+        return verbal or not begins(tokens, match.j, "actor", "place", "thing", "inert", "num")
     sided = previous.cat in {"dir", "compass"}
     return sided and verbal and not begins(tokens, match.j, "actor", "place")
 
