@@ -71,8 +71,10 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     vain = parent is not None and _in_vain(parent)
     basis = Basis(parent.i if vain and parent is not None else event.i, event.j)
     held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
-    if nearly is not None:
-        kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
+    by_so_much = event.lemma == "miss" and event.name == "avoid"  # "misses it by 1 m"
+    if nearly is not None or (by_so_much and clear):
+        kind = OutcomeKind.NEAR_MISS
+        basis = Basis(nearly[0] if nearly is not None else event.i, event.j)
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
     elif not _aimed(event, text) and (
@@ -115,7 +117,8 @@ def _in_time(scene: Clause, text: Telling) -> Ending | None:
     end = text.bounds(event.i)[1]
     end = min([s.event.i for s in text.within(event.j, end)], default=end)
     span = text.find("in_time", event.i, end)
-    if event.name not in {"stop", "brake"} or event.modal or span is None:
+    stands = event.modal or any(e.parked for e in scene.actors)
+    if event.name not in {"stop", "brake"} or stands or span is None:
         return None
     kind = OutcomeKind.COLLISION if event.negated else OutcomeKind.AVOIDED
     aim = event.link == "inf" and (above is None or above.lemma != "manage")

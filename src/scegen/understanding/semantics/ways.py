@@ -179,6 +179,7 @@ def _onto_the_road(clause: Clause, _: Context) -> bool:
     return (
         any(p.arm is not None for p in places)
         or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
+        or (isinstance(over := clause.event.object, Place) and over.kind == "access")
         or (not kinds and clause.event.object is None)
     )
 
