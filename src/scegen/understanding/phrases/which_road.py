@@ -51,10 +51,10 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 
 def _hand_on(before: list[Chunk], road: Place) -> None:
-    """``the crosswalk of the road that it turns into``: on that arm."""
+    """``the crosswalk (the crossing) of the road that it turns into``: on that arm."""
     place = chunk_at(before, len(before) - 2)
     of = value_at(before, len(before) - 1) in {"of", "in"}
-    if of and isinstance(place, Place) and place.kind == "crosswalk":
+    if of and isinstance(place, Place) and place.kind in {"crosswalk", "junction"}:
         place.arm, place.user = road.arm, road.user
 
 
