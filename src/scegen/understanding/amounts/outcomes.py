@@ -60,6 +60,9 @@ def _from_the_front(ending: Ending, text: Telling) -> None:
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
     noun = _bare(event, text) and not event.subject  # "…; contact is avoided"
+    stops = _in_time(scene, text)
+    if stops is not None:
+        return stops
     clear = _gets_clear(scene) or _stops_first(scene, text)
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
@@ -68,8 +71,10 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     vain = parent is not None and _in_vain(parent)
     basis = Basis(parent.i if vain and parent is not None else event.i, event.j)
     held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
-    if nearly is not None:
-        kind, basis = OutcomeKind.NEAR_MISS, Basis(nearly[0], event.j)
+    by_so_much = event.lemma == "miss" and event.name == "avoid"  # "misses it by 1 m"
+    if nearly is not None or (by_so_much and clear):
+        kind = OutcomeKind.NEAR_MISS
+        basis = Basis(nearly[0] if nearly is not None else event.i, event.j)
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
     elif not _aimed(event, text) and (
@@ -104,6 +109,22 @@ def _by_a_part(event: Event, text: Telling) -> bool:
 def _bodies(nouns: Iterable[object]) -> bool:
     """Whether one of some nouns is a part of a vehicle."""
     return any(isinstance(n, Place) and n.kind in _BODY for n in nouns)
+
+
+def _in_time(scene: Clause, text: Telling) -> Ending | None:
+    """``is able to stop in time``, ``brakes in time``; "cannot stop in time": they touch."""
+    event, above = scene.event, scene.event.parent
+    end = text.bounds(event.i)[1]
+    end = min([s.event.i for s in text.within(event.j, end)], default=end)
+    span = text.find("in_time", event.i, end)
+    stands = event.modal or any(e.parked for e in scene.actors)
+    if event.name not in {"stop", "brake"} or stands or span is None:
+        return None
+    kind = OutcomeKind.COLLISION if event.negated else OutcomeKind.AVOIDED
+    aim = event.link == "inf" and (above is None or above.lemma != "manage")
+    if event.negated:  # "does not stop in time at the light"
+        aim = event.name == "brake" or any(isinstance(n, Place) for n in event.nouns())
+    return None if aim else Ending(kind, Basis(event.i, span[1]), _between(scene, text))
 
 
 def _stops_first(scene: Clause, text: Telling) -> bool:
@@ -176,7 +197,7 @@ def _before_it(event: Event, text: Telling) -> bool:
 
 
 def _of_phrases(text: Telling) -> list[Ending]:
-    spans = {n: text.find(n, 0, len(text.tokens)) for n in ("near_miss", "avoided", "collision")}
+    spans = {n: text.find(n, 0, len(text.tokens)) for n in ("near_miss", "avoided")}
     found = []
     for name, span in spans.items():
         if span is None:

@@ -62,13 +62,11 @@ def _hit(place: Place, ending: Ending, text: Telling) -> bool:
     """Whether the ego's part is what is touched: "by its left side", "is hit in the side"."""
     i, prep = ending.basis.i or 0, place.opening
     here = [s for s in text.scenes if s.event.i == i]
-    of_body = place.head is not None or any("of_body" in m.data for m in place.mods)
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
     told = place.owner is not None or place.possessed
     direct = any(s.event.object is place for s in here)
-    within = prep == "in" and of_body
     met = direct or (prep in {"in", "into"} and told)
-    return met or prep in {"by", "with"} or (within and is_hit)
+    return met or prep in {"by", "with"} or (prep == "in" and is_hit)
 
 
 def _portion(place: Place, text: Telling) -> NounPhrase | None:

@@ -136,8 +136,10 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     """
     verb, place = state.last, prep.place
     if place is not None:
-        if verb is None or verb.name not in _PASSING or prep.value != "in":
+        if verb is None or prep.value != "in":
             return False
+        if verb.name not in _PASSING:  # "is hit by a van in its left side"
+            return verb.name == "collide" and verb.passive and place.kind == "side"
         # "passes a truck in the left lane"; who is in the right lane is passed
         lane = verb.object is whom and place.kind == "lane" and "left" in place.dirs
         return lane or (verb.passive and place.kind == "side")
@@ -266,20 +268,22 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
         m += 1
     target = chunk_at(chunks, m)
     placed = isinstance(target, Place) and (
-        target.kind in _SIDES or (target.kind in _ROADS and (target.arm or target.dirs))
+        target.kind in _SIDES
+        or (target.kind in _ROADS and (target.arm or target.dirs or _side_after(chunks, m + 1)))
     )
-    if not placed and not (locus and isinstance(target, Mention | Thing)):
-        return None
+    if locus and _stands_before_subject(chunks, m):
+        return m  # "from ahead comes a van"
+    owned = chunk_at(chunks, m + 1)
+    sided = isinstance(target, Mention) and target.possessor and isinstance(owned, Place)
+    if not placed and not (locus and isinstance(target, Mention | Thing)) and not sided:
+        return None  # "from the ego's left a van comes"
     m += 1
-    owned = chunk_at(chunks, m)
     if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
         m += 1  # "behind the ego's bumper"
-    if isinstance(target, Place) and target.kind == "access" and _side_after(chunks, m):
-        m += 2  # "from a driveway on the left a van …"
     parked = chunk_at(chunks, m)
     m += isinstance(parked, Event) and (parked.name, parked.form) == ("park", "ed")
     if _side_after(chunks, m):
-        m += 2  # "behind a van (parked) on the right a man …"
+        m += 2  # "behind a van (parked) on the right a man …", "from the road on the left a van …"
     while value_at(chunks, m) == "of" and isinstance(chunk_at(chunks, m + 1), Mention | Place):
         m += 2
     return m

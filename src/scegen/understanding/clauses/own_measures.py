@@ -117,7 +117,7 @@ def _told_of(chunks: list[Chunk], k: int, tokens: list[Token]) -> Mention | None
 
 
 def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | None:
-    """``waits for a van at 50 km/h``, ``backs out in front of a van at 50 km/h``: the van's.
+    """``waits for (lets) a van at 50 km/h``, ``backs out in front of a van at 50 km/h``: the van's.
 
     Who waits has no speed, and who sets off has none yet.
     """
@@ -128,4 +128,5 @@ def _awaited(chunks: list[Chunk], k: int, holders: list[Event]) -> Mention | Non
     waits = who.prep is not None and any(e.name in {"wait", "yield"} for e in holders)
     starts = [p for e in holders if e.name in _FROM_REST for p in e.pps]
     front = any(p.value == "ahead" and p.target is who for p in starts)
-    return who if waits or front else None
+    let = any(e.object is who and e.lemma == "let" for e in holders)
+    return who if waits or front or let else None

@@ -198,6 +198,8 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = main_in_sentence(state)
         if not event.finite:  # what hangs on an obliged verb is no less obliged
             event.modal = event.modal or state.last.modal
+    elif isinstance(state.anchor, Mention) and state.anchor.prep is None and not event.finite:
+        event.subject = chain(state.anchor)  # "there is a van, turning left"
     else:
         state.pending.append(event)
 

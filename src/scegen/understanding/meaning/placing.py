@@ -32,7 +32,8 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     out = event.name == "reverse" and any(kind in {"parking", "access"} for _, kind in places)
     afoot = prep.who is not None and not any(e.is_vehicle for e in prep.who.entities)
     halts = afoot and event.name == "stop"  # "stops 1 m in front of her"
-    past = prep.value == "behind" and event.name in {"pass", "cross"}  # "passes behind the ego"
+    # "passes behind the ego", "passes just in front of it"
+    past = prep.value in {"behind", "ahead"} and event.name in {"pass", "cross"}
     return past or ((turns or onto or out or halts) and prep.value == "ahead")
 
 

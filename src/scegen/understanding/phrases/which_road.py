@@ -34,8 +34,15 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         course = _course(chunks, k, tokens, found) if courses and clause is None else None
         if clause is not None and isinstance(chunk, Place):
             end, chunk.arm = clause
-            found[begin:begin] = _told_anew(chunks, k, end)
             chunk.user = next(c for c in chunks[k + 1 : end] if isinstance(c, Mention))
+            told = _told_anew(chunks, k, end)
+            if chunk.user.opened_by("indef"):  # "the road on which a van approaches from the left"
+                rest = chunks[
+                    end : next((m for m in range(end, len(chunks)) if _stops(chunks[m])), end)
+                ]
+                told[-1:] = [*rest, *told[-1:]]
+                end += len(rest)
+            found[begin:begin] = told
             _hand_on(found, chunk)
             found.append(chunk)
             k = end
@@ -51,11 +58,15 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 
 def _hand_on(before: list[Chunk], road: Place) -> None:
-    """``the crosswalk of the road that it turns into``: on that arm."""
+    """``the crosswalk (the crossing) of the road that it turns into``: on that arm."""
     place = chunk_at(before, len(before) - 2)
     of = value_at(before, len(before) - 1) in {"of", "in"}
-    if of and isinstance(place, Place) and place.kind == "crosswalk":
+    if of and isinstance(place, Place) and place.kind in {"crosswalk", "junction"}:
         place.arm, place.user = road.arm, road.user
+
+
+def _stops(chunk: Chunk) -> bool:
+    return chunk.cat in {"punct", "conj", "sub", "rel"}
 
 
 def _text(chunk: Chunk | None, tokens: list[Token]) -> str:

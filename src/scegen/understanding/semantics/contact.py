@@ -27,7 +27,9 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
     event, tokens = clause.event, context.tokens
     if event.name not in _MOTION or event.nominal:
         return None
-    opening = {"into", "against", *(["in"] if event.lemma in word_list("ending_up") else [])}
+    opening = {"into", *(["in"] if event.lemma in word_list("ending_up") else [])}
+    if event.name not in {"turn", "sharp_turn"}:  # "turns left against oncoming traffic"
+        opening.add("against")
     goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low in opening]
     goals += [event.object] if tokens[event.j - 1].low == "into" else []
     nouns = (g for g in goals if isinstance(g, NounPhrase))

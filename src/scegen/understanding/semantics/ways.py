@@ -51,7 +51,8 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
                 continue  # "to the right of the bus", "the lorry to its left": where it is
             for value in target.dirs:
                 if value in _OTHER:
-                    way = Maneuver.STRAIGHT if across else DIRECTIONS[value]
+                    crosses = across and event.name != "turn"  # "from the left, turns to the right"
+                    way = Maneuver.STRAIGHT if crosses else DIRECTIONS[value]
                     found[way] = span(event, target.i, target.j)
     goal = event.object
     if isinstance(goal, Place) and (
@@ -186,6 +187,7 @@ def _onto_the_road(clause: Clause, _: Context) -> bool:
     return (
         any(p.arm is not None for p in places)
         or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
+        or (isinstance(over := clause.event.object, Place) and over.kind == "access")
         or (not kinds and clause.event.object is None)
     )
 

@@ -83,7 +83,8 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None)
     singular = singular or (known and before in {"punct", "conj"})
     after, number = low_at(tokens, match.j), tokens[match.j + 1 : match.j + 2]
     rated = after in {"with", "at"} and any(t.kind == "number" for t in number)
-    verbal = begins(tokens, i + 1, "verb")
+    verb = longest_match(tokens, i + 1, i + 2)  # "stops", not "stops and goes"
+    verbal = begins(tokens, i + 1, "verb") or (verb is not None and verb.has("verb"))
     verbal = verbal and (not changes or after in {"to", "into", "onto", "lanes"})
     alone = longest_match(tokens, i, i + 1)
     return (singular or rated) and verbal and alone is not None and alone.has("actor", "place")
