@@ -49,9 +49,10 @@ def read_mention(mention: Mention, state: State) -> None:
     if further_ones(mention, state):
         mention.pronoun = "further"
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
-        waiting = state.waiting if {"and", "conj"} & state.between else None
+        listed = state.waiting if {"and", "conj"} & state.between else None
         _start_clause(mention, state)
-        mention.joined = waiting  # "the ego and, 30 m in front of it, a van approach"
+        if listed is not None and not listed.pps:
+            mention.joined = listed  # "the ego and, 30 m in front of it, a van approach"
     elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
     elif (described := _described(mention, state)) is not None:
