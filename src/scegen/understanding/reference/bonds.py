@@ -103,9 +103,10 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
 
 
 def _keeps_away(event: Event, tokens: list[Token], found: Bonds) -> None:
-    """``keeps a headway of 2 s to a van``: drives behind it."""
+    """``keeps a headway of 2 s to a van``, ``keeps 20 m to a van``: drives behind it."""
     what = event.object
-    if isinstance(what, Thing) and tokens[what.j - 1].low in word_list("gauged"):
+    kept = isinstance(what, Thing) and tokens[what.j - 1].low in word_list("gauged")
+    if kept or (event.lemma == "keep" and any(m.cat == "quantity" for m in event.mods)):
         for prep in (p for p in event.pps if p.value in {"to", "from"}):
             found.follows[id(prep.who)].append(event)
 
