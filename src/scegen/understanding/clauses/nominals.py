@@ -51,8 +51,8 @@ def read_mention(mention: Mention, state: State) -> None:
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         listed = state.waiting if {"and", "conj"} & state.between else None
         _start_clause(mention, state)
-        if listed is not None and not listed.pps:
-            mention.joined = listed  # "the ego and, 30 m in front of it, a van approach"
+        # "the ego and, 30 m in front of it, a van approach"
+        mention.joined = listed if listed is not None and not listed.pps else mention.joined
     elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
     elif (described := _described(mention, state)) is not None:
