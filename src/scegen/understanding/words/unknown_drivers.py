@@ -21,13 +21,26 @@ def who_drive(terms: list[Term], tokens: list[Token]) -> list[Term]:
         terms: of the text, in its order.
         tokens: its tokens.
     """
+    nouns = [k for k, t in enumerate(terms) if t.cat == "unknown" and _opened(terms, k)]
+    drive = {tokens[terms[k].i].low for k in nouns if _drives(terms, k, tokens)}
     found = list(terms)
-    for k, t in enumerate(terms):
-        number = "s" if tokens[t.i].low.endswith("s") else "base"
-        opened = t.cat == "unknown" and cat_at(terms, _opener(terms, k)) in _OPENERS
-        if opened and (_acts(terms, k, number) or _suffers(terms, k)):
-            found[k] = Term("actor", "car", t.i, t.j, number, {"instead": _INSTEAD})
+    for k in nouns:  # "follows the EVT until the EVT brakes"
+        t = terms[k]
+        if tokens[t.i].low in drive:
+            found[k] = Term("actor", "car", t.i, t.j, _number(tokens[t.i]), {"instead": _INSTEAD})
     return found
+
+
+def _opened(terms: list[Term], k: int) -> bool:
+    return cat_at(terms, _opener(terms, k)) in _OPENERS
+
+
+def _number(noun: Token) -> str:
+    return "s" if noun.low.endswith("s") else "base"
+
+
+def _drives(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    return _acts(terms, k, _number(tokens[terms[k].i])) or _suffers(terms, k)
 
 
 def _opener(terms: list[Term], k: int) -> int:
