@@ -30,14 +30,14 @@ def _rear_inside(event: Event, context: Context) -> bool:
     return any(t.low in _REAR for t in context.tokens[event.i : event.j])
 
 
-def _rear_ends(clause: Clause, context: Context) -> bool:
+def rear_ends(clause: Clause, context: Context) -> bool:
     """Whether somebody hits another from behind."""
     return clause.event.name == "collide" and into_rear(clause.event, context)
 
 
 def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
     """``closes in on a stopped van``, ``encounters a slow tractor``, ``hits its rear``."""
-    event, rear = clause.event, _rear_ends(clause, context)
+    event, rear = clause.event, rear_ends(clause, context)
     found = list(clause.targets)
     for prep in event.pps:
         whom = prep.target
@@ -107,7 +107,7 @@ def _stand_to_each_other(clause: Clause, context: Context) -> bool:
 
 FACTS = {
     "stand_to_each_other": _stand_to_each_other,
-    "rear_ends": _rear_ends,
+    "rear_ends": rear_ends,
     "may_get_past": _may_get_past,
 }
 """Words of conditions that ask for a meeting."""
