@@ -10,7 +10,7 @@ from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.met import rear_ends
+from scegen.understanding.semantics.met import from_the_rear
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
 _BODY = frozenset({"side", "front", "flank"})
@@ -63,7 +63,7 @@ def struck(ending: Ending, text: Telling) -> None:
 def _by_the_verb(ending: Ending, text: Telling) -> None:
     """``rear-ends``, ``hits it from behind``: with its front, in the other's rear."""
     done = (s for s in text.scenes if s.event.i == ending.basis.i)
-    hit = next((s for s in done if rear_ends(s, text.context)), None)
+    hit = next((s for s in done if from_the_rear(s.event, text.context)), None)
     if hit is None or ending.struck is not None or text.ego not in ending.between:
         return
     egos = text.ego in hit.actors

@@ -34,6 +34,7 @@ _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "appro
 _PASSING = frozenset({"bypass", "overtake", "block"})
 _PAIR = (Approach.LEFT, Approach.RIGHT)
 _ALL_TOLD = (
+    ("nouns.strips", "nouns own"),
     ("nouns.hider", "verbs nouns"),
     ("nouns.hidden", "nouns verbs"),
     ("nouns.past", "everybody verbs nouns strays"),
@@ -41,7 +42,6 @@ _ALL_TOLD = (
     ("positions.any", "verbs"),
     ("positions.up_to", "verbs"),
     ("positions.after_all", "everybody"),
-    ("nouns.strips", "nouns own"),
     ("nouns.place", "nouns strays own"),
     ("nouns.text", "everybody"),
     ("nouns.stray", "strays"),

@@ -21,8 +21,13 @@ def into_rear(event: Event, context: Context) -> bool:
         context: the scenario in the making.
     """
     rear = any(isinstance(c, Place) and "rear" in c.dirs for c in event.nouns())
+    return rear or from_the_rear(event, context)
+
+
+def from_the_rear(event: Event, context: Context) -> bool:
+    """``rear-ends``, ``hits from behind``: without naming a part."""
     behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
-    return rear or behind or _rear_inside(event, context)
+    return behind or _rear_inside(event, context)
 
 
 def _rear_inside(event: Event, context: Context) -> bool:
@@ -30,14 +35,14 @@ def _rear_inside(event: Event, context: Context) -> bool:
     return any(t.low in _REAR for t in context.tokens[event.i : event.j])
 
 
-def rear_ends(clause: Clause, context: Context) -> bool:
+def _rear_ends(clause: Clause, context: Context) -> bool:
     """Whether somebody hits another from behind."""
     return clause.event.name == "collide" and into_rear(clause.event, context)
 
 
 def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
     """``closes in on a stopped van``, ``encounters a slow tractor``, ``hits its rear``."""
-    event, rear = clause.event, rear_ends(clause, context)
+    event, rear = clause.event, _rear_ends(clause, context)
     found = list(clause.targets)
     for prep in event.pps:
         whom = prep.target
@@ -107,7 +112,7 @@ def _stand_to_each_other(clause: Clause, context: Context) -> bool:
 
 FACTS = {
     "stand_to_each_other": _stand_to_each_other,
-    "rear_ends": rear_ends,
+    "rear_ends": _rear_ends,
     "may_get_past": _may_get_past,
 }
 """Words of conditions that ask for a meeting."""
