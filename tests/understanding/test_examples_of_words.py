@@ -117,7 +117,6 @@ _OPEN = {
     "brakes with 4 m/s2 to a standstill": "braking to no speed at all is the same act",
     "pulls out to overtake the truck": "read as the maneuver, without an act",
     "hit head-on": "the side of the body that is struck",
-    "hit from behind": "the side of the body that is struck",
     "struck from the right": "the side of the body that is struck",
     "one can hardly see": "who sees badly is read as hidden",
 }

@@ -33,7 +33,7 @@ from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.listed import list_them
 from scegen.understanding.phrases.on_sides import each_of
 from scegen.understanding.phrases.opening_doors import open_doors
-from scegen.understanding.phrases.repeated import repeat
+from scegen.understanding.phrases.repeated import repeat, which_is_it
 from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
@@ -64,6 +64,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),
     ({"turn", "sharp_turn"}, name_turned_into),
+    ({"which", "whom"}, which_is_it),
     ({"including", "among", "amongst"}, counted_in),
     (set(), filmed_from),
     (set(), under_test),

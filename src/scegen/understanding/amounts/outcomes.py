@@ -69,7 +69,8 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
     nearly = text.find("nearly", start, event.i)
     vain = parent is not None and _in_vain(parent)
-    basis = Basis(parent.i if vain and parent is not None else event.i, event.j)
+    end = max([event.j, *(p.word.j for p in event.pps if clear and p.value == "ahead")])
+    basis = Basis(parent.i if vain and parent is not None else event.i, end)
     held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
     by_so_much = event.lemma == "miss" and event.name == "avoid"  # "misses it by 1 m"
     if nearly is not None or (by_so_much and clear):
@@ -128,8 +129,12 @@ def _in_time(scene: Clause, text: Telling) -> Ending | None:
 
 
 def _stops_first(scene: Clause, text: Telling) -> bool:
-    """``comes to a stop before reaching him``: then nobody is touched."""
+    """``stops in front of him``, ``comes to a stop before reaching him``: nobody is touched."""
     event = scene.event
+    egos = [e for e in scene.actors if e.ego and Maneuver.OVERTAKE not in e.maneuvers]
+    if event.name == "stop" and egos and not event.negated:
+        whom = [e for p in event.pps if p.value == "ahead" and p.who for e in p.who.entities]
+        return any(not text.context.placed(e, Approach.BEHIND) for e in whom)
     stops = any(s.event.name in {"stop", "brake"} for s in text.within(0, event.i))
     before = text.context.lows(event.i - _PAIR, event.i)
     return event.lemma == "reach" and stops and bool(scene.targets) and "before" in before

@@ -10,6 +10,7 @@ from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.met import from_the_rear
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
 _BODY = frozenset({"side", "front", "flank"})
@@ -53,9 +54,22 @@ def struck(ending: Ending, text: Telling) -> None:
             backs = text.ego in text.draft.causing(HazardKind.REVERSING)
             ending.struck = BodySide.REAR if backs else BodySide.FRONT
             ending.struck_basis = basis
+    _by_the_verb(ending, text)
     middle = text.find("at_its_middle", start, end)
     if middle is not None and text.ego in ending.between:  # "impact at mid-width"
         ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(*middle))
+
+
+def _by_the_verb(ending: Ending, text: Telling) -> None:
+    """``rear-ends``, ``hits it from behind``: with its front, in the other's rear."""
+    done = (s for s in text.scenes if s.event.i == ending.basis.i)
+    hit = next((s for s in done if from_the_rear(s.event, text.context)), None)
+    if hit is None or ending.struck is not None or text.ego not in ending.between:
+        return
+    egos = text.ego in hit.actors
+    if egos or text.ego in hit.targets or ending.other in hit.actors:
+        ending.struck = BodySide.FRONT if egos else BodySide.REAR
+        ending.struck_basis = ending.basis
 
 
 def _hit(place: Place, ending: Ending, text: Telling) -> bool:

@@ -68,7 +68,8 @@ def unattached(
             continue
         if term.value == "between" and before is not None and before.cat == "quantity":
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
-        if any(a <= start and end <= b for a, b in spans) or _held(term, before, scenario):
+        resting = spans + (told if cat == "locus" else [])  # "stops in front of him"
+        if any(a <= start and end <= b for a, b in resting) or _held(term, before, scenario):
             continue
         if term.j <= title and _told_below(term, terms, tokens, spans, title):
             continue

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention, Prep, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -34,6 +34,7 @@ _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "appro
 _PASSING = frozenset({"bypass", "overtake", "block"})
 _PAIR = (Approach.LEFT, Approach.RIGHT)
 _ALL_TOLD = (
+    ("nouns.strips", "nouns own"),
     ("nouns.hider", "verbs nouns"),
     ("nouns.hidden", "nouns verbs"),
     ("nouns.past", "everybody verbs nouns strays"),
@@ -41,7 +42,6 @@ _ALL_TOLD = (
     ("positions.any", "verbs"),
     ("positions.up_to", "verbs"),
     ("positions.after_all", "everybody"),
-    ("nouns.strips", "nouns own"),
     ("nouns.place", "nouns strays own"),
     ("nouns.text", "everybody"),
     ("nouns.stray", "strays"),
@@ -239,11 +239,13 @@ def _is_hit(event: Event, mention: Mention | None) -> bool:
 def _starts(event: Event, prep: Prep) -> bool:
     """``overtakes the bus from the left`` says where the one who moves comes from.
 
+    So does "crosses the path of the bus from the left".
     Verbs without a way of their own leave the phrase to the noun ("yields to a bus from …").
     """
     named = prep.on_mention
     target = named is not None and named not in event.subject
-    moved = event.name in _UNDERWAY and (named is event.object or event.object is None)
+    goal = event.object.owner if isinstance(event.object, Place) else event.object
+    moved = event.name in _UNDERWAY and (goal is None or named in (goal, event.object))
     moved = moved and event.lemma != "meet"
     source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
     return source and not (target and not moved)

@@ -23,7 +23,7 @@ def _in_line(prep: Prep, entities: list[Entity], event: Event) -> bool:
     return after and not comes and not any(e.circulates for e in led)
 
 
-def _ends_there(event: Event, prep: Prep) -> bool:
+def _ends_there(event: Event, prep: Prep, entities: list[Entity]) -> bool:
     """``sweeps left in front of the bus``: where it gets to."""
     turns = any(d.value in SIDES for d in event.dirs)
     places = [(p.value, p.place.kind) for p in event.pps if p.place is not None]
@@ -31,7 +31,8 @@ def _ends_there(event: Event, prep: Prep) -> bool:
     # "a car comes the other way; the ego backs out in front of it"
     out = event.name == "reverse" and any(kind in {"parking", "access"} for _, kind in places)
     afoot = prep.who is not None and not any(e.is_vehicle for e in prep.who.entities)
-    halts = afoot and event.name == "stop"  # "stops 1 m in front of her"
+    egos = any(e.ego for e in entities)  # "the ego stops in front of the van": it came up to it
+    halts = (afoot or egos) and event.name == "stop"  # "stops 1 m in front of her"
     # "passes behind the ego", "passes just in front of it"
     past = prep.value in {"behind", "ahead"} and event.name in {"pass", "cross"}
     return past or ((turns or onto or out or halts) and prep.value == "ahead")
@@ -89,7 +90,7 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
         _behind_the_ego(prep, entities, basis, context)
         return
     out_of = prep.outer == "from" and isinstance(target, Mention)
-    if event is not None and target and (out_of or _ends_there(event, prep)):
+    if event is not None and target and (out_of or _ends_there(event, prep, entities)):
         return
     comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
     approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import cat_at, chunk_at, value_at
+from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -15,6 +15,7 @@ _SIDES = frozenset({"left", "right", "opposite"})
 _CROSSED = frozenset({"crosswalk", "road", "junction"})
 _STILL = frozenset({"parked", "stationary", "stop", "park"})
 _SAID_OF_IT = 4
+_WHICH = frozenset({"which", "whom"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
 
 
@@ -48,6 +49,28 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             _remember(chunk, last, tokens)
             _remember_beside(chunk, k, chunks, last)
             _remember_goal(chunk, found, last)
+    return found
+
+
+def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``a parked van, from behind which a boy runs``: "…, and from behind it a boy runs"."""
+    found: list[Chunk] = []
+    known: Mention | None = None
+    for k, chunk in enumerate(chunks):
+        opens = k
+        while cat_at(found, opens - 1) in GOVERNING:
+            opens -= 1
+        locus = any(c.cat == "locus" for c in found[opens:])
+        after = isinstance(chunk_at(chunks, k + 1), Mention)
+        its = tokens[chunk.i].low in _WHICH and locus and after
+        if its and known is not None and value_at(found, opens - 1) == ",":
+            at = found[opens].i
+            it = Mention(chunk.i, chunk.j, [], None, pronoun="it", same_as=known)
+            found[opens:] = [Word(Term("conj", "and", at, at)), *found[opens:], it]
+            continue
+        if isinstance(chunk, Mention):
+            known = chunk
+        found.append(chunk)
     return found
 
 

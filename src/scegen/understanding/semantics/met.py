@@ -21,8 +21,13 @@ def into_rear(event: Event, context: Context) -> bool:
         context: the scenario in the making.
     """
     rear = any(isinstance(c, Place) and "rear" in c.dirs for c in event.nouns())
+    return rear or from_the_rear(event, context)
+
+
+def from_the_rear(event: Event, context: Context) -> bool:
+    """``rear-ends``, ``hits from behind``: without naming a part."""
     behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
-    return rear or behind or _rear_inside(event, context)
+    return behind or _rear_inside(event, context)
 
 
 def _rear_inside(event: Event, context: Context) -> bool:

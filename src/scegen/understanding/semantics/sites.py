@@ -93,8 +93,9 @@ def _meets(entity: Entity, road: Place, context: Context) -> None:
 def _on_its_side(entity: Entity, site: Site) -> None:
     """Who is hidden by something, or comes out from behind it, is on its side of the road."""
     sides, end = {SIDES[d] for d in site.noun.dirs if d in SIDES}, site.noun.j
-    if isinstance(site.noun, Mention):
-        found = {a for e in site.noun.entities for a in _standing(e, site.context)}
+    whole = site.noun.owner if isinstance(site.noun, Place) else site.noun
+    if isinstance(whole, Mention):  # "from the front of the bus"
+        found = {a for e in whole.entities for a in _standing(e, site.context)}
         if found == {Approach.OPPOSITE} and not site.context.junction.crossing:
             found = {Approach(site.context.across)}
         found &= set(SIDES.values())

@@ -133,7 +133,7 @@ def _hiders(clause: Clause, context: Context) -> list[Entity]:
 
 
 _WITH = _in_phrases("with|by")
-_IN_THE_WAY = _in_phrases("behind|between named +opaque")
+_IN_THE_WAY = _in_phrases("behind|between|from<ahead named +opaque")
 _BEHIND = _in_phrases("behind|between|by|due")
 NAMED: dict[str, Who] = {
     "actors": lambda clause, _: clause.actors,
