@@ -67,7 +67,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
-    nearly = text.find("nearly", start, event.i)
+    nearly = _narrowly(event, start, text)
     vain = parent is not None and _in_vain(parent)
     end = max([event.j, *(p.word.j for p in event.pps if clear and p.value == "ahead")])
     basis = Basis(parent.i if vain and parent is not None else event.i, end)
@@ -75,7 +75,8 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     by_so_much = event.lemma == "miss" and event.name == "avoid"  # "misses it by 1 m"
     if nearly is not None or (by_so_much and clear):
         kind = OutcomeKind.NEAR_MISS
-        basis = Basis(nearly[0] if nearly is not None else event.i, event.j)
+        said = nearly or (event.i, event.j)
+        basis = Basis(min(said[0], event.i), max(said[1], event.j))
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
     elif not _aimed(event, text) and (
@@ -91,12 +92,18 @@ def _meets(scene: Clause, text: Telling) -> bool:
     """Verbs of contact; "meets head-on"; "just misses"; "slides into it"."""
     event, lemma = scene.event, scene.event.lemma
     if event.name == "overlook" and lemma == "miss":
-        return text.find("nearly", max(0, event.i - _BEFORE), event.i) is not None
+        return _narrowly(event, max(0, event.i - _BEFORE), text) is not None
     meets = lemma == "meet" and (event.how("head_on") is not None or _bodies([event.object]))
     own = (p.target for p in event.pps if p.value in {"with", "in"})
     meets |= lemma == "catch" and _bodies(own)  # "catches him with its front"
     meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)
     return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
+
+
+def _narrowly(event: Event, start: int, text: Telling) -> tuple[int, int] | None:
+    """``narrowly misses it``, ``they miss each other narrowly``."""
+    end = event.j + _BEFORE if event.lemma == "miss" else event.i
+    return text.find("nearly", start, min(end, text.bounds(event.i)[1]))
 
 
 def _by_a_part(event: Event, text: Telling) -> bool:

@@ -79,7 +79,7 @@ def _hit(place: Place, ending: Ending, text: Telling) -> bool:
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
     told = place.owner is not None or place.possessed
     direct = any(s.event.object is place for s in here)
-    met = direct or (prep in {"in", "into"} and told)
+    met = direct or (prep in {"in", "into", "against"} and told)
     return met or prep in {"by", "with"} or (prep == "in" and is_hit)
 
 

@@ -36,12 +36,10 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             end, chunk.arm = clause
             chunk.user = next(c for c in chunks[k + 1 : end] if isinstance(c, Mention))
             told = _told_anew(chunks, k, end)
-            if chunk.user.opened_by("indef"):  # "the road on which a van approaches from the left"
-                rest = chunks[
-                    end : next((m for m in range(end, len(chunks)) if _stops(chunks[m])), end)
-                ]
-                told[-1:] = [*rest, *told[-1:]]
-                end += len(rest)
+            if told and chunk.user.opened_by("indef"):  # "on which a van approaches from the left"
+                stop = next((m for m in range(end, len(chunks)) if _stops(chunks[m])), end)
+                told[-1:] = [*chunks[end:stop], told[-1]]
+                end = stop
             found[begin:begin] = told
             _hand_on(found, chunk)
             found.append(chunk)
