@@ -189,13 +189,9 @@ class Figure(Clause):
     @cached_property
     def said_of(self) -> Entity | None:
         """Whom a clause is about that says how far off one is: "a van that is still 60 m away"."""
-        words_ = (c for c in self.text.chunks if isinstance(c, Word) and self.start <= c.i < self.i)
-        opened = [c for c in words_ if c.cat in {"rel", "sub"}]
-        who = self.own_subject if opened else []
-        if opened and opened[-1].cat == "rel":
-            before = (m for m in reversed(self.text.mentions) if m.i < opened[-1].i)
-            who = next((m.entities for m in before if not m.possessor), [])
-        return next(iter(who), None)
+        words_ = [c for c in self.text.chunks if isinstance(c, Word) and self.start <= c.i < self.i]
+        opened = any(c.cat in {"rel", "sub"} for c in words_)
+        return next(iter(self.own_subject), None) if opened else None
 
     @cached_property
     def subject(self) -> list[Entity]:
@@ -215,8 +211,6 @@ class Figure(Clause):
         start, mentions = self.start, self.text.mentions
         word = self.text.tokens[start].low
         if word not in word_list("its_own") or any(start < m.i < self.i for m in mentions):
-            return []
-        if any(s.actors for s in self.text.within(start, self.i)):
             return []
         if word in {"my", "our"}:
             return [e for m in mentions for e in m.entities if e.ego][:1]

@@ -22,7 +22,6 @@ _BRANCHES = frozenset({"leg", "junction", "access"})
 _GOALS = frozenset({"side", "leg", "access", "road"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
-_WAY = frozenset({"road", "lane", "path", "highway"})
 _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
 _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
@@ -171,11 +170,6 @@ def _across_the_road(clause: Clause, context: Context) -> bool:
     event = clause.event
     if context.junction.crossing:
         return False
-    for prep in event.pps:
-        place, word = prep.target, context.tokens[prep.word.i].low
-        across = word == "across"
-        if isinstance(place, Place) and place.kind in _WAY and (across or prep.value == "into"):
-            return place.kind == "path" or across
     return not any(d.value in DIRECTIONS for d in event.dirs)
 
 
