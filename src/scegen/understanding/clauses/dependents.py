@@ -135,12 +135,15 @@ def _first_said_of(phrase: Mention | NounPhrase | Event | None, event: Event, st
 def gerund(event: Event, state: State) -> None:
     """``blocking the car from returning``, ``without yielding``, ``by turning``."""
     prep = state.prep.value if state.prep else ""
-    parent = state.last
+    parent, who = state.last, state.waiting
     event.negated = prep in {"without", "instead"}
     if prep == "instead" and event.name != "yield":
         event.name = "inert"  # "speeds up instead of slowing down": only what is owed counts
     if parent is None:
         _first_said_of(state.anchor, event, state)
+        return
+    if who is not None and parent.j <= who.i and state.anchor is not parent and prep in _OPENING:
+        event.subject = chain(who)  # "a man crosses while the ego is in the middle of turning"
         return
     depend(event, parent, "ing")
     if prep == "from" and isinstance(parent.object, Mention):

@@ -57,6 +57,10 @@ class Manners:
                 self._draft.hazard(kind, Basis(term.i, term.j), drivers)
             if measured:
                 self._quantity(replace(term, cat="quantity", value="speed"), drivers)
+        elif term.cat == "manner" and term.value == "close":
+            follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
+            if follows:
+                self._draft.hazard(HazardKind.TAILGATING, Basis(term.i, term.j), follows)
         elif term.cat == "quantity":
             self._quantity(term, entities)
         elif term.cat == "state":

@@ -139,6 +139,8 @@ class Chunker:
         head = self._term(m)
         owner = self._owner()
         if head is not None and head.cat == "actor":
+            if any(m.cat == "manner" for m in mods) and "speaks" in head.data:
+                return self._bare(mods, k)  # "so close I can't see it"
             if self._side_before_number(mods):
                 return self._side(mods, k)
             return self._mention(mods, m, owner)

@@ -47,6 +47,7 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Place):
             _remember(chunk, last, tokens)
             _remember_beside(chunk, k, chunks, last)
+            _remember_goal(chunk, found, last)
     return found
 
 
@@ -104,6 +105,17 @@ def _remember_beside(lane: Place, k: int, chunks: list[Chunk], last: dict[str, P
         sides = [m for m in side.ways if m.value in _SIDES]
         beside = Term("dir", "adjacent", lane.i, lane.i)
         last["lane"] = replace(lane, mods=[*lane.mods, beside, *sides]) if sides else lane
+
+
+def _remember_goal(side: Place, before: list[Chunk], last: dict[str, Place]) -> None:
+    """``the ego changes lanes to the left``: for "that lane", said later on."""
+    who, verb, word = before[-4:-1] if len(before) >= _SAID_OF_IT else (None, None, None)
+    moves = isinstance(verb, Event) and verb.name == "lane_change"
+    own = isinstance(who, Mention) and who.is_ego and word is not None and word.value == "to"
+    sides = [m for m in side.ways if m.value in _SIDES]
+    if own and moves and side.kind == "side" and sides:
+        beside = Term("dir", "adjacent", side.i, side.i)
+        last["lane"] = replace(side, kind="lane", mods=[beside, *sides])
 
 
 def _taken(mention: Mention, before: Chunk | None) -> bool:

@@ -70,6 +70,8 @@ def _is_doing(event: Event) -> bool:
 def _who(doing: Event, told: list[Event]) -> list[Mention]:
     told = [e for e in told if e.premod_of is None]
     others = [e for e in told if not any(m.is_ego for m in e.subject)]
+    if doing.name == "lose_control":
+        return next((e.subject for e in sorted(told, key=lambda e: not e.finite)), [])
     goal = next((e for e in told if e.name in _SIDEWAYS and _leads_into(e)), None)
     if goal is not None:
         return goal.subject

@@ -22,6 +22,7 @@ _BRANCHES = frozenset({"leg", "junction", "access"})
 _GOALS = frozenset({"side", "leg", "access", "road"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
+_WAY = frozenset({"road", "lane", "path", "highway"})
 _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
 _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
@@ -170,6 +171,11 @@ def _across_the_road(clause: Clause, context: Context) -> bool:
     event = clause.event
     if context.junction.crossing:
         return False
+    for prep in event.pps:
+        place, word = prep.target, context.tokens[prep.word.i].low
+        across = word == "across"
+        if isinstance(place, Place) and place.kind in _WAY and (across or prep.value == "into"):
+            return place.kind == "path" or across
     return not any(d.value in DIRECTIONS for d in event.dirs)
 
 
@@ -182,12 +188,6 @@ def _onto_the_road(clause: Clause, _: Context) -> bool:
         or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
         or (not kinds and clause.event.object is None)
     )
-
-
-def _set_across(clause: Clause, context: Context) -> bool:
-    """It is known from elsewhere that the turn leads across oncoming traffic."""
-    known = {m for e in clause.drivers for m in e.maneuvers}
-    return not clause.event.dirs and known & _SIDEWAYS == {Maneuver(context.across)}
 
 
 def _a_little_aside(clause: Clause, context: Context) -> bool:
@@ -212,7 +212,6 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "turns_across": lambda clause, c: (
         Maneuver(c.across) in directions(clause.event, c.tokens)  # across oncoming traffic
     ),
-    "set_across": _set_across,
     "onto_the_road": _onto_the_road,
     "only_signalled": _only_signalled,
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),

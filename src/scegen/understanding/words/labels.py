@@ -53,6 +53,9 @@ def _road_number(tokens: list[Token], i: int) -> Term | None:
 
 def _aged(tokens: list[Token], i: int) -> Term | None:
     """``a 34-year-old cyclist``, ``the 17-year-old``: an age or a sex, or somebody of it."""
+    after = tokens[i + 1] if i + 1 < len(tokens) else None
+    if tokens[i].low in word_list("ages") and after is not None and after.kind == "number":
+        return Term("label", "quality", i, i + 2)  # "a pedestrian, aged 70, …"
     aged = tokens[i].kind == "number"
     aged = aged and [t.low for t in tokens[i + 1 : i + 3]] == ["year", "old"]
     if not aged and tokens[i].low not in word_list("sexes"):
