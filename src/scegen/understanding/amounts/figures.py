@@ -189,9 +189,13 @@ class Figure(Clause):
     @cached_property
     def said_of(self) -> Entity | None:
         """Whom a clause is about that says how far off one is: "a van that is still 60 m away"."""
-        words_ = [c for c in self.text.chunks if isinstance(c, Word) and self.start <= c.i < self.i]
-        opened = any(c.cat in {"rel", "sub"} for c in words_)
-        return next(iter(self.own_subject), None) if opened else None
+        words_ = (c for c in self.text.chunks if isinstance(c, Word) and self.start <= c.i < self.i)
+        opened = [c for c in words_ if c.cat in {"rel", "sub"}]
+        who = self.own_subject if opened else []
+        if opened and opened[-1].cat == "rel":
+            before = (m for m in reversed(self.text.mentions) if m.i < opened[-1].i)
+            who = next((m.entities for m in before if not m.possessor), [])
+        return next(iter(who), None)
 
     @cached_property
     def subject(self) -> list[Entity]:

@@ -12,6 +12,7 @@ from scegen.understanding.draft import Entity
 
 _AHEAD = {Approach.AHEAD}
 _PAIR = 2
+_BRACKET = 3
 
 
 def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
@@ -68,6 +69,9 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     pairs = [m.entities for m in before if len(m.entities) == _PAIR]
     if figure.words_around.opens("between_two") and pairs:
         return pairs[-1][0], pairs[-1][1]
+    bracketed = _bracketed(figure)
+    if bracketed is not None and subject and bracketed not in subject:
+        return subject[0], bracketed
     by_verb = figure.role in {"overlap", "headway", "ttc"} or not (named or located)
     # "follows a car 30 m behind it", "follows a truck 25 m in front of it"
     by_verb = by_verb or (pronoun and figure.does == "follow")
@@ -81,3 +85,13 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     first = subject[0] if subject else named[0] if named else text.ego
     other = text.counterpart(first, text.spoken_of(0, figure.i))
     return (first, other) if other is not None and other is not first else None
+
+
+def _bracketed(figure: Figure) -> Entity | None:
+    """``in front of a stationary target (TTC 3 s)``: to whom it is."""
+    tokens = figure.text.tokens
+    near = range(figure.i - 1, max(-1, figure.i - 1 - _BRACKET), -1)
+    opening = next((k for k in near if tokens[k].low == "("), -1)
+    before = [m for m in figure.text.mentions if m.j == opening and m.entities]
+    first: Entity | None = before[0].entities[0] if before else None
+    return first

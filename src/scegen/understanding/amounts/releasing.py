@@ -14,6 +14,7 @@ from scegen.understanding.lexicon import word_list
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _LINES = JUNCTION | {"crosswalk"}
+_RESTING = frozenset({"wait", "stop", "park"})
 
 
 def sets_off(figure: Figure) -> bool:
@@ -43,6 +44,8 @@ def sets_off(figure: Figure) -> bool:
         return _comes_down(figure, doing, subject, line)
     subject = subject if opened else figure.said_of or subject
     moved = subject if subject is not doing.entity else None
+    if moved is not None and _waits(figure, moved):
+        return False
     doing.when = figure.trigger("junction", entity=moved)
     return True
 
@@ -67,6 +70,11 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
         subject, other = text.in_file(subject, other)
     doing.when = figure.trigger("measure", measure=figure.measure, entity=subject, reference=other)
     return True
+
+
+def _waits(figure: Figure, entity: Entity) -> bool:
+    """``where a van waits 5 m before the line``: so far it stays, which sets nothing off."""
+    return entity.still or (figure.does in _RESTING and entity in figure.actors)
 
 
 def _nears(figure: Figure) -> bool:

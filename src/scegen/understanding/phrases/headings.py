@@ -13,9 +13,10 @@ from scegen.understanding.phrases.lookahead import (
     sentences,
     value_at,
 )
+from scegen.understanding.words.terms import Term
 
-_NOBODY = "nobody"
 _SMALL = frozenset({"manner", "prep"})
+_NOBODY = "nobody"
 _GENERIC = frozenset({"car", "driver", "adversary"})
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
@@ -50,6 +51,9 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
         if "mass" in who.head.data and number is not None and isinstance(again, Mention):
             who.mods.append(number)
             who.heads, who.head, again.same_as = again.heads, again.head, who
+        elif who.plural and who.noun in _GENERIC and len(told) > 1:
+            count = Term("num", "count", who.i, who.i, data={"number": float(len(told))})
+            who.mods = [count, *(m for m in who.mods if m.cat != "quant")]
     return _without(left_out, chunks)
 
 

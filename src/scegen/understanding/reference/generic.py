@@ -22,10 +22,18 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         tokens: its tokens.
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
+    each = {
+        id(p.target)
+        for e in events
+        for p in e.pps
+        if any(m.pronoun == "all" and m.head is None for m in e.subject)
+    }
     _what_lies_there(chunks, events)
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or chunk.head is None:
             continue
+        if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
+            chunk.negated = True  # "each 20 m from the car in front": the next of them
         if chunk.prep is None:
             chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
             continue

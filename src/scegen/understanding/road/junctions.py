@@ -21,6 +21,7 @@ _ARM_NOUNS = frozenset({"exit", "road", "leg"})
 _ARMS = frozenset({"side", "leg", "approach", "road", "access"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
+_FEWEST_ARMS = 3
 
 
 @dataclass(slots=True)
@@ -233,6 +234,9 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
+    definite = bool(k) and terms[k - 1].cat == "det" and terms[k - 1].value == "def"
+    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS and definite:
+        return  # "where the two branches meet": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
     elif number.value == "vague":
