@@ -216,8 +216,6 @@ class Figure(Clause):
         word = self.text.tokens[start].low
         if word not in word_list("its_own") or any(start < m.i < self.i for m in mentions):
             return []
-        if any(s.actors for s in self.text.within(start, self.i)):
-            return []
         if word in {"my", "our"}:
             return [e for m in mentions for e in m.entities if e.ego][:1]
         before = [m for m in mentions if m.i < start and m.entities and not m.possessor]

@@ -55,15 +55,10 @@ def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basi
     sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
     # "moves one lane to the left", "leaves the lane to the left"
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
-    out_of = [c for c in lanes if any(c is m for m in sources)]
-    out_of = [c for c in out_of if text.tokens[c.i - 1].low == "from"]
     for goal in (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place)):
-        basis = Basis(goal.i, goal.j)
-        if goal.kind == "side" and any(c.i < goal.i <= c.j + 1 for c in out_of):
-            # "from the lane to our left"
-            sides += [(_BACK[d], basis) for d in goal.dirs if d in _BACK]
-        elif not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
-            sides += [(d, basis) for d in goal.dirs]  # "from the lane to its right": from there
+        if not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
+            # "from the lane to its right": from there
+            sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]
     for place in sources if leaves else []:
         if isinstance(place, Place):
             basis = Basis(place.i, place.j)

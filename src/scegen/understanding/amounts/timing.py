@@ -163,11 +163,6 @@ def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, Since]:
         begun = any(f" {w} " in begins for w in word_list("begun"))
         return clause[0], "begin" if begun or endless(clause[0], text) else "end"
     before = [a for a in text.found.acts if a.i < doing.i]
-    if doing.kind is ActKind.ENTER and not before and since not in {"into", "past", "from"}:
-        came = [c for c in text.within(0, doing.i) if c.event.name in _COMING]
-        others = [e for c in came for e in c.drivers if e is not doing.entity]
-        if others:
-            return text.same(doing, others[-1], came[-1].event.i, doing.basis), "begin"
     if not before:
         return None, "end"
     last = before[-1]

@@ -75,8 +75,6 @@ def _sides(event: Event, count: int) -> list[Prep]:
 def _speeds(event: Event, count: int) -> list[Term]:
     """``at 50 and 70 km/h``: one quantity term for each number."""
     given = [m for m in event.mods if m.cat == "quantity" and m.value == "speed"]
-    if len(given) == count:
-        return given
     if len(given) != 1:
         return []
     quantity: Quantity = given[0].data["quantity"]

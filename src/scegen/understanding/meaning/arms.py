@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.control import controlled_arms
 from scegen.scenario.functional import Junction
 from scegen.scenario.vocabulary import Approach, Control, CrossedArm, JunctionKind, Maneuver
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft, Entity
 
 _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
 _OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
@@ -18,12 +18,10 @@ def settle_arms(draft: Draft, ego: Entity) -> None:
     That leads over the road into which it turns. What is said of the side itself comes first.
     """
     for entity in draft.entities:
-        if entity.course is None or len(ego.maneuvers & set(_SIDES)) != 1:
+        alone = len(ego.maneuvers & set(_SIDES)) == 1
+        if entity.course is None or entity.crosses is None or not alone:
             continue
         along, basis = entity.course
-        if entity.crosses is None:
-            reason = "across the ego's turn only this road is walked that way"
-            entity.crosses = (CrossedArm.EXIT, Basis(basis.i, basis.j, reason))
         side = _SIDES[next(iter(ego.maneuvers & set(_SIDES)))]
         side = side if along else _OTHER[side]
         said = [p.approaches & set(_OTHER) for p in draft.placements if p.entity is entity]

@@ -183,9 +183,6 @@ class Interpreter:
                 self._spread(prep, clause.actors)
             elif _from_behind(prep) and event.name in _UNDERWAY and met:
                 self._context.ahead(met[:1], clause.actors, basis)
-            elif _from_behind(prep) and not met and _is_hit(event, prep.on_mention):
-                for entity in (e for e in clause.actors if not e.ego):
-                    self._draft.place(entity, None, {Approach.AHEAD}, basis)
             elif prep.on_mention is None or _starts(event, prep):
                 turned = event.passive and event.name != "hide"
                 turned = turned and prep.value not in {"behind", "from"}
@@ -206,7 +203,7 @@ class Interpreter:
 def _is_of_the_verb(prep: Prep, event: Event) -> bool:
     """``approaches the ego from the left``: not the ego comes from there."""
     who = prep.on_mention
-    if _from_behind(prep) and (_goes_into(event, who) or _is_hit(event, who)):
+    if _from_behind(prep) and _goes_into(event, who):
         return True
     beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
     of_verb = beside or _starts(event, prep) or own_lane(event, prep)
@@ -228,12 +225,6 @@ def _from_behind(prep: Prep) -> bool:
 def _goes_into(event: Event, mention: Mention | None) -> bool:
     """``runs into the van``, ``collides with it``."""
     return any(p.value in {"into", "with"} and p.target is mention for p in event.pps)
-
-
-def _is_hit(event: Event, mention: Mention | None) -> bool:
-    """``pedestrian hit from behind``: it is hit, by whom is not said."""
-    alone = event.object is None and not any(p.value in {"by", "with"} for p in event.pps)
-    return event.name == "collide" and alone and (mention is None or mention in event.subject)
 
 
 def _starts(event: Event, prep: Prep) -> bool:

@@ -118,11 +118,6 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     if word not in _DOERS or not isinstance(noun, Mention | Place):
         return None
     end = m + 2
-    of = chunk_at(chunks, end + 1)
-    if cat_at(chunks, end) == "locus" and isinstance(of, Mention | Place):
-        end += 2
-    if value_at(chunks, end) == "(" and isinstance(of, Mention):
-        end += 3  # "of a GVT (a van)"
     speed = chunk_at(chunks, end + 1)
     told = isinstance(noun, Mention) and value_at(chunks, end + 2) in _DOERS
     if told and isinstance(speed, Word) and speed.cat == "quantity":

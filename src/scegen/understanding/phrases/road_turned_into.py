@@ -11,7 +11,6 @@ from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.lexicon import word_list, word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
-from scegen.understanding.phrases.repeated import across_it
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -33,8 +32,6 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     who = _turning(chunks, turn)
     found: list[Chunk] = []
     begin, k = 0, 0
-    later: list[Chunk] = []
-    into: Place | None = None
     while k < len(chunks):
         chunk = chunks[k]
         before, after = chunk_at(found, len(found) - 1), k + 1
@@ -42,14 +39,9 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             verb = next((c for c in reversed(found[begin:]) if isinstance(c, Event)), None)
             onto = isinstance(before, Word) and tokens[before.i].low in {"into", "onto"}
             if onto and _turns(verb):
-                into = chunk
                 told, after = _walked(chunks, k)
                 again = replace(chunk, arm=CrossedArm.EXIT, user=who)
-                told = [again if c is chunk else c for c in told]
-                if told and _known(told[0]):
-                    later = [Word(Term("punct", ".", chunk.j, chunk.j)), *told]
-                else:
-                    found[begin:begin] = told
+                found[begin:begin] = [again if c is chunk else c for c in told]
             else:
                 end = _entered(chunks, after)
                 if end != after or _pointed_at(chunk, found, tokens):
@@ -59,14 +51,11 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                         if isinstance(place, Place):
                             place.arm, place.user = CrossedArm.EXIT, who
                 after = end
-        elif into is not None and across_it(chunk, before):
-            chunk = replace(into, i=chunk.i, j=chunk.j, arm=CrossedArm.EXIT, user=who)
         found.append(chunk)
         if ends(chunk):
-            found += later
-            begin, later = len(found), []
+            begin = len(found)
         k = after
-    return [*found, *later]
+    return found
 
 
 def _turns(chunk: Chunk | None) -> bool:
@@ -77,12 +66,6 @@ def _turning(chunks: list[Chunk], k: int) -> Mention | None:
     named = [c for c in chunks[:k] if isinstance(c, Mention)][-1:]
     named += [c for c in chunks[k:] if isinstance(c, Mention)]
     return named[0] if named else None
-
-
-def _known(who: Chunk) -> bool:
-    if not isinstance(who, Mention) or who.pronoun is not None:
-        return True
-    return who.has("det", "def")
 
 
 def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:

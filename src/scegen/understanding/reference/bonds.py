@@ -38,7 +38,6 @@ class Bonds:
     Attributes:
         unlike: whom it cannot mean: who acts on it, and whom it places.
         follows: events that drive behind it, or up to it.
-        passed: what is driven around.
         hiding: what somebody comes out from behind.
         nearing: who comes towards somebody.
         subjects: those that a clause tells of.
@@ -49,7 +48,6 @@ class Bonds:
 
     unlike: dict[int, list[NounPhrase]] = field(default_factory=lambda: defaultdict(list))
     follows: dict[int, list[Event]] = field(default_factory=lambda: defaultdict(list))
-    passed: set[int] = field(default_factory=set)
     hiding: set[int] = field(default_factory=set)
     nearing: set[int] = field(default_factory=set)
     subjects: set[int] = field(default_factory=set)
@@ -163,7 +161,6 @@ def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:
     known = event.object
     if known is not None:
         found.unlike[id(known)] += event.subject
-        found.passed |= {id(known)} if event.name == "bypass" else set()
         if event.name in _FOLLOWING or event.name == "approach":
             found.follows[id(known)].append(event)
     for who in event.subject if isinstance(known, Mention) else []:

@@ -73,8 +73,6 @@ def _other(
     if not roster.entities:
         the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
         return []  # other than mine
-    if free := roster.claim(1, exclude, reading):
-        return free
     others = [e for e in _compatible(roster, reading) if not (e.ego or e.still or e in exclude)]
     rest = [e for e in others if e not in roster.subject]
     return next((found for found in (others, rest) if len(found) == 1), [])

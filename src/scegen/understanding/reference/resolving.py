@@ -13,7 +13,6 @@ from scegen.understanding.reference.ranks import rank
 from scegen.understanding.reference.reference import is_pronoun
 from scegen.understanding.reference.tellers import is_apart, teller_goes_by
 
-_DONE_TO = frozenset({"tailgate", "undertake", "cut_off", "cut_in", "overtake"})
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 
 
@@ -54,12 +53,8 @@ def _told_by_somebody(chunk: Chunk, discourse: Discourse) -> None:
     """``in our lane``, ``sits on my bumper``: whoever tells it takes part."""
     if isinstance(chunk, Place | Thing) and chunk.has("possessive", "first_person"):
         discourse.observer(chunk.i, chunk.j)
-    if not isinstance(chunk, Word | Event) or not discourse.tells(chunk.i, chunk.j):
-        return
-    ego = discourse.observer(chunk.i, chunk.j)
-    if isinstance(chunk, Event) and chunk.object is None and chunk.name in _DONE_TO:
-        whom = Mention(chunk.i, chunk.j, [], None)
-        chunk.object, whom.entities = whom, [ego]
+    if isinstance(chunk, Word | Event) and discourse.tells(chunk.i, chunk.j):
+        discourse.observer(chunk.i, chunk.j)
 
 
 def _parked(mention: Mention, event: Event) -> None:
@@ -93,8 +88,6 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: Bonds) -> None:
     hides = id(mention) in bonds.hiding and is_it(mention) and len(egos) < len(known)
     if hides or any(m.is_ego for m in unlike):
         exclude += egos  # who looks on hides nobody from itself
-    if id(mention) in bonds.passed and mention.pronoun == "it" and any(e.parked for e in known):
-        exclude += [e for e in known if not e.parked]  # "drives around it"
     discourse.resolve(
         mention,
         subject=id(mention) in bonds.subjects,

@@ -9,7 +9,6 @@ from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.road.junctions import JunctionReading
 
 _FEWEST = 3
-_BY_ARMS = {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}
 
 
 def share_arms(chunks: list[Chunk], events: list[Event]) -> list[tuple[Mention, list[Mention]]]:
@@ -26,8 +25,6 @@ def share_arms(chunks: list[Chunk], events: list[Event]) -> list[tuple[Mention, 
             continue
         before = [e for e in events if e.j <= chunk.i and e.subject and chunk not in e.subject]
         listed = [c for c in chunks if isinstance(c, Mention) and c.j <= chunk.i]
-        if not before and not listed:
-            continue  # "one from each arm": who they are comes later, if at all
         chunk.negated = True
         found.append((chunk, before[-1].subject if before else listed))
     return found

@@ -59,8 +59,6 @@ def _has_to_wait(clause: Clause, context: Context) -> bool:
         return True
     if junction.control in _SIGNED or any(context.comes_across(e) for e in clause.drivers):
         return True
-    if event.link == "ing" and event.parent is not None and event.parent.name == "pull_out":
-        return True  # "pulls out without stopping"
     awaited = any(p.value == "for" and isinstance(p.target, Mention) for p in event.pps)
     joins = junction.crossing or context.draft.access is not None or junction.control is not None
     return (event.link == "ing" or (awaited and event.name == "wait")) and joins

@@ -118,13 +118,6 @@ def _at_sides(entity: Entity, site: Site) -> None:
     site.context.draft.place(entity, None, sides, site.basis)
 
 
-def _with_them(entity: Entity, site: Site) -> None:
-    """``a van is parked on the cycle lane; a cyclist swerves around it``: there, too."""
-    lanes = [e.strip[0] for e in getattr(site.noun, "entities", ()) if e.strip is not None]
-    if entity.strip is None and not entity.ego and Strip.CYCLE_LANE in lanes:
-        entity.strip = Strip.CYCLE_LANE, site.basis.because("it gets past who is there")
-
-
 def _at_kerb(entity: Entity, site: Site) -> None:
     kerb = {Approach(site.context.draft.kerb)} if not site.noun.dirs else set()
     site.context.draft.place(entity, None, kerb, site.basis)
@@ -135,7 +128,6 @@ PUTS: dict[str, Put] = {
     "strip": _on_strip,
     "sides": _at_sides,
     "kerb": _at_kerb,
-    "with_them": _with_them,
     "lane": _in_numbered,
     "leads_to": _used_as(CrossedArm.EXIT),
     "comes_by": _used_as(CrossedArm.ENTRY),

@@ -192,12 +192,6 @@ def _onto_the_road(clause: Clause, _: Context) -> bool:
     )
 
 
-def _set_across(clause: Clause, context: Context) -> bool:
-    """It is known from elsewhere that the turn leads across oncoming traffic."""
-    known = {m for e in clause.drivers for m in e.maneuvers}
-    return not clause.event.dirs and known & _SIDEWAYS == {Maneuver(context.across)}
-
-
 def _a_little_aside(clause: Clause, context: Context) -> bool:
     """``moves 0.8 m to his left``: less than to another lane, whatever the verb."""
     event, tokens = clause.event, context.tokens
@@ -220,7 +214,6 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "turns_across": lambda clause, c: (
         Maneuver(c.across) in directions(clause.event, c.tokens)  # across oncoming traffic
     ),
-    "set_across": _set_across,
     "onto_the_road": _onto_the_road,
     "only_signalled": _only_signalled,
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),

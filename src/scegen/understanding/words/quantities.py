@@ -220,8 +220,6 @@ def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity
         other: the quantity with the unit.
     """
     number = number_at(tokens, i)
-    if low_at(tokens, j) in word_list("degrees"):
-        return None  # "at 15 km/h, at 90°"
     units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
     if number is None or not units:
         return None

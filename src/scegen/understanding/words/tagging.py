@@ -28,6 +28,7 @@ from scegen.understanding.words.unknown_drivers import who_drive
 from scegen.understanding.words.without_noun import name_letters, with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
+_ON_FOOT_MPS = 3.0
 _CROSSED = frozenset({"access", "road", "lane", "path", "highway", "crosswalk", "exit", "leg"})
 _BEFORE_ADVERBS = frozenset(
     {"actor", "pronoun", "rel", "manner", "locus", "dir", "compass", "place"}
@@ -146,8 +147,8 @@ def _crossed(tokens: list[Token], j: int) -> bool:
         return True
     measured = low_at(tokens, j) == "at" and j + 1 < len(tokens)
     speed = quantity_at(tokens, j + 1) if measured else None
-    if speed is not None and speed.dimension == "speed":
-        return True
+    if speed is not None and speed.dimension == "speed" and speed.value.high <= _ON_FOOT_MPS:
+        return True  # "a pedestrian crossing at 5 km/h"; the ego approaches one at 50 km/h
     following = longest_match(tokens, j)
     if following is None:
         return False
