@@ -112,6 +112,8 @@ class Entity:
     """It is one of so many of several alike, no matter which."""
     by_ramp: Basis | None = None
     """Words that say that it comes by a ramp, or in a lane that ends."""
+    on_ramp: Basis | None = None
+    """Words that say that it is on one; who changes lanes from there comes by it."""
     in_egos_lane: Basis | None = None
     exits: Basis | None = None
     far_side: Basis | None = None

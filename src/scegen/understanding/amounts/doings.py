@@ -98,8 +98,9 @@ def _lasting(figure: Figure, field: str, kinds: frozenset[ActKind]) -> Doing | N
     near = {e.i for e in (event, *event.children, *([event.parent] if event.parent else []))}
     here = text.acts(figure.start, figure.end, kinds)
     own = [a for a in here if near & a.places]
-    if not own and event.parent is not None and event.parent.nominal:  # "the lane change takes 5 s"
-        own = text.acts(0, len(text.tokens), {*kinds} & {frames().get(event.parent.name)})
+    noun = next((e for e in (event, event.parent) if e is not None and e.nominal), None)
+    if not own and noun is not None:  # "the lane change takes 5 s", "lasts 5 s"
+        own = text.acts(0, len(text.tokens), {*kinds} & {frames().get(noun.name)})
     if not own:  # "changes lanes, needing 5 s": what those do of whom the verb tells
         who = [e for c in scenes if c.event is event for e in c.actors]
         moves = [a for a in here if a.i < figure.i and a.kind is not ActKind.STOP]

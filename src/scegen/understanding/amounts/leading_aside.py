@@ -34,10 +34,15 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
             doing.side, doing.side_basis = Side(value), basis
     if turns:
         return
+    if entity.by_ramp is not None and doing.kind is ActKind.CHANGE_LANE:
+        doing.side = OTHER[Side(context.draft.kerb)]  # "into the right lane", off the ramp
+        words = entity.by_ramp.because("who joins comes from the side of the kerb")
+        doing.side_basis = doing.side_basis or words
     _into(doing, scene, context)
     _homewards(doing, event.name == "return", context)
-    if entity.by_ramp is not None and entity.beside and doing.kind is ActKind.CHANGE_LANE:
-        doing.side = OTHER[Side(entity.beside[0])]  # "into the right lane", off the ramp
+    if entity.ego and doing.side is None and doing.into is not None and doing.into.beside:
+        side, words = doing.into.beside
+        doing.side, doing.side_basis = Side(side), words.because("into the lane of who is there")
     homeward = doing.into is None or doing.into.ego
     beside = entity.beside or _comes_from(entity, context)
     towards = any(p.value in word_list("towards") for p in event.pps)

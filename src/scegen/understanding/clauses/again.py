@@ -22,10 +22,15 @@ def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
 
 
 def named_again(events: list[Event]) -> None:
-    """``… as the lane change begins``: of those who change lanes, not of who acts there."""
+    """``… as the lane change begins``: of those who change lanes, not of who acts there.
+
+    Nor of who acts in the next sentence: "The lane change takes 5 s. The van brakes".
+    """
     for event in events:
         known = any((m.cat, m.value) == ("det", "def") for m in event.mods)
-        if event.nominal and known and any(m.pronoun in _SEVERAL for m in event.subject):
+        later = [m for e in events if e.sentence > event.sentence for m in e.subject]
+        of_others = any(m.pronoun in _SEVERAL or m in later for m in event.subject)
+        if event.nominal and known and of_others:
             kind = acts().get(event.name)
             told = [e for e in events if e.i < event.i and e.finite and acts().get(e.name) is kind]
             event.subject = list(told[-1].subject) if told and kind else []

@@ -24,6 +24,7 @@ _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "p
 """Verbs that may stand before their subject ("from the left comes a bus")."""
 _PASSING = frozenset({"overtake", "pass", "undertake"})
 _INSERTED = 7
+_QUANTITY = frozenset({"quantity"})
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
@@ -116,9 +117,16 @@ def attach(prep: Prep, state: State) -> None:
         described.pps.append(prep)
         prep.predicate = "rel" not in state.between
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
-        state.events[-1].pps.append(prep)
+        _told_of(prep, state).pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _told_of(prep: Prep, state: State) -> Event:
+    """``passes a van, which does 60 km/h, on the left``: the comma closes what is put in."""
+    last, closed = state.events[-1], "," in state.between and prep.names("side")
+    around = (e for e in reversed(state.events) if not e.embedded and e.name in _PASSING)
+    return next(around, last) if closed and last.embedded else last
 
 
 def _of_the_one_listed(prep: Prep, state: State) -> None:
@@ -206,7 +214,12 @@ def _opens_clause(state: State) -> bool:
     "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
     """
     begins = not state.events and state.candidate is None and not state.mentions
-    begins = begins and state.anchor is None  # "a kiosk on the left hides a child"
+    road = isinstance(state.anchor, Place) and state.anchor.kind == "highway"
+    begins = begins and (state.anchor is None or road)  # "a kiosk on the left hides a child"
+    opened = bool(state.fronted) and not state.events and state.candidate is None
+    lane = state.at(1)
+    named = isinstance(lane, Place) and lane.kind == "lane" and bool(lane.dirs)
+    begins |= opened and named and "," in state.between  # "behind the ego, in the left lane, a …"
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between
     inserted = {"conj", ","} <= state.between  # "a child and, behind the child, a bus"
     listed = "conj" in state.between
@@ -234,7 +247,7 @@ def _behind_insertion(chunks: list[Chunk], m: int) -> int:
     """Behind what is put in between two commas.
 
     "From the right, partly hidden by a wall, a van comes", "ahead of the ego, which does 50 km/h,
-    …", "in front of it, at a distance of 20 m, …".
+    …", "in front of it, at a distance of 20 m, …", "in the left lane, 10 m ahead of it, …".
     """
     ends = [n for n, c in enumerate(chunks[m : m + _INSERTED], start=m) if is_word(c, ",")]
     inside = chunks[m : ends[0]] if ends else []
@@ -244,7 +257,9 @@ def _behind_insertion(chunks: list[Chunk], m: int) -> int:
     relative = bool(events) and _word_of(chunks, m, frozenset({"rel"}))
     measure = any(getattr(c, "cat", "") == "quantity" for c in inside)
     measure = measure and not any(isinstance(c, Event | Mention) for c in inside)
-    return ends[0] + 1 if participle or relative or measure else m
+    placed = bool(ends) and m + _word_of(chunks, m, _QUANTITY) < ends[0]
+    placed = placed and _phrase_end(m + _word_of(chunks, m, _QUANTITY), chunks) == ends[0]
+    return ends[0] + 1 if participle or relative or measure or placed else m
 
 
 def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:

@@ -16,6 +16,7 @@ from scegen.understanding.clauses.phrases import (
     relative_noun,
 )
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.doings_named import DONE_TO
 from scegen.understanding.phrases.lookahead import finite_follows, is_word, value_at
 
 _SMALL = frozenset({"prep", "manner"})
@@ -164,12 +165,17 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     state.prep = None
     prep.target = mention
     mention.prep = prep.word
+    last = state.last
+    undergoes = prep.value == "of" and last is not None and last.nominal and last.name in DONE_TO
+    if undergoes and last is not None and last.object is None:
+        last.object = mention  # "performs an overtaking manoeuvre of a van"
+        state.stand_at(mention)
+        return
     if not (prep.value == "of" and _owns_place(mention, state)):
         attach(prep, state)
     if prep.fronted:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
-    last = state.last
     done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
     undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
     doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)

@@ -23,7 +23,7 @@ _ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accele
                       "lane_change", "merge", "swerve", "u_turn"})  # fmt: skip
 """Doings that an entry of notes names after the one that tells who it is about."""
 _HOW = frozenset({"prep", "quantity", "manner", "dir", "punct", "sub"})
-_DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
+DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
 _MADE = frozenset({"turn", "u_turn", "reverse"})
 """Doings that a title names before who does them."""
@@ -80,7 +80,7 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         of_ego = who.same_as is not None and who.same_as.is_ego
         return None if of_ego else ([teller_at(event.i), _verb(event), who], k + 1)
     of, by = named.get("of", []), named.get("by", [])
-    if not by and event.name not in _DONE_TO:  # but not "reversing out of a drive, …"
+    if not by and event.name not in DONE_TO:  # but not "reversing out of a drive, …"
         return ([*of, _verb(event)], m) if isinstance(of[0], Mention) else None
     return [*(by or [teller_at(event.i)]), _verb(event), *of], m
 

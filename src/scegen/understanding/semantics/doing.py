@@ -14,10 +14,10 @@ _ALL_STOP = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 
 
-def _prevented(clause: Clause, _: Context) -> bool:
-    """``avoids braking``, ``wants to pass a truck``."""
+def _prevented(clause: Clause, context: Context) -> bool:
+    """``avoids braking``, ``wants to pass a truck``; not ``avoids it by braking``."""
     parent = clause.event.parent
-    if parent is None:
+    if parent is None or context.lows(clause.event.i - 1, clause.event.i) == ["by"]:
         return False
     return parent.name in _PREVENTED or parent.negated or parent.lemma in word_list("wishing")
 

@@ -38,6 +38,8 @@ def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
     entered = any(p.target is lane and p.value == "into" for p in event.pps)
     entered = entered or (event.name == "enter" and event.object is lane)
     named = lane is not None and lane.kind == "lane" and "opposite" not in lane.dirs
+    if lane is not None and lane.owner is not None:  # "the ego moves into the lane of the van"
+        who += lane.owner.entities
     return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
 
 

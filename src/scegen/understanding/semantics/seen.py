@@ -39,7 +39,8 @@ def seen(entity: Entity, site: Site) -> None:
         entity.approach_basis = site.basis
         return
     reference = _first(place.beside or place.owner)
-    named = _lane_of(place) or _side_after(place, draft)
+    sides = [d for d in place.dirs if d in SIDES]  # "in the right adjacent lane of the ego"
+    named = _lane_of(place) or _side_after(place, draft) or next(iter(sides), None)
     if named in SIDES and approaches == BY_DIR["adjacent"] and (not reference or reference.ego):
         entity.beside = entity.beside or (named, site.basis)
     kerb = place.kind in {"sidewalk", "shoulder"} and site.value == "from"

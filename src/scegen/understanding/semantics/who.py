@@ -53,6 +53,7 @@ ENTITY: dict[str, EntityTest] = {
     "moving": lambda e, _: e.moving_vehicle,
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
+    "on_ramp": lambda e, _: e.on_ramp is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
     "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
     "free": lambda e, _: not e.maneuvers,
