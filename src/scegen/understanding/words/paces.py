@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.quantities import Quantity, as_written, quantity_at
-from scegen.understanding.words.terms import Term, begins
+from scegen.understanding.words.terms import Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 
 _ARTICLES = frozenset({"a", "an", "the"})
@@ -16,6 +16,10 @@ _CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir")
 _PHRASE = 8
 _FEWEST, _MOST = 3, 200
 _LOWEST_LIMIT = 10
+_CRAWL = 40
+"""What nobody drives on a motorway, be it in mph or in km/h."""
+_MOTORWAY = 50
+_GUESS_REACH = 7
 _SAID_REACH = 4
 
 
@@ -44,8 +48,12 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
         while low_at(tokens, end) in word_list("zones"):
             end += 1
         return _pace(value, i, end)
+    if number.value <= _CRAWL and _on_a_highway(tokens, j):
+        return _pace("slow", i, j)
     if speed is not None and any(low_at(tokens, i - k) in word_list("merely") for k in (1, 2)):
         return _pace("slow", i, j, speed)
+    if number.value >= _MOTORWAY and speed is None and _must_have_been(tokens, i):
+        return _pace("fast", i, j)
     end = j + 1
     while low_at(tokens, end) in {*_ARTICLES, "speed", "limit"}:
         end += 1
@@ -63,6 +71,20 @@ def _pace(value: str, i: int, j: int, quantity: Quantity | None = None) -> Term:
     """A term that says how fast, and perhaps the speed itself."""
     told = {} if quantity is None else {"quantity": quantity}
     return Term("manner", value, i, j, data={"pace": True, **told})
+
+
+def _on_a_highway(tokens: list[Token], j: int) -> bool:
+    """``doing 30 on the motorway``: far below what is usual there."""
+    if low_at(tokens, j) not in {"on", "down"}:
+        return False
+    found = longest_match(tokens, j + 1 + (low_at(tokens, j + 1) in _ARTICLES))
+    return found is not None and any(e.value == "highway" for e in found.entries)
+
+
+def _must_have_been(tokens: list[Token], i: int) -> bool:
+    """``must've been doing eighty``: a speed that is told because it was too high."""
+    before = [t.low for t in tokens[max(0, i - _GUESS_REACH) : i]]
+    return bool({"must", "easily"} & set(before)) and bool({"doing", "going"} & set(before))
 
 
 def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
