@@ -236,7 +236,7 @@ def _opens_clause(state: State) -> bool:
         closed = (n + 1 for n, c in enumerate(chunks[m:], start=m) if c.value == ")")
         m = next(closed, m)
     if value_at(chunks, m) == ",":
-        if not (begins or listed):
+        if not (begins or listed or "sub" in state.between):
             return False
         m = _behind_insertion(chunks, m + 1)
     m += _word_of(chunks, m, frozenset({"aux", "copy"})) or _stands_before_subject(chunks, m)

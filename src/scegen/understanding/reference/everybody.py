@@ -13,6 +13,11 @@ _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_
 """What is told of everybody when nobody does it."""
 
 
+_HIDING = frozenset({"hide", "block"})
+"""What is not done if nothing does it; it is told of nobody in particular."""
+_NONE = frozenset({"nobody", "everybody"})
+
+
 def deny_of_everybody(events: list[Event]) -> None:
     """``no driver gives way``, ``nobody may turn left``: everybody does not.
 
@@ -21,8 +26,12 @@ def deny_of_everybody(events: list[Event]) -> None:
     """
     for event in events:
         named = [m for m in event.subject if m.negated or m.pronoun in {"nobody", "everybody"}]
-        verbal = not event.nominal and event.name in _OWED
+        verbal = not event.nominal and event.name in _OWED | _HIDING
         if not named or not verbal or event.form == "ing":
+            continue
+        if event.name in _HIDING:
+            none = (m.has("det", "negative") or m.pronoun in _NONE for m in named)
+            event.negated = event.negated or any(none)
             continue
         event.negated = True
         for mention in named:

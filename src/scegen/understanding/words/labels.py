@@ -22,7 +22,8 @@ def named_at(tokens: list[Token], i: int) -> Term | None:
         tokens: the tokens of the text.
         i: where it may begin.
     """
-    named = _labelled(tokens[i], i) or _road_number(tokens, i) or _aged(tokens, i)
+    at = i > 0 and tokens[i - 1].low == "at"  # "at T0 the lead brakes": a moment
+    named = (None if at else _labelled(tokens[i], i)) or _road_number(tokens, i) or _aged(tokens, i)
     numbered = named is not None and i + 1 < len(tokens) and tokens[i + 1].kind == "number"
     return None if numbered and quantity_at(tokens, i + 1) else named  # "v0 = 60 km/h"
 
