@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.draft import Basis, Draft, Entity, Placement
+from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning.mutual import allow, face_each_other
 from scegen.understanding.semantics.approaches import INVERSE
@@ -149,12 +149,31 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     placed = [p.entity for p in draft.placements if p.reference is None]
     free = [e for e in candidates if e not in placed] or candidates
+    facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
+    if facing is not None:
+        return facing, "this vehicle comes towards the one that turns left"
     sufferers, causers = draft.suffering(), draft.causing()
     for entity in (e for e in free if e in sufferers):
         return entity, "this vehicle suffers a hazard"
     for entity in (e for e in free if causers and e not in causers):
         return entity, "this is the first vehicle that causes no hazard"
     return free[0], "this is the first vehicle"
+
+
+def _facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
+    """Who enters opposite the one that turns left, where the text fixes the arms.
+
+    Args:
+        danger: a hazard.
+        candidates: vehicles that may suffer it.
+    """
+    if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or len(danger.by) != 1:
+        return None
+    arms = 1 + max((arm for e in (*danger.by, *candidates) for arm in e.entries), default=0)
+    opposite = {(arm + arms // 2) % arms for arm in danger.by[0].entries}
+    if not opposite or arms % 2:
+        return None
+    return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)
 
 
 def relative_to(ego: str, other: str) -> set[Approach]:
