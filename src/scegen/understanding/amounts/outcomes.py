@@ -8,12 +8,18 @@ from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.understanding.amounts.contact_nouns import (
+    around_it,
+    bare,
+    in_vain,
+    of_nouns,
+    of_phrases,
+)
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.struck import struck
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.contact import goal_of_contact, touched
@@ -22,18 +28,14 @@ from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE, _PAIR = 4, 2
 _WHOLE, _HALF = 100.0, 50.0
-_WITH_WHOM = frozenset({"with", "between"})
-_DONE = frozenset({"brake", "stop", "yield", "slow", "react", "hard_brake"})
-"""What may be left undone, and a contact follows."""
 _BODY = frozenset({"side", "middle", "front", "portion", "flank"})
-_KEEPING_OFF = frozenset({"avoid", "prevent"})
 _NOBODY = frozenset({"neither", "nobody"})
 
 
 def read_outcome(text: Telling) -> None:
     """The outcome, as verbs and nouns tell it."""
     endings = [e for s in text.scenes if (e := _of_verb(s, text)) is not None]
-    endings += [*_of_nouns(text), *_of_phrases(text)]
+    endings += [*of_nouns(text), *of_phrases(text)]
     for kind in (OutcomeKind.COLLISION, OutcomeKind.NEAR_MISS, OutcomeKind.AVOIDED):
         text.found.ending = text.found.ending or next((e for e in endings if e.kind is kind), None)
     ending = text.found.ending
@@ -59,7 +61,7 @@ def _from_the_front(ending: Ending, text: Telling) -> None:
 
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
-    noun = _bare(event, text) and not event.subject  # "…; contact is avoided"
+    noun = bare(event, text) and not event.subject  # "…; contact is avoided"
     stops = _in_time(scene, text)
     if stops is not None:
         return stops
@@ -68,7 +70,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
     nearly = _narrowly(event, start, text)
-    vain = parent is not None and _in_vain(parent)
+    vain = parent is not None and in_vain(parent)
     end = max([event.j, *(p.word.j for p in event.pps if clear and p.value == "ahead")])
     basis = Basis(parent.i if vain and parent is not None else event.i, end)
     held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
@@ -208,92 +210,6 @@ def _before_it(event: Event, text: Telling) -> bool:
     return said and text.find("held_off", start - 1, event.i) is not None
 
 
-def _of_phrases(text: Telling) -> list[Ending]:
-    spans = {n: text.find(n, 0, len(text.tokens)) for n in ("near_miss", "avoided")}
-    found = []
-    for name, span in spans.items():
-        if span is None:
-            continue
-        between = _around(span[0], None, text)
-        named = text.spoken_of(*text.bounds(span[0]))
-        if text.ego in named and text.ego not in between:
-            between = []  # "sees two walkers and lets them get across unharmed"
-        found.append(Ending(OutcomeKind(name), Basis(*span), between))
-    return found
-
-
-def _of_nouns(text: Telling) -> list[Ending]:
-    """``no crash``, ``until impact``, ``a collision is avoided``: by the words around.
-
-    What is denied of something else denies no contact: "neither brakes; collision".
-    """
-    tokens, found = text.tokens, []
-    for k in (k for k, t in enumerate(tokens) if t.low in word_list("impacts")):
-        begin = k
-        while begin and tokens[begin - 1].low in word_list("before_impacts"):
-            begin -= 1
-        done = [s.event for s in text.scenes if s.event.i <= k < s.event.j]
-        if any(not (e.nominal or _bare(e, text)) for e in done):
-            continue
-        prevented = _prevented(begin - _BEFORE, k, text)
-        verbs = {"in_vain" if _in_vain(e) else e.name for e in prevented}
-        verbs |= {t.low for t in tokens[begin:k]}
-        verbs |= _said_of(k, text)
-        around = window(tokens, begin, k + 1, {})
-        role = frame_of("contact", 0.0, around, frozenset(verbs)).role
-        if role != "other":
-            i = begin - (begin > 0 and tokens[begin - 1].low in word_list("none"))
-            i = min([i, *(e.i for e in prevented if e.i < begin)])  # "cannot avoid it"
-            found.append(Ending(OutcomeKind(role), Basis(i, k + 1), _around(k, None, text)))
-    return found
-
-
-def _bare(event: Event, text: Telling) -> bool:
-    """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
-    before = text.tokens[event.i - 1]
-    alone = event.i == 0 or before.kind == "punct" or before.low in word_list("before_impacts")
-    named = isinstance(event.object, Mention)  # "brakes hard, misses him"
-    return alone and event.form == "base" and event.lemma in word_list("impacts") and not named
-
-
-def _prevented(start: int, k: int, text: Telling) -> list[Event]:
-    """What keeps a contact from happening, or does not, around its noun."""
-    first, end = text.bounds(k)
-    around = text.within(max(start, first), min(end, k + _BEFORE))
-    return [s.event for s in around if s.event.name in _KEEPING_OFF]
-
-
-def _said_of(k: int, text: Telling) -> set[str]:
-    """``a crash does not occur``, ``stops before it can happen``: what verbs say of the noun."""
-    first, end = text.bounds(k)
-    events = [s.event for s in text.within(first, end)]
-    done = [e.name for e in events if e.i < k]
-    said = set(done[-1:])
-    rest = [t.low for t in text.tokens[k + 1 : end]]
-    ends = rest.index(":") if rest and rest[0] in _WITH_WHOM and ":" in rest else 0
-    entry = rest[ends : ends + 2]  # "Contact: none", "contact with the van: none"
-    said |= {"denied"} if entry[:1] == [":"] and {*entry[1:]} & {*word_list("none")} else set()
-    for event in events:
-        held = event.name not in _DONE and any(c.i <= k < c.j for c in event.nouns())
-        between = text.tokens[k + 1 : event.i]
-        own = bool(rest) and rest[0] in _WITH_WHOM  # "contact with the van shall be avoided"
-        after = event.i > k and (own or not text.spoken_of(k, event.i))
-        if held or (after and all(t.kind == "word" for t in between)):
-            around = {t.low for t in between} - {"without"}  # "impact without braking is at 25 %"
-            denied = event.negated if held else around & {*word_list("none")}
-            said |= {"denied"} if denied else around
-            kept = {event.name} & _KEEPING_OFF if after and not denied else set()
-            said |= {"in_vain"} if kept and _in_vain(event) else kept
-    return said
-
-
-def _in_vain(event: Event) -> bool:
-    """``cannot avoid hitting him``: it happens all the same."""
-    above = event.parent
-    failed = above is not None and above.name == "fail" and not above.negated
-    return event.name in _KEEPING_OFF and (event.negated or failed)
-
-
 def _between(scene: Clause, text: Telling) -> list[Entity]:
     """Who touches whom: by the verb, by whose part is named, by who is named around."""
     nobody = any(m.pronoun == "nobody" for m in scene.event.subject)
@@ -308,24 +224,7 @@ def _between(scene: Clause, text: Telling) -> list[Entity]:
         by = [p.target for p in scene.event.pps if p.value == "by"]
         owners = [m.owner for m in by if isinstance(m, Place) and m.owner is not None]
         who += [e for owner in owners for e in owner.entities[:1] if e not in who][:1]
-    return who if len(who) == _PAIR else _around(scene.event.i, who[0] if who else None, text)
-
-
-def _around(i: int, known: Entity | None, text: Telling) -> list[Entity]:
-    start, end = text.bounds(i)
-    before, after = text.spoken_of(start, i), text.spoken_of(i, end)
-    if not before and not after and known is None:
-        before = text.spoken_of(0, len(text.tokens))
-    chosen = [known] if known is not None else []
-    for entity in (*reversed(before), *after):
-        if entity not in chosen and not entity.parked and len(chosen) < _PAIR:
-            chosen.append(entity)
-    if len(chosen) == 1:
-        # who stands beside the road last of all
-        near = sorted(text.spoken_of(0, i), key=lambda e: not e.parked)
-        other = text.counterpart(chosen[0], near)
-        chosen += [other] if other is not None else []
-    return chosen if len(chosen) == _PAIR else []
+    return who if len(who) == _PAIR else around_it(scene.event.i, who[0] if who else None, text)
 
 
 def impact(figure: Figure) -> bool:
@@ -333,7 +232,7 @@ def impact(figure: Figure) -> bool:
     text = figure.text
     value, basis, ending = figure.quantity.exact, figure.amount.basis, figure.text.found.ending
     if ending is None:
-        ending = Ending(OutcomeKind.COLLISION, basis, _around(figure.i, text.ego, text))
+        ending = Ending(OutcomeKind.COLLISION, basis, around_it(figure.i, text.ego, text))
         text.found.ending = ending
     left = text.find("left_edge", figure.j, figure.end)
     edge = left or text.find("right_edge", figure.j, figure.end)
