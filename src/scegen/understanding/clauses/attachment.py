@@ -24,7 +24,6 @@ _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "p
 """Verbs that may stand before their subject ("from the left comes a bus")."""
 _PASSING = frozenset({"overtake", "pass", "undertake"})
 _INSERTED = 7
-_QUANTITY = frozenset({"quantity"})
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
@@ -257,8 +256,8 @@ def _behind_insertion(chunks: list[Chunk], m: int) -> int:
     relative = bool(events) and _word_of(chunks, m, frozenset({"rel"}))
     measure = any(getattr(c, "cat", "") == "quantity" for c in inside)
     measure = measure and not any(isinstance(c, Event | Mention) for c in inside)
-    placed = bool(ends) and m + _word_of(chunks, m, _QUANTITY) < ends[0]
-    placed = placed and _phrase_end(m + _word_of(chunks, m, _QUANTITY), chunks) == ends[0]
+    first = m + _word_of(chunks, m, frozenset({"quantity"}))
+    placed = bool(ends) and first < ends[0] and _phrase_end(first, chunks) == ends[0]
     return ends[0] + 1 if participle or relative or measure or placed else m
 
 

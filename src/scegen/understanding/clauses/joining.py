@@ -26,8 +26,7 @@ def joins(mention: Mention, state: State) -> bool:
     waiting = waiting and not any(anchor in event.subject for event in state.events)
     said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, state)
     said = said or state.being is not None
-    is_ = state.at(1)
-    told = state.verb_follows or (isinstance(is_, Word) and (is_.cat, is_.value) == ("aux", "be"))
+    told = state.verb_follows or is_word(state.at(1), "be")
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
     if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
         return False

@@ -37,14 +37,12 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
         again = chunk_at(chunks, k + 1)
         number = again.mod("num") if isinstance(again, Mention) and again.head else None
         told = _listed(chunks, k + 1)
+        title, entry = chunks[begin:k], _opens_entry(chunks[begin:k], who, again)
         first = next(iter(free_mentions(chunks[k + 1 :])), None)
-        alone = chunks[begin:k] == [who]
-        placed = [getattr(c, "cat", "") for c in chunks[begin + 1 : k]] == ["locus"]
-        entry = (alone or placed) and again is first and _bare(who) and who.noun in _GENERIC
-        new = first is not None and (_new(first) or (entry and _bare(first)))
-        if (entry or _anybody(who)) and first is not None and first in told and new:
+        new = first in told and (_new(first) or (entry and _bare(first)))
+        if first is not None and new and (entry or _anybody(who)):
             _turns_out(who, first)
-            if alone and not entry:
+            if title == [who] and not entry:
                 first.same_as = None  # "A wrong-way driver: 300 m ahead, a car comes"
                 left_out |= {begin, k}
             continue
@@ -60,11 +58,17 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
 def _anybody(mention: Mention) -> bool:
     """``somebody``, ``another road user``, ``a wrong-way driver``: of no kind yet."""
     data = mention.head.data if mention.head is not None else {}
-    return "vague" in data or ("driver" in data and mention.mod("def") is None)
+    return "vague" in data or "driver" in data
+
+
+def _opens_entry(title: list[Chunk], who: Mention, after: Chunk | None) -> bool:
+    """``Target: bus, 40 km/h``, ``Vehicle ahead: van``: its kind comes right after the colon."""
+    mere = title[0] is who and [c.cat for c in title[1:]] in ([], ["locus"])
+    return mere and isinstance(after, Mention) and _bare(who) and who.noun in _GENERIC
 
 
 def _bare(mention: Mention) -> bool:
-    """``Target: bus, 40 km/h``: neither has an article."""
+    """``target``, ``other vehicle``: without an article."""
     opened = [m for m in mention.mods if m.cat in _FIRST_WORDS | {"quantity"}]
     return not mention.plural and all(m.value == "other" for m in opened)
 

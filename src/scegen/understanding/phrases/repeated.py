@@ -42,7 +42,7 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Mention) and "exit" in last and _taken(chunk, before):
             label = [m for m in chunk.mods if m.cat == "label"]
             chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
-        if "crossed" in last and across_it(chunk, before):
+        if "crossed" in last and _across_it(chunk, before):
             chunk = replace(last["crossed"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
         found.append(chunk)
         if isinstance(chunk, Place):
@@ -148,7 +148,7 @@ def _taken(mention: Mention, before: Chunk | None) -> bool:
     return mention.pronoun == "ordinal" and (goal or taken)
 
 
-def across_it(chunk: Chunk, verb: Chunk | None) -> bool:
+def _across_it(chunk: Chunk, verb: Chunk | None) -> bool:
     """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody.
 
     Args:

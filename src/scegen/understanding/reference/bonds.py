@@ -172,8 +172,8 @@ def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:
     _of_another(event, found)
     _not_by_itself(event, found)
     to = [m for m in (known, *(p.who for p in event.pps)) if isinstance(m, Mention) and m.is_ego]
-    for who in event.subject if to else []:
-        found.unlike[id(who)] += to if who.pronoun == "it" else []  # "it does not yield to the ego"
+    for who in (m for m in event.subject if m.pronoun == "it"):
+        found.unlike[id(who)] += to  # "it does not yield to the ego"
     for prep in event.pps:
         by = prep.who
         if (prep.word.cat, prep.value, prep.outer, prep.on_mention) == _BEHIND:

@@ -25,7 +25,7 @@ def deny_of_everybody(events: list[Event]) -> None:
         events: the events of the text; mentions not yet resolved.
     """
     for event in events:
-        named = [m for m in event.subject if m.negated or m.pronoun in {"nobody", "everybody"}]
+        named = [m for m in event.subject if m.negated or m.pronoun in _NONE]
         verbal = not event.nominal and event.name in _OWED | _HIDING
         if not named or not verbal or event.form == "ing":
             continue
