@@ -97,7 +97,8 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
         return False
     if own is not None and own.act is not None:
         traffic.put_off(own.act, found[0] - own.begins_s)
-    if waits or (own is None and traffic.go_on):
+    said = tale.act(own.act) if own is not None and own.act is not None else None
+    if waits or (traffic.go_on and (own is None or (said is not None and falls_back(said)))):
         _go_on(traffic, contact, waits)
     return True
 
@@ -167,7 +168,7 @@ def _go_on(traffic: Traffic, contact: Contact, said: list[SpeedChange]) -> None:
     if contact.other in traffic.movers and goes_along(traffic, contact, last):
         most_mps = min(most_mps, float(traffic.track(contact.other, last)[1][0]))
     kept = who.steps
-    if not said and (most_mps <= kept[-1].target_mps or any(step.act for step in kept)):
+    if not said and (most_mps <= kept[-1].target_mps or any(step.act for step in kept[:-1])):
         return
     rate = min(COMFORTABLE_ACCELERATION_MPS2, who.body.max_acceleration_mps2)
     usual = SpeedChange(most_mps, rate, s_m=kept[-1].s_m, sort=Sort.ACT)

@@ -29,6 +29,7 @@ STANDS_FIRST_S = 0.5
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 _AFTER_WALKER_S = 0.5
+_TURNS_AT = 0.6
 _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
 
@@ -138,11 +139,14 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
 
 
 def _turning_mps(scene: Setup, draft: DriveDraft) -> float:
-    """How fast one takes the turn that the text tells of: so much it brakes; 0 without one."""
+    """How fast one takes the turn that the text tells of: so much it brakes; 0 without one.
+
+    Who is slow enough for it brakes a little all the same.
+    """
     said = scene.functional.participant(draft.id).maneuvers
-    slows = (mark for mark in draft.road_changes() if mark.sort is Sort.SLOWS)
+    slows = (m for m in draft.road_changes() if m.sort is Sort.SLOWS)
     turns = draft.drive.turn in said and draft.drive.turn is not Maneuver.STRAIGHT
-    return next((mark.target_mps for mark in slows), 0.0) if turns else 0.0
+    return next((m.target_mps for m in slows), _TURNS_AT * draft.cruise_mps) if turns else 0.0
 
 
 def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:

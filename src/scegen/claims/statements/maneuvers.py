@@ -35,7 +35,7 @@ from scegen.scenario.vocabulary import (
 STRAIGHT = JunctionKind.STRAIGHT
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
-_TURNS_DEG, _BACK_DEG = 15.0, 140.0
+_TURNS_DEG, _BEGUN_DEG, _BACK_DEG = 15.0, 5.0, 140.0
 _MOVES_M = 0.5
 
 
@@ -165,7 +165,7 @@ def _ended_from_beside(told: Told, name: str) -> bool:
 
 
 def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
-    """The change of heading up to the end; who is held up before the junction is still to turn."""
+    """The change of heading up to the end; who is held up before it or in it is still to turn."""
     name = drive.participant
     heading = view.row(name, HEADING)
     last = view.last_step
@@ -176,7 +176,8 @@ def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
         margin = (turned if drive.turn is Maneuver.LEFT else -turned) - _TURNS_DEG
     arm = arms_of(view)[drive.entry]
     along, _ = arm.place(boxes(view, name))
-    waits = held_up & (at(along, last) <= arm.length_m) & (np.abs(turned) < _TURNS_DEG)
+    begun = margin > _BEGUN_DEG - _TURNS_DEG
+    waits = held_up & (begun | (at(along, last) <= arm.length_m)) & (np.abs(turned) < _TURNS_DEG)
     waits &= at(view.speed_mps(name), last) < STANDS_MPS
     return Judged(np.where(waits, 0.0, margin), turned, view.time_of(last))
 

@@ -100,8 +100,9 @@ def closest_s(story: Story, at_least_s: float) -> float:
     """When the last of those who come near the ego is nearest to it, or touches it."""
     latest = at_least_s
     for other in story.runners.values():
-        # Who stands or comes towards it is met, however far away it is first.
+        # Who stands, comes towards it or is to be hit is met, however far away it is first.
         met = other.stands or other.forward != story.ego.forward
+        met |= story.contact_wanted(other.id, story.ego.id)
         until = _LATEST_S if met else at_least_s + _LATER_S
         latest = max(latest, 0.0 if other is story.ego else _nearest_s(story.ego, other, until))
     return latest

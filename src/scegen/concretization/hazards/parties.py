@@ -89,11 +89,12 @@ def stops_for_walkers(scene: Setup, draft: DriveDraft, *names: str) -> tuple[flo
 def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind) -> float:
     """Where a change of speed is to be over (or a gain of it to begin), as far as nobody says.
 
-    Who causes no danger by it does so for those who endanger it.
+    Who causes no danger by it does so for those who endanger it, or whom it endangers.
     """
     hazards = scene.functional.hazards
     about = [h.to for h in hazards if draft.id in h.by and h.kind is kind]
     about += [h.by for h in hazards if draft.id in h.to]
+    about += [h.to for h in hazards if draft.id in h.by]
     hazard = Hazard(kind=kind, by=(draft.id,), to=about[0] if about else ())
     place = event_s_m(scene, draft, hazard)
     if act in GAINING:

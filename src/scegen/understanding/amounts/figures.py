@@ -296,11 +296,16 @@ class Figure(Clause):
         return self.text.tokens[self.after[0].i].low if self.after is not None else ""
 
     def behind_or_ahead(self, one: Entity, other: Entity) -> None:
-        """``15 m behind``: who is said to be there, if no place of the two is said."""
+        """``15 m behind``: who is said to be there, if no place of the two is said.
+
+        Who changes lanes "15 m ahead" comes there by that; "15 m before a van" it goes from behind.
+        """
         way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
+        way |= {} if other.ego else {" before ": Approach.BEHIND}
         said = next((a for w, a in way.items() if self.words_around.after.startswith(w)), None)
         vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
-        sideways = {Maneuver.CROSS, Maneuver.LANE_CHANGE} & (one.maneuvers | other.maneuvers)
+        comes = {Maneuver.LANE_CHANGE} if self.led_by != "before" else set()
+        sideways = {Maneuver.CROSS, *comes} & (one.maneuvers | other.maneuvers)
         if said is not None and vehicles and not sideways and not self.text.stand(one, other):
             self.text.draft.place(one, other, {said}, self.amount.basis)
 
