@@ -110,8 +110,21 @@ def _stand_to_each_other(clause: Clause, context: Context) -> bool:
     )
 
 
+def _was_ahead(clause: Clause, context: Context) -> bool:
+    """Whether one who acts is told before to be ahead of the ego, and in no other lane."""
+    told = [p for e in clause.drivers for p in context.draft.placements_of(e)]
+    ahead = any(
+        p.approaches == {Approach.AHEAD}
+        and p.reference in {None, context.draft.ego}
+        and (p.basis.i or 0) < clause.event.i
+        for p in told
+    )
+    return ahead and not any(Approach.ADJACENT in p.approaches for p in told)
+
+
 FACTS = {
     "stand_to_each_other": _stand_to_each_other,
+    "was_ahead": _was_ahead,
     "rear_ends": _rear_ends,
     "may_get_past": _may_get_past,
 }
