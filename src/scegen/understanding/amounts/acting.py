@@ -12,7 +12,7 @@ from scegen.understanding.amounts.letting_by import arrives_first, goes_first, l
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Place
 from scegen.understanding.draft import Basis
-from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
+from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import quantity_at
@@ -76,7 +76,6 @@ def _go_back(doing: Doing, first: Doing, scene: Clause, found: list[Doing]) -> N
     doing.side = OTHER[first.side]
     doing.side_basis = Basis(lane.i, lane.j) if lane is not None else doing.basis
     doing.into = None
-    doing.when = Trigger("after", doing.basis, act=first)
     found.append(doing)
 
 
@@ -211,6 +210,8 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
         return not doing.always
     if before.i == doing.i:
         return doing.kind is not ActKind.GIVE_WAY or before.into is doing.into
+    if None not in {before.side, doing.side} and before.side is not doing.side:
+        return False  # "changes to the left lane … changes back to the right one"
     before.told.append(doing.i)
     named = before.nominal and not doing.nominal and before.side in {None, doing.side}
     # "Cut-in followed by braking: the van cuts in …": what the heading names

@@ -28,16 +28,17 @@ def order(text: Telling) -> None:
     acts = sorted(acts, key=lambda a: _moment(a, text))
     for n, (doing, before) in enumerate(zip(acts[1:], acts, strict=False), start=1):
         awaited = before.when is not None and before.when.act is doing
-        if doing.when is not None or doing.i == before.i or awaited:
+        if doing.when is not None or awaited:
             continue
-        phrase = _then(before, doing, text)
+        together = doing.i == before.i  # "both return"
+        phrase = _then(before, doing, text) if not together else None
         basis = Basis(*phrase) if phrase is not None else doing.basis
         own = before.entity is doing.entity
         mine = [a for a in acts[:n] if a.entity is doing.entity and a.i != doing.i]
         told = before.always or bool(before.amounts) or doing.always
         if phrase is not None and (told or not own):
             doing.when = Trigger("after", basis, _at_once(before, doing, text), before)
-        elif doing.forced and before.always and not own:
+        elif doing.forced and before.always and not own and not together:
             basis = basis.because("what one has to do answers what the other does")
             doing.when = Trigger("after", basis, act=before, since="begin")
         elif mine and mine[-1].always and doing.always:

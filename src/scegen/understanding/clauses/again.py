@@ -22,18 +22,21 @@ def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
 
 
 def named_again(events: list[Event]) -> None:
-    """``… as the lane change begins``: of those who change lanes, not of who acts there.
+    """``… as the lane change begins``, ``2 s after the cut-in the ego brakes``: whose it was.
 
-    Nor of who acts in the next sentence: "The lane change takes 5 s. The van brakes".
+    Not of who acts there, unless it is called its own, or of its verb.
     """
     for event in events:
         known = any((m.cat, m.value) == ("det", "def") for m in event.mods)
+        owners = [m for p in event.pps for m in [p.target] if isinstance(m, Mention)]
+        own = event.parent is not None or any(m.possessor or m in owners for m in event.subject)
         later = [m for e in events if e.sentence > event.sentence for m in e.subject]
-        of_others = any(m.pronoun in _SEVERAL or m in later for m in event.subject)
-        if event.nominal and known and of_others:
+        others = any(m.pronoun in _SEVERAL or m in later for m in event.subject)
+        if event.nominal and event.form != "s" and known and (others or not own):
             kind = acts().get(event.name)
             told = [e for e in events if e.i < event.i and e.finite and acts().get(e.name) is kind]
-            event.subject = list(told[-1].subject) if told and kind else []
+            subject = [] if others else event.subject
+            event.subject = list(told[-1].subject) if told and kind else subject
 
 
 def names_another(events: list[Event]) -> None:
