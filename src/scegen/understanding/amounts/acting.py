@@ -216,7 +216,8 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     named = before.nominal and not doing.nominal and before.side in {None, doing.side}
     # "Cut-in followed by braking: the van cuts in …": what the heading names
     heading = named and " : " in text.low(before.i, doing.i)
-    if not heading and text.find("then", before.basis.j or before.i, doing.i):
+    known = doing.nominal and text.tokens[doing.i].low == "the"
+    if not (heading or known) and text.find("then", before.basis.j or before.i, doing.i):
         before.told.pop()
         return False
     before.side = before.side or doing.side

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep
+from collections.abc import Iterator
+
+from scegen.scenario.acts import ActKind
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.frames import acts
 
 _SEVERAL = frozenset({"both", "all", "they"})
@@ -34,9 +37,16 @@ def named_again(events: list[Event]) -> None:
         others = any(m.pronoun in _SEVERAL or m in later for m in event.subject)
         if event.nominal and event.form != "s" and known and (others or not own):
             kind = acts().get(event.name)
-            told = [e for e in events if e.i < event.i and e.finite and acts().get(e.name) is kind]
+            told = [e for e in events if e.i < event.i and e.finite and kind in _done(e)]
             subject = [] if others else event.subject
             event.subject = list(told[-1].subject) if told and kind else subject
+
+
+def _done(event: Event) -> Iterator[ActKind | None]:
+    """What a verb is as an act; who comes into a lane has changed lanes."""
+    yield acts().get(event.name)
+    if any(isinstance(n, Place) and n.kind == "lane" for n in event.nouns("into")):
+        yield ActKind.CHANGE_LANE
 
 
 def names_another(events: list[Event]) -> None:

@@ -217,7 +217,9 @@ def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool
     opens = previous is None or previous.cat in {"det", "punct", "sub"}
     noun = longest_match(tokens, match.j)
     hyphen = match.j - 1 > 0 and tokens[match.j - 1].start == tokens[match.j - 2].end + 1
-    return opens and hyphen and noun is not None and noun.only("actor") and noun.form == "base"
+    owned = low_at(tokens, match.j) in word_list("whose")  # "after the cut-in our car brakes"
+    actor = noun is not None and noun.only("actor") and noun.form == "base"
+    return opens and hyphen and actor and not owned
 
 
 def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) -> bool:

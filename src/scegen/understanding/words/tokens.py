@@ -104,8 +104,9 @@ def tokenize(text: str) -> list[Token]:
         if start in points or mark == "":
             continue
         last = found[-1] if written == "." and found and found[-1].end == start else None
-        if last is not None and last.text.lower() in shortened and _WITHIN.match(text, start):
-            continue
+        short = last is not None and last.text.lower() in shortened and not last.text.isupper()
+        if short and _WITHIN.match(text, start):
+            continue  # "approx. 4 s", not "ahead of the AV. 4 s later"
         if mark is not None:
             found.append(Token(written, mark, start, end, "punct", ((mark, "base"),)))
             continue
