@@ -82,7 +82,9 @@ class ClauseReader:
 
     def _joint(self, word: Word) -> None:
         """A word between phrases or clauses: "and", a comma, "where", "that"."""
-        state = self._state
+        state, following = self._state, self._state.at(1)
+        if word.value == "before" and getattr(following, "cat", "") == "quantity":
+            return  # "and after 3 s brakes": a moment, no clause
         ends = word.value == "," or word.cat in {"conj", "sub"}
         if ends and {"neg:not", "unknown"} <= state.between:
             state.between.discard("neg:not")  # "stands still but not centred, and I hit it"
