@@ -82,10 +82,20 @@ def sideways_begin(
     there = np.abs(speed) if sense == 0.0 else sense * speed
     under_way = (np.abs(goes_on) if sense == 0.0 else sense * goes_on) > ASIDE_MPS
     steps = np.arange(view.steps)
-    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
+    since = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
+    if earlier and earlier[-1].kind is ActKind.CHANGE_LANE:
+        over = np.sign(at(speed, since))[:, None] * speed <= ASIDE_MPS
+        since = straightened(view, act.participant, first(over & (steps > since[:, None])))
     # Between two moves to one side it rests for a moment.
-    rests = (there <= ASIDE_MPS) & (steps > goes[:, None])
+    rests = (there <= ASIDE_MPS) & (steps > since[:, None])
     return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS) & under_way)
+
+
+def straightened(view: View, name: str, over: Ints) -> Ints:
+    """When the rear has come as far aside as the middle had when it went no farther (c,)."""
+    speed = np.maximum(at(view.speed_mps(name), over), 1.0)
+    later = np.ceil(view.body(name).centre_ahead_m / speed / view.dt_s)
+    return over + later.astype(np.int64)
 
 
 def _starts_beside(functional: FunctionalScenario, drive: Drive | None) -> bool:

@@ -8,7 +8,17 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import ASIDE_MPS, act_begins, act_run, at, first, is_level, passed, rest
+from scegen.claims.moments import (
+    ASIDE_MPS,
+    act_begins,
+    act_run,
+    at,
+    first,
+    is_level,
+    passed,
+    rest,
+    straightened,
+)
 from scegen.claims.told import Told
 from scegen.claims.tolerances import STANDS_MPS
 from scegen.claims.view import View
@@ -63,7 +73,7 @@ def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
     """
     steps, (moved, speed, sense, over) = np.arange(view.steps), aside_over(told, act, begins, view)
     if act.kind is ActKind.CHANGE_LANE:
-        return over
+        return straightened(view, act.participant, over)
     # A body that straightens up swings back a little: who comes back does so farther.
     comes = sense * (at(moved, over)[:, None] - moved) > SWERVES_M
     back = first(comes & (steps >= over[:, None]))

@@ -12,7 +12,16 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import box_at, boxes, contact, free, offset, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always, within
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import act_begins, act_run, at, first, passed, rest, sideways_begin
+from scegen.claims.moments import (
+    act_begins,
+    act_run,
+    at,
+    first,
+    passed,
+    rest,
+    sideways_begin,
+    straightened,
+)
 from scegen.claims.statements.act_ends import SWERVES_M, act_ends, aside_over
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
@@ -461,8 +470,7 @@ def _lasts_aside(told: Told, act: Act, view: View) -> Judged:
     """From when it leaves its line until its rear has come as far aside as its middle."""
     begins = _begins(told, act, view)
     _, _, _, over = aside_over(told, act, begins, view)
-    speed = np.maximum(at(view.speed_mps(act.participant), over), 1.0)
-    took = view.time_of(over - begins) + view.body(act.participant).centre_ahead_m / speed
+    took = view.time_of(straightened(view, act.participant, over) - begins)
     wanted = act.duration_s or Interval(low=0.0, high=0.0)
     margin = within(took, wanted, 2 * tolerances.TIME_S)
     return Judged(np.where(over < view.steps, margin, np.nan), took, view.time_of(over))

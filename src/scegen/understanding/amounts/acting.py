@@ -211,7 +211,9 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     if before.i == doing.i:
         return doing.kind is not ActKind.GIVE_WAY or before.into is doing.into
     if None not in {before.side, doing.side} and before.side is not doing.side:
-        return False  # "changes to the left lane … changes back to the right one"
+        # "changes to the left lane … changes back to the right one": out of whose lane it came
+        doing.into = None if doing.into is before.into else doing.into
+        return False
     before.told.append(doing.i)
     named = before.nominal and not doing.nominal and before.side in {None, doing.side}
     # "Cut-in followed by braking: the van cuts in …": what the heading names
