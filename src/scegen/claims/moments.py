@@ -254,9 +254,7 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
     if act.kind is ActKind.SET_OFF:
         return sets_off(view, name, _rests_before(functional, act))
     if act.kind is ActKind.WAIT:
-        stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
-        run = act_run(view, functional, act)
-        return np.where(stands, 0, np.where(run.happens, run.begin, never))
+        return _waits(view, functional, act)
     if act.kind is ActKind.ENTER:
         return _comes_in(view, name, drive_of(logical, name))
     if act.kind in SLOWING | GAINING:
@@ -277,6 +275,20 @@ def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario
         stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
         return np.where(stands, sets_off(view, name), 0)
     return steps_out(view, name, arms_of(view)[crossing.arm])
+
+
+def _waits(view: View, functional: FunctionalScenario, act: Act) -> Ints:
+    """When one begins to stop that then waits; at once where it stands from the start.
+
+    When it stands, where it is told before to brake.
+    """
+    name = act.participant
+    own = [a for a in functional.acts if a.participant == name]
+    if own[max(own.index(act) - 1, 0)].kind in SLOWING:
+        return rest(view, functional, act)[0]
+    stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
+    run = act_run(view, functional, act)
+    return np.where(stands, 0, np.where(run.happens, run.begin, view.steps))
 
 
 def _passing_begins(

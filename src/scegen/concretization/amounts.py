@@ -110,6 +110,8 @@ def change_of_speed(
     hazard = tale.hazard_of(act)
     rate = act.rate_mps2.middle if act.rate_mps2 else None
     target = _target_mps(act, before_mps, body, rate, usual_mps)
+    if falls_back(act) and _goes_on(tale, act):
+        target = max(before_mps - CHANGES_MPS, before_mps / 2)
     change = abs(target - before_mps)
     if rate is None and act.duration_s is not None and change > 0.1:
         rate = change / max(act.duration_s.middle, 0.1)
@@ -122,6 +124,13 @@ def change_of_speed(
         rate = min(usual, best, _OF_GRIP * tale.grip_mps2)
     timed = isinstance(act.when, AfterStart)
     return SpeedChange(target, rate, act=act.id, hazard=hazard, sort=Sort.ACT, timed=timed)
+
+
+def _goes_on(tale: Tale, act: Act) -> bool:
+    """``brakes and then changes lanes``: it does not stop."""
+    later = tale.acts[tale.acts.index(act) + 1 :] if act in tale.acts else ()
+    own = [each.kind for each in later if each.participant == act.participant]
+    return bool(own) and own[0] in ASIDE | GAINING - {ActKind.SET_OFF}
 
 
 def _target_mps(

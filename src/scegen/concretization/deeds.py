@@ -19,7 +19,16 @@ from scegen.concretization.moments import during_s
 from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s
-from scegen.scenario.acts import GAINING, ActKind, AfterAct, AfterStart, BeforeJunction
+from scegen.motion.trigger_steps import STEP_S
+from scegen.scenario.acts import (
+    GAINING,
+    SLOWING,
+    Act,
+    ActKind,
+    AfterAct,
+    AfterStart,
+    BeforeJunction,
+)
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
 
@@ -115,16 +124,8 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         change = change_of_speed(scene, act, draft.body, before, usual)
         if falls_back(act):
             change = replace(change, target_mps=min(_turning_mps(scene, draft), before))
-        then: float | None = None
         when = act.when
-        if not own and before == 0.0:
-            then = STOOD_S
-        elif isinstance(when, AfterAct) and when.act in own:
-            then = max(_delay_s(scene, draft, when, took_s), 0.0) or HOLDS_S
-            if when.since == "begin":
-                then = max(0.0, then - took_s)
-        elif own and when is None:
-            then = HOLDS_S
+        then = _then_s(scene, draft, act, own, took_s, stands=before == 0.0)
         place = 0.0
         if isinstance(when, BeforeJunction) and when.participant is None and then is None:
             place = draft.junction_s_m - draft.body.front_m - when.distance_m.middle
@@ -136,6 +137,24 @@ def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
         own.add(act.id)
     if not own and _stops_at_light(scene, draft):  # only the light is told
         yield SpeedChange(0.0, draft.braking_mps2(COMFORTABLE_BRAKING_MPS2), sort=Sort.ACT)
+
+
+def _then_s(
+    scene: Setup, draft: DriveDraft, act: Act, own: set[str], took_s: float, *, stands: bool
+) -> float | None:
+    """So long after its ``own`` act before an act begins, if it follows upon that.
+
+    The one before ``took_s``, and left it standing or not.
+    """
+    when = act.when
+    if not own and stands:
+        return STOOD_S
+    if isinstance(when, AfterAct) and when.act in own:
+        if stands and act.kind in SLOWING:
+            return STEP_S  # it stands already
+        then = max(_delay_s(scene, draft, when, took_s), 0.0) or HOLDS_S
+        return max(0.0, then - took_s) if when.since == "begin" else then
+    return HOLDS_S if own and when is None else None
 
 
 def _turning_mps(scene: Setup, draft: DriveDraft) -> float:

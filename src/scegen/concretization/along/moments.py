@@ -10,11 +10,19 @@ from scegen.concretization.along.auxiliary import ON_RAMP_S
 from scegen.concretization.along.doors import door_before
 from scegen.concretization.along.performing import perform
 from scegen.concretization.along.story import FIRST_ACT_S, Story
-from scegen.concretization.amounts import goes_on_when_free
+from scegen.concretization.amounts import ASIDE, goes_on_when_free
 from scegen.concretization.boxes import missing_m
 from scegen.concretization.limits import HOLDS_S
 from scegen.concretization.profile import NEVER_S
-from scegen.scenario.acts import Act, ActKind, AfterAct, AfterDistance, AfterStart, WhenMeasure
+from scegen.scenario.acts import (
+    SLOWING,
+    Act,
+    ActKind,
+    AfterAct,
+    AfterDistance,
+    AfterStart,
+    WhenMeasure,
+)
 from scegen.scenario.spacings import CONTACT, LENGTHWISE
 
 _AT_ONCE_S = 0.3
@@ -89,6 +97,9 @@ def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
             return NEVER_S
         delay = 0.0 if goes_on_when_free(when) else when.later_s.middle
         alone = story.act(when.act).participant == act.participant
+        rests = alone and story.runners[act.participant].speed_at_mps(known[when.act]) <= 0.0
+        if rests and act.kind in SLOWING:
+            return known[when.act]  # it stands already
         if alone and delay == 0.0 and when.since == "end":
             at_once = when.delay_s is not None and when.delay_s.high == 0.0
             delay = _AT_ONCE_S if at_once else HOLDS_S
@@ -101,8 +112,11 @@ def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
     if act.kind is ActKind.SWERVE and door is not None:
         return door.appears_s + _SHIES_S
     first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in story.merging else 0.0)
-    told = story.acts[: story.acts.index(act)]
-    return max([first_s, *(story.begins_s[a.id] for a in told if a.id in story.begins_s)])
+    told = [a for a in story.acts[: story.acts.index(act)] if a.id in story.begins_s]
+    # Who goes aside for one that comes into its lane does so when that one is there.
+    gives_way = act.kind in ASIDE
+    comes = [story.ends_s[a.id] for a in told if gives_way and a.into == act.participant]
+    return max([first_s, *(story.begins_s[a.id] for a in told), *comes])
 
 
 def perform_waiting(story: Story, waiting: Sequence[Act]) -> list[Act]:

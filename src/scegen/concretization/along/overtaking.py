@@ -161,8 +161,10 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     hazard = story.hazard_of(act)
     slow, foremost = line[0], line[-1]
     out_lane, offset = _beside_lane(story, act, fast, slow)
-    begins = max(FIRST_ACT_S / 2, story.begins_s[act.id] - FIRST_ACT_S)
-    begins, lasts = _in_time(fast, slow, (out_lane, offset), begins)
+    begins = story.begins_s[act.id]
+    if act.when is None:
+        begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
+    begins, lasts = _in_time(fast, slow, (out_lane, offset), begins, fixed=act.when is not None)
     if fast.speed_mps - foremost.speed_mps < _FASTER_MPS / 2:
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]
@@ -178,7 +180,8 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         if each.kind is ActKind.CHANGE_LANE and (each.side is None or each.side is not act.side)
     }
     stays = all(each.lane != fast.lane or each.id in making_room for each in line)
-    at_once = any(spacing.at == act.id for spacing in story.functional.spacings)
+    at_once = act.when is not None
+    at_once |= any(spacing.at == act.id for spacing in story.functional.spacings)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
     if not stays and not at_once and aside is None:
         begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
@@ -200,11 +203,12 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
 
 
 def _in_time(
-    fast: Runner, slow: Runner, place: tuple[int, float], begins_s: float
+    fast: Runner, slow: Runner, place: tuple[int, float], begins_s: float, *, fixed: bool
 ) -> tuple[float, float]:
     """When one pulls out and for how long, so that it is out as it comes up with the other.
 
-    Where the text puts the two close together, that is at once, and as quickly as one can steer.
+    Where the text puts the two close together, that is at once, and as quickly as one can steer;
+    where it says when (``fixed``), it is then.
     """
     reaches_s = _when(partial(_level, fast, slow, 0.0), 0.0)
     if reaches_s == 0.0 or reaches_s >= begins_s + LANE_CHANGE_S:
@@ -212,8 +216,9 @@ def _in_time(
     lane, offset_m = place
     aside_m = abs(fast.lane_y_m(lane) + fast.sign * offset_m - fast.y_m(0.0))
     shortest_s = sqrt(2.0 * pi * aside_m / LATERAL_MPS2)
-    lasts_s = min(max(shortest_s, reaches_s), LANE_CHANGE_S)
-    return min(begins_s, max(0.0, reaches_s - lasts_s)), lasts_s
+    within_s = reaches_s - begins_s if fixed else reaches_s
+    lasts_s = min(max(shortest_s, within_s), LANE_CHANGE_S)
+    return begins_s if fixed else min(begins_s, max(0.0, reaches_s - lasts_s)), lasts_s
 
 
 def _is_past(fast: Runner, slow: Runner, clear_m: float, times_s: Array) -> Bools:

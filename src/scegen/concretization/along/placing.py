@@ -19,7 +19,12 @@ from scegen.concretization.along.spacing import (
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M
-from scegen.concretization.limits import LATE_BRAKING_MPS2, REACTION_S, TAILGATING_HEADWAY_S
+from scegen.concretization.limits import (
+    LANE_CHANGE_S,
+    LATE_BRAKING_MPS2,
+    REACTION_S,
+    TAILGATING_HEADWAY_S,
+)
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import SLOWING, Act, WhenMeasure
 from scegen.scenario.in_line import is_said_ahead, words_between
@@ -249,11 +254,22 @@ def _usual(
     if front.speed_mps < back.speed_mps - _SLOWER_MPS:
         if moving_away is not None and moving_away.lane != front.lane:
             return Measure.TTC_S, _REVEALED_S * wider, moving_away.begins_s
-        closing = back.speed_mps - front.speed_mps
-        return Measure.GAP_M, max(_CLOSES_IN_S * closing, _LEAST_FREE_M) * wider, 0.0
+        return _closing_in(story, front, back, wider)
     if back.speed_mps == 0.0:
         return Measure.GAP_M, 2.0, 0.0
     return Measure.HEADWAY_S, _headway_s(story, front, back, wider), 0.0
+
+
+def _closing_in(
+    story: Story, front: Runner, back: Runner, wider: float
+) -> tuple[Measure, float, float]:
+    """How far behind a slower one somebody starts: in time to pass it, where that is said."""
+    own = (a for a in story.acts if a.participant == back.id and a.when is not None)
+    moments = (story.begins_s[a.id] for a in own if story.goes_round(a) and a.id in story.begins_s)
+    for passes_s in moments:
+        return Measure.TTC_S, LANE_CHANGE_S * wider, passes_s
+    closing = back.speed_mps - front.speed_mps
+    return Measure.GAP_M, max(_CLOSES_IN_S * closing, _LEAST_FREE_M) * wider, 0.0
 
 
 def _comes_over(front: Runner, back: Runner) -> Move | None:
