@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind
+from scegen.claims.moments import CHANGES_MPS2
 from scegen.claims.near_miss import Band
 from scegen.claims.statements.endings import GOES_ON_S
 from scegen.claims.view import View, view_of
@@ -290,6 +291,8 @@ def finishing(view: View, pair: tuple[str, str] | tuple[()] = ()) -> tuple[Float
             missing += np.where(moves[:, -1], 0.5, 0.0)
             last = np.maximum(last, (steps - moves[:, ::-1].argmax(axis=1)) * view.dt_s)
             continue
+        if participant.speed_program:
+            last = np.maximum(last, _settled_s(view, participant.id))
         if way.goal_m <= 0.0:
             continue
         left = way.goal_m - place[:, -1]
@@ -302,6 +305,16 @@ def finishing(view: View, pair: tuple[str, str] | tuple[()] = ()) -> tuple[Float
     for end in ends:
         missing += np.maximum(0.0, np.minimum(duration, steps * view.dt_s) - end - view.dt_s)
     return missing, duration
+
+
+def _settled_s(view: View, name: str) -> Floats:
+    """When somebody's speed changes for the last time before it is hit, else 0 (c,), s."""
+    changes = np.abs(np.diff(view.speed_mps(name), axis=1)) > CHANGES_MPS2 * view.dt_s
+    for pair, contact_s in zip(view.scene.pairs, view.summary.contact_s.T, strict=True):
+        if view.index[name] in pair:
+            changes &= ~(np.arange(1, changes.shape[1] + 1) * view.dt_s >= contact_s[:, None])
+    upto = changes.shape[1] - changes[:, ::-1].argmax(axis=1)
+    return np.where(changes.any(axis=1), upto, 0) * view.dt_s
 
 
 def lateral_limits(view: View, friction: float, everyday_mps2: float = 4.0) -> dict[str, float]:
