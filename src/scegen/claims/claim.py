@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import NamedTuple
@@ -111,9 +111,34 @@ def rule_claim(
     )
 
 
+def way_claim(
+    name: str, statement: str, field: str, test: Test, *, unit: str = "m", fixed: bool = True
+) -> Claim:
+    """A statement of what somebody does on its way; see Claim."""
+    kind, scale = ClaimKind.MANEUVER, 2.0
+    return Claim(f"maneuver.{name}", kind, statement, field, unit, test, scale=scale, fixed=fixed)
+
+
 def within(value: Floats, wanted: Interval, tolerance: float) -> Floats:
     """How far a value lies inside a range with its tolerance; below 0 outside (c,)."""
     return np.minimum(value - (wanted.low - tolerance), wanted.high + tolerance - value)
+
+
+def as_wanted(
+    value: Floats, wanted: Interval, tolerance: float, time_s: Floats, *, there: Bools | None = None
+) -> Judged:
+    """A value that is to lie in a range; undefined where it is not ``there`` to be measured."""
+    margin = within(value, wanted, tolerance)
+    return Judged(margin if there is None else np.where(there, margin, np.nan), value, time_s)
+
+
+def best_of(view: View, found: Sequence[Judged]) -> Judged:
+    """Of several, the one with the greatest margin in each candidate; of none, that it never is."""
+    each = np.arange(view.count)
+    never = np.full(view.count, -NEVER)
+    found = found or [Judged(never, never, np.zeros(view.count))]
+    pick = np.argmax([one.margin for one in found], axis=0)
+    return Judged(*(np.array(values)[pick, each] for values in zip(*found, strict=True)))
 
 
 def always(view: View, *, holds: bool, measured: float = np.nan) -> Judged:

@@ -7,7 +7,8 @@ import numpy as np
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.in_line import leads, leads_once
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.view import View, lasting, longest_run
+from scegen.claims.series import at, lasting, longest_run
+from scegen.claims.view import View
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.speed_limits import limit_for_kind_mps
 
@@ -33,7 +34,7 @@ def slow_driving(view: View, by: str, _: str) -> list[Part]:
     if way.turn_end_m > way.turn_start_m:
         counts &= view.place_m(by) < way.turn_start_m
     steps = round(limits.SLOW_FOR_S / view.dt_s)
-    slow = lasting(np.where(counts, speed, np.inf), steps, greatest=True)
+    slow = lasting(np.where(counts, speed, np.inf), steps)
     time_s = view.when(-slow)
     bound = limits.SLOW.value * way.limit_mps
     return [at_most("speed", slow.min(axis=1), limits.SLOW, time_s, bound)]
@@ -78,13 +79,11 @@ def delayed_braking(view: View, by: str, to: str) -> list[Part]:
     """
     braking = braking_part(view, by, limits.LATE_BRAKING)
     harsh = -view.acceleration_mps2(by, limits.MEASURED_OVER_S) >= _HARSH_MPS2
-    begins = np.where(harsh.any(axis=1), harsh.argmax(axis=1), 0)
-    rows = np.arange(view.count)
-    speed = view.speed_mps(by)[rows, begins]
-    room = view.room_m(by, to)[rows, begins]
-    needed = np.where(room > 0.0, speed**2 / (2.0 * np.maximum(room, _LEAST_ROOM_M)), np.nan)
-    needed = np.where(harsh.any(axis=1), needed, np.nan)
-    time_s = begins * view.dt_s
+    begins = harsh.argmax(axis=1)
+    speed, room = at(view.speed_mps(by), begins), at(view.room_m(by, to), begins)
+    needed = speed**2 / (2.0 * np.maximum(room, _LEAST_ROOM_M))
+    needed = np.where((room > 0.0) & harsh.any(axis=1), needed, np.nan)
+    time_s = view.time_of(begins)
     return [at_least("needed when it brakes", needed, limits.LATE_BRAKING, time_s), braking]
 
 

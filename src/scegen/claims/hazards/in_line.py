@@ -10,7 +10,7 @@ import numpy as np
 from scegen.claims.boxes import boxes, free, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, at_least
-from scegen.claims.moments import first
+from scegen.claims.series import at, first
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 
@@ -51,8 +51,7 @@ def _begins(flags: Bools) -> Bools:
 
 def leads(view: View, by: str, to: str, time_s: Floats) -> Part:
     """It does not drive behind the other then."""
-    gap = view.gap_m(by, to)[np.arange(view.count), view.step_of(time_s)]
-    return _not_behind(gap, time_s)
+    return _not_behind(at(view.gap_m(by, to), view.step_of(time_s)), time_s)
 
 
 def leads_once(view: View, by: str, to: str, time_s: Floats) -> Part:

@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes, box_at, course, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
-from scegen.claims.moments import first
+from scegen.claims.series import first
 from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View

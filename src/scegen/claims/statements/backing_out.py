@@ -10,6 +10,7 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged
+from scegen.claims.series import greatest
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.scenario.logical import Drive, Reverses
@@ -45,6 +46,5 @@ def _square(drive: Drive, view: View) -> Judged:
         away = arm.inward * (box.sin * arm.cos - box.cos * arm.sin)
         out = np.where(off, away, -1.0)
     turned = np.degrees(np.arccos(np.clip(out, -1.0, 1.0)))
-    step = turned.argmax(axis=1)
-    most = turned[np.arange(view.count), step]
+    most, step = greatest(turned)
     return Judged(_MOST_DEG - most, most, view.time_of(step))

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind, Judged, always
+from scegen.claims.series import greatest
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING, Floats, Ints, X, Y
@@ -62,9 +63,8 @@ def _possible(person: Participant, view: View) -> Judged:
     ]
     inside = np.arange(view.steps - 1) < np.minimum(view.last_step, _crash(person, view))[:, None]
     worst: Floats = np.where(inside, np.max(series, axis=0), 0.0)
-    step = worst.argmax(axis=1)
-    most = worst[np.arange(view.count), step]
-    return Judged(1.0 + _ROOM - most, most, (step + 1) * view.dt_s)
+    most, step = greatest(worst)
+    return Judged(1.0 + _ROOM - most, most, view.time_of(step + 1))
 
 
 def _crash(person: Participant, view: View) -> Ints:

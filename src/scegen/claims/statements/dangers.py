@@ -110,9 +110,7 @@ def measured_out(told: Told, hazard: Hazard) -> list[Act]:
 
 def _as_said(told: Told, hazard: Hazard, view: View) -> Judged:
     """What is said of it happens, where it endangers somebody: its amounts are other claims."""
-    begins = [
-        act_begins(view, told.functional, told.logical, act) for act in measured_out(told, hazard)
-    ]
+    begins = [act_begins(told, act, view) for act in measured_out(told, hazard)]
     step = np.max(begins, axis=0)
     time_s = view.time_of(np.minimum(step, view.steps - 1))
     margin = np.where(step < view.steps, _CLEARLY, -_CLEARLY)

@@ -10,7 +10,7 @@ import numpy as np
 
 from scegen.claims.boxes import boxes, offset, same_way
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
-from scegen.claims.moments import at, first
+from scegen.claims.series import at, first
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View, reaches_s

@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from scegen.claims.boxes import contact, free, seen
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, best_of, within
 from scegen.claims.near_miss import near_miss
 from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import PERCENT
@@ -148,13 +148,9 @@ def _struck(told: Told, outcome: Outcome, side: BodySide, view: View) -> Judged:
 
 
 def _nearly(told: Told, outcome: Outcome, view: View) -> Judged:
-    best = np.full(view.count, -NEVER)
-    when = np.full(view.count, np.nan)
-    for pair in pairs_of(told, outcome, view):
-        margin = near_miss(view, pair)
-        when = np.where(margin > best, view.of_pair("closest_s", *pair), when)
-        best = np.maximum(best, margin)
-    return Judged(best, best, when)
+    pairs = pairs_of(told, outcome, view)
+    found = [(near_miss(view, pair), view.of_pair("closest_s", *pair)) for pair in pairs]
+    return best_of(view, [Judged(margin, margin, time_s) for margin, time_s in found])
 
 
 def _apart(told: Told, outcome: Outcome, view: View) -> Judged:

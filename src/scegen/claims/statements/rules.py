@@ -8,11 +8,12 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.claim import NEVER, Claim, Judged, always, rule_claim, within, yes_or_no
-from scegen.claims.moments import STANDS_MPS, first
+from scegen.claims.moments import STANDS_MPS
+from scegen.claims.series import first, longest_run
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import TIME_S
-from scegen.claims.view import View, longest_run
+from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.rules.lights import (
     RED_FOR_S,

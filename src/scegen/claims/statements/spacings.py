@@ -11,7 +11,8 @@ from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, same_way, seen
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import act_begins, at, comes_to_rest
+from scegen.claims.moments import act_begins, comes_to_rest
+from scegen.claims.series import at
 from scegen.claims.statements.act_ends import act_ends
 from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
@@ -120,13 +121,13 @@ def judge_spacing(told: Told, spacing: Spacing, view: View, *, ahead: bool | Non
         step = np.zeros(view.count, dtype=np.int64)
     else:
         act = next(act for act in told.functional.acts if act.id == spacing.at)
-        step = act_begins(view, told.functional, told.logical, act)
+        step = act_begins(told, act, view)
         if spacing.since == "end" and act.kind not in SLOWING:
             step = act_ends(told, act, view)
         elif spacing.since == "end":
             other = reference if who == act.participant else who
             other = act.participant if told.crossing(act.participant) else other
-            step = comes_to_rest(view, told.functional, told.logical, act, other)
+            step = comes_to_rest(told, act, other, view)
     if who == reference:
         value = _off_its_lane(told, who, view, step)
         margin = within(value, spacing.value, tolerance)

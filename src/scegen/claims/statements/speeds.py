@@ -10,7 +10,8 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import act_begins, at, first, speed_runs
+from scegen.claims.moments import act_begins, speed_runs
+from scegen.claims.series import at, first
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, speed_words
 from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
@@ -151,7 +152,7 @@ def _own_change(told: Told, person: Participant, view: View) -> Ints:
     """When its own first act or danger that changes its speed begins."""
     begins = [np.full(view.count, view.steps)]
     acts = [a for a in told.acts_of(person.id) if a.kind in SLOWING | GAINING | {ActKind.WAIT}]
-    begins += [act_begins(view, told.functional, told.logical, act) for act in acts]
+    begins += [act_begins(told, act, view) for act in acts]
     if not acts:
         for hazard in told.hazards:
             if person.id in hazard.by and hazard.kind in SPEED_CHANGES:
@@ -222,5 +223,5 @@ def _others_begin(told: Told, name: str, view: View, closest: Ints) -> Ints:
     soon = np.where(braking.happens & (braking.end > soon), np.minimum(soon, braking.begin), soon)
     if not others:
         return soon
-    begins = [act_begins(view, told.functional, told.logical, act) for act in others]
+    begins = [act_begins(told, act, view) for act in others]
     return np.asarray(np.maximum(np.min(begins, axis=0), soon))

@@ -12,7 +12,8 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind, Judged
-from scegen.claims.moments import STANDS_MPS, at
+from scegen.claims.moments import STANDS_MPS
+from scegen.claims.series import at
 from scegen.claims.statements.speeds import SPEED_CHANGES
 from scegen.claims.told import KPH, Told
 from scegen.claims.tolerances import SPEED_MPS

@@ -10,6 +10,7 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always
+from scegen.claims.series import at, least
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
@@ -67,7 +68,5 @@ def _on_it(told: Told, name: str, strip: Strip, view: View, *, stays: bool) -> J
     if isinstance(assignment, Drive) and assignment.reverses is Reverses.SQUARE:
         inside = out - band[0]  # a bay square to the road is as deep as that takes
     later: Bools = np.arange(view.steps) > (view.last_step[:, None] if stays else 0)
-    worst = np.where(later, NEVER, inside)
-    step = worst.argmin(axis=1)
-    rows = np.arange(view.count)
-    return Judged(worst[rows, step], out[rows, step], view.time_of(step))
+    worst, step = least(np.where(later, NEVER, inside))
+    return Judged(worst, at(out, step), view.time_of(step))
