@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from scegen.checking import asam, opendrive, openscenario, parameters, replay, said, schema
 from scegen.checking import esmini as player
-from scegen.checking.esmini.playing import Played, play_once
+from scegen.checking.esmini.playing import play_once
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
 from scegen.checking.subject import File, Subject, find_subjects, read_folder
@@ -124,26 +124,7 @@ def _played(
         else:
             yield replay.check_replay(scenario.path, subject.concrete, once)
     if said.CHECKER in asked:
-        yield _said(subject, scenario, outside, once)
-
-
-def _said(
-    subject: Subject, scenario: File, outside: frozenset[str], once: Callable[[], Played]
-) -> CheckResult:
-    """What was said; who is driven from outside does as it likes."""
-    if subject.concrete is None or subject.functional is None:
-        lacking = "concrete.yaml" if subject.concrete is None else "functional.yaml"
-        return not_run(said.CHECKER, f"there is no {lacking} that tells what was said")
-    if outside:
-        return not_run(said.CHECKER, f"{min(outside)} is driven from outside")
-    return said.check_said(
-        scenario.path,
-        subject.concrete,
-        subject.functional,
-        subject.touching,
-        subject.brought_together,
-        once,
-    )
+        yield said.check_said(subject, scenario.path, outside, once)
 
 
 @dataclass(frozen=True)

@@ -121,6 +121,12 @@ def gap_m(frame: Boxes, other: Boxes) -> Floats:
     return np.maximum(clear.front, clear.rear)
 
 
+def free_width_m(frame: Boxes, other: Boxes) -> Floats:
+    """Free width across the frame's heading; negative where the one is in front of the other."""
+    clear = free(frame, other)
+    return np.maximum(clear.left, clear.right)
+
+
 def course(frame: Boxes, other: Boxes) -> Floats:
     """Direction of the other's heading from the frame's, counter-clockwise positive, rad."""
     sin = frame.cos * other.sin - frame.sin * other.cos

@@ -200,8 +200,7 @@ def _crossing(
 
 
 def _lanes(network: Network, movement: Movement, step: int, arm: Arm) -> set[int]:
-    under = lanes_at(network, movement.point[[step]])[0]
-    return {lane.lane for lane in under if lane.road == arm.road.id}
+    return arm.under(lanes_at(network, movement.point[[step]])[0])
 
 
 def _when(movement: Movement, step: int) -> str:

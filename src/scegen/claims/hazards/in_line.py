@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, free, offset, same_way, seen
+from scegen.claims.boxes import boxes, free_width_m, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, at_least
 from scegen.claims.series import at, first
@@ -24,8 +24,7 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     the other before.
     """
     frame, box = boxes(view, to), boxes(view, by)
-    clear = free(frame, box)
-    beside = np.maximum(clear.left, clear.right) > 0.0
+    beside = free_width_m(frame, box) > 0.0
     inside = ~beside & (same_way(frame, box) > _SAME_WAY)
     time = np.arange(view.steps) * view.dt_s
     touch = np.nan_to_num(view.of_pair("contact_s", by, to), nan=np.inf)[:, None]

@@ -373,7 +373,7 @@ def _triggered(told: Told, act: Act, doing: str) -> Iterator[Claim]:
         said, unit, tolerance = f"{_later(when)} after {whose} {event}", "s", _LONG_S
         test = partial(_after_act, when, other)
     elif isinstance(when, WhenMeasure):
-        unit, tolerance = tolerances.UNITS[when.measure], tolerances.OF_MEASURE[when.measure]
+        _, unit, tolerance, _ = tolerances.OF_MEASURE[when.measure]
         pair = f"{when.participant} to {when.reference}"
         name = plain(when.measure.rpartition("_")[0])
         said = f"when the {name} of {pair} is {amount(when.value)} {unit}"
@@ -423,7 +423,7 @@ def _at_measure(when: WhenMeasure, told: Told, act: Act, view: View) -> Judged:
         measure_at(view, when.measure, who, reference, step + n, ahead=ahead) for n in (-1, 0, 1)
     ]
     low, high = np.min(values, axis=0), np.max(values, axis=0)
-    tolerance = tolerances.OF_MEASURE[when.measure]
+    tolerance = tolerances.OF_MEASURE[when.measure].tolerance
     margin = np.max([within(value, when.value, tolerance) for value in values], axis=0)
     passes = (low <= when.value.high) & (high >= when.value.low)
     margin = np.where(passes, np.maximum(margin, tolerance), margin)

@@ -161,9 +161,13 @@ def _course(view: View, name: str, frame: Boxes) -> Floats:
     """
     place = view.place_m(name)
     begin, step = box_at(view, name, 0), first(place > place[:, :1] + _SETS_OUT_M)
-    later = box_at(view, name, step)
-    turned = course(frame, begin._replace(cos=later.x - begin.x, sin=later.y - begin.y))
+    turned = _towards(frame, begin, box_at(view, name, step))
     return np.where(step < view.steps, turned, course(frame, begin))
+
+
+def _towards(frame: Boxes, begin: Boxes, end: Boxes) -> Floats:
+    """Direction from one place to another, from the frame's heading, rad."""
+    return course(frame, begin._replace(cos=end.x - begin.x, sin=end.y - begin.y))
 
 
 def _beside(aside_m: Floats) -> Floats:
@@ -188,29 +192,27 @@ def _comes(
     if word is Approach.OPPOSITE:
         keeps_right = told.functional.junction.driving_side is DrivingSide.RIGHT
         side = 1.0 if keeps_right else -1.0
-        facing = np.abs(turned) - _FACING_DEG
+        facing = _by_course(word, turned)
         there = (side * aside - SAME_LANE_M) * _DEG_PER_M
         return np.where(moves, facing, np.maximum(facing, there))
     side = _SIDES[word]
-    across = -side * turned
-    sector = np.minimum(across - _LEAST_DEG, _MOST_DEG - across)
     along = np.cos(np.radians(turned)) > _SAME_WAY
     if any(isinstance(a, Walking) and a.participant == name for a in told.logical.assignments):
         along = np.abs(np.cos(np.radians(turned))) > _SAME_WAY  # beside the road, either way
     place = (side * np.where(moves, start, aside) - _BESIDE_M) * _DEG_PER_M
-    return np.where(moves & ~along, sector, place)
+    return np.where(moves & ~along, _by_course(word, turned), place)
 
 
 def _crosses(view: View, name: str, reference: str, word: Approach) -> Floats:
     """For one who crosses: by its course where the two come nearest."""
     frame = box_at(view, reference, view.step_of(view.of_pair("closest_s", name, reference)))
     begin, end = box_at(view, name, 0), box_at(view, name, view.steps - 1)
-    dx, dy = end.x - begin.x, end.y - begin.y
-    turned = np.degrees(
-        np.arctan2(dy * frame.cos - dx * frame.sin, dx * frame.cos + dy * frame.sin)
-    )
+    return _by_course(word, np.degrees(_towards(frame, begin, end)))
+
+
+def _by_course(word: Approach, turned: Floats) -> Floats:
+    """How well a course fits who comes from a side, or towards one (deg)."""
     if word is Approach.OPPOSITE:
         return np.asarray(np.abs(turned) - _FACING_DEG)
     across = -_SIDES[word] * turned
-    sector: Floats = np.minimum(across - _LEAST_DEG, _MOST_DEG - across)
-    return sector
+    return np.minimum(across - _LEAST_DEG, _MOST_DEG - across)

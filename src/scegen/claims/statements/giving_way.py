@@ -11,6 +11,7 @@ import numpy as np
 from scegen.claims.boxes import boxes, offset, same_way
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
 from scegen.claims.series import at, first
+from scegen.claims.statements.rules import rests_at_line
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View, reaches_s
@@ -18,7 +19,6 @@ from scegen.measures.grounds import Ground, grounds
 from scegen.motion.batch.arrays import Floats, S
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
-from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS
 from scegen.scenario.acts import LETS_BY, Act
 from scegen.scenario.vocabulary import JunctionKind
 
@@ -110,9 +110,7 @@ def _in_order(duty: Duty, view: View) -> Judged:
 
 def _stands_s(view: View, name: str) -> Floats:
     """When somebody first stands at its line; the end if it never does (c,)."""
-    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
-    rests = view.speed_mps(name) < STOPPED_MPS
-    return view.time_of(first(rests & (front > -AT_LINE_M) & (front < OVER_LINE_M)))
+    return view.time_of(first(rests_at_line(view, name)))
 
 
 def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:

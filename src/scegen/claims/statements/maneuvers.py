@@ -117,11 +117,8 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
         others = [p.id for p in told.people if p.id != name]
-        does, over = (
-            f"{name} passes {whom}",
-            partial(_overtakes, name, passed or [*others, *things]),
-        )
-        yield way_claim(f"overtake.{name}", does, field, over, fixed=False)
+        over = partial(_overtakes, name, passed or [*others, *things])
+        yield way_claim(f"overtake.{name}", f"{name} passes {whom}", field, over, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         held_up = not any(act.kind in LETS_BY for act in told.acts_of(name))
@@ -181,7 +178,7 @@ def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
 
 
 def _across(crossing: Crossing, view: View) -> tuple[Floats, float, float]:
-    """How far across the arm its middle is (c, t), the way that it goes, and where both kerbs are."""
+    """How far its middle is across an arm (c, t), the way it goes, and where the kerbs are (m)."""
     arm = arms_of(view)[crossing.arm]
     _, offset = arm.place(boxes(view, crossing.participant))
     right, left = arm.edges_m
@@ -189,7 +186,7 @@ def _across(crossing: Crossing, view: View) -> tuple[Floats, float, float]:
 
 
 def _by_numbers(told: Told, crossing: Crossing, *, goes_over: bool) -> Iterator[Claim]:
-    """How long it takes from kerb to kerb, or how far from the kerb it stops, where that is said."""
+    """How long it takes from kerb to kerb, how far from the kerb it stops: where that is said."""
     name = crossing.participant
     for act in [a for a in told.acts_of(name) if a.kind is ActKind.CROSS]:
         if goes_over and act.duration_s is not None:
