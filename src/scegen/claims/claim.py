@@ -88,27 +88,8 @@ def rule_claim(
     name: str, statement: str, test: Test, *, unit: str = "s", tolerance: float = 0.0,
     scale: float = 1.0, field: str = "junction.control",
 ) -> Claim:  # fmt: skip
-    """A statement that a rule of the road is kept, or broken by who is said to break it.
-
-    Args:
-        name: what tells it from others, after ``rule.``.
-        statement: what has to be so.
-        test: how it is judged.
-        unit: of margin, measured value and tolerance.
-        tolerance: see Claim.
-        scale: see Claim.
-        field: where it is said.
-    """
-    return Claim(
-        id=f"rule.{name}",
-        kind=ClaimKind.RULE,
-        statement=statement,
-        field=field,
-        unit=unit,
-        test=test,
-        tolerance=tolerance,
-        scale=scale,
-    )
+    """A statement that a rule of the road is kept, or broken by who is said to break it."""
+    return Claim(f"rule.{name}", ClaimKind.RULE, statement, field, unit, test, tolerance, scale)
 
 
 def way_claim(

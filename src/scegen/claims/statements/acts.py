@@ -11,7 +11,17 @@ import numpy as np
 from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import box_at, boxes, contact, gap_m, offset, seen, to_side
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always, as_wanted, best_of, within
+from scegen.claims.claim import (
+    NEVER,
+    Claim,
+    ClaimKind,
+    Judged,
+    Test,
+    always,
+    as_wanted,
+    best_of,
+    within,
+)
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import act_begins, act_run, passed, rest, sideways_begin
 from scegen.claims.series import at, first, greatest, least
@@ -108,16 +118,9 @@ def _claim(
     scale: float = 1.0,
 ) -> Claim:
     name = f"{act.id}.{part}" if part else act.id
-    return Claim(
-        id=f"act.{name}",
-        kind=ClaimKind.ACT,
-        statement=statement,
-        field=f"acts.{name}",
-        unit=unit,
-        test=partial(test, told, act, *args),
-        tolerance=tolerance,
-        scale=scale,
-    )
+    bound: Test = partial(test, told, act, *args)
+    kind, field = ClaimKind.ACT, f"acts.{name}"
+    return Claim(f"act.{name}", kind, statement, field, unit, bound, tolerance, scale)
 
 
 def _when(view: View, step: Ints) -> Floats:

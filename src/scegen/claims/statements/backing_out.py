@@ -23,15 +23,9 @@ def claims(told: Told) -> Iterator[Claim]:
     """Of everybody who does."""
     for drive in told.logical.drives:
         if drive.reverses is Reverses.SQUARE:
-            name = drive.participant
-            yield Claim(
-                id=f"square.{name}",
-                kind=ClaimKind.ENTRY,
-                statement=f"{name} backs straight out, square to the road",
-                field=f"participants.{name}.maneuvers",
-                unit="deg",
-                test=partial(_square, drive),
-            )
+            name, test = drive.participant, partial(_square, drive)
+            does, field = "backs straight out, square to the road", f"participants.{name}.maneuvers"
+            yield Claim(f"square.{name}", ClaimKind.ENTRY, f"{name} {does}", field, "deg", test)
 
 
 def _square(drive: Drive, view: View) -> Judged:

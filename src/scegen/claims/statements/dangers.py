@@ -44,14 +44,10 @@ def claims(told: Told) -> Iterator[Claim]:
     for number, hazard in enumerate(told.hazards):
         by = f" by {' and '.join(hazard.by)}" if hazard.by else ""
         to = f" to {' and '.join(hazard.to)}" if hazard.to else ""
-        yield Claim(
-            id=claim_id(number, hazard.kind),
-            kind=ClaimKind.HAZARD,
-            statement=f"{plain(hazard.kind)}{by}{to} happens",
-            field=f"hazards.{hazard.kind}",
-            unit="1",
-            test=partial(_test_of(told, hazard), told, hazard),
-        )
+        statement, field = f"{plain(hazard.kind)}{by}{to} happens", f"hazards.{hazard.kind}"
+        test = partial(_test_of(told, hazard), told, hazard)
+        name = claim_id(number, hazard.kind)
+        yield Claim(name, ClaimKind.HAZARD, statement, field, "1", test)
 
 
 def claim_id(number: int, kind: HazardKind) -> str:

@@ -25,22 +25,13 @@ def claims(told: Told) -> Iterator[Claim]:
     """Of those whom it is about."""
     if len(told.people) < 2:
         return
-    yield Claim(
-        id="ending.goes_on",
-        kind=ClaimKind.ENDING,
-        statement=f"it goes on for {GOES_ON_S:g} s after the closest approach",
-        field="outcome",
-        unit="s",
-        test=partial(_goes_on, told),
-    )
-    yield Claim(
-        id="ending.apart",
-        kind=ClaimKind.ENDING,
-        statement="nobody is still closing in when it ends",
-        field="outcome",
-        unit="m/s",
-        test=partial(_no_more_closing, told),
-    )
+    goes_on = f"it goes on for {GOES_ON_S:g} s after the closest approach"
+    apart = "nobody is still closing in when it ends"
+    for name, statement, unit, test in (
+        ("goes_on", goes_on, "s", partial(_goes_on, told)),
+        ("apart", apart, "m/s", partial(_no_more_closing, told)),
+    ):
+        yield Claim(f"ending.{name}", ClaimKind.ENDING, statement, "outcome", unit, test)
 
 
 def pairs_of(told: Told, view: View) -> list[tuple[str, str]]:

@@ -44,16 +44,10 @@ def said(told: Told) -> Iterator[Claim]:
     """One for everybody who is said to let another go first."""
     for act in told.functional.acts:
         if act.kind in LETS_BY and act.into is not None:
-            pair = act.participant, act.into
-            yield Claim(
-                id=f"act.{act.id}.into",
-                kind=ClaimKind.ACT,
-                statement=f"{act.participant} lets {act.into} go first",
-                field=f"acts.{act.id}.into",
-                unit="s",
-                test=partial(_lets_by if _meet(told, act) else _gets_past, *pair),
-                tolerance=TIME_S,
-            )
+            name, kind = f"{act.id}.into", ClaimKind.ACT
+            does = f"{act.participant} lets {act.into} go first"
+            test = partial(_lets_by if _meet(told, act) else _gets_past, act.participant, act.into)
+            yield Claim(f"act.{name}", kind, does, f"acts.{name}", "s", test, TIME_S)
 
 
 def _lets_by(name: str, other: str, view: View) -> Judged:

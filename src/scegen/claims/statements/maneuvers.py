@@ -231,14 +231,9 @@ def _stands(told: Told, person: Participant, *, pulls_out: bool) -> Claim:
     where = "is parked" if person.parked else "stands"
     field = "parked" if person.parked else "maneuvers"
     walks = person.kind in ON_FOOT and told.crossing(name) is not None
-    return Claim(
-        id=f"stands.{name}",
-        kind=ClaimKind.STANDS,
-        statement=f"{name} {where}{until}",
-        field=f"participants.{name}.{field}",
-        unit="km/h",
-        test=partial(_pulls_out if pulls_out or walks else _still, name),
-    )
+    test = partial(_pulls_out if pulls_out or walks else _still, name)
+    statement, field = f"{name} {where}{until}", f"participants.{name}.{field}"
+    return Claim(f"stands.{name}", ClaimKind.STANDS, statement, field, "km/h", test)
 
 
 def _still(name: str, view: View) -> Judged:

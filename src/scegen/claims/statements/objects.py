@@ -37,14 +37,8 @@ def claims(told: Told) -> Iterator[Claim]:
 
 
 def _claim(thing: Thing, part: str, statement: str, test: Test, unit: str = "m") -> Claim:
-    return Claim(
-        id=f"object.{thing.id}.{part}",
-        kind=ClaimKind.OBJECT,
-        statement=statement,
-        field=f"objects.{thing.id}.{part}",
-        unit=unit,
-        test=test,
-    )
+    name, kind = f"{thing.id}.{part}", ClaimKind.OBJECT
+    return Claim(f"object.{name}", kind, statement, f"objects.{name}", unit, test)
 
 
 def _in_way(thing: Thing, name: str, view: View) -> Judged:

@@ -31,15 +31,10 @@ def claims(told: Told) -> Iterator[Claim]:
         backs = drive is not None and drive.reverses is not None
         if name not in causes or backs or _begins_as_said(told, name):
             continue
-        yield Claim(
-            id=f"opening.{name}",
-            kind=ClaimKind.OPENING,
-            statement=f"{name} goes on undisturbed for {LEAD_IN_S:g} s at first",
-            field=f"participants.{name}",
-            unit="s",
-            test=partial(_undisturbed, told, name),
-            tolerance=tolerances.TIME_S,
-        )
+        does = f"{name} goes on undisturbed for {LEAD_IN_S:g} s at first"
+        field, test = f"participants.{name}", partial(_undisturbed, told, name)
+        kind, tolerance = ClaimKind.OPENING, tolerances.TIME_S
+        yield Claim(f"opening.{name}", kind, does, field, "s", test, tolerance)
 
 
 def _begins_as_said(told: Told, name: str) -> bool:

@@ -29,14 +29,8 @@ def claims(told: Told) -> Iterator[Claim]:
     outcome = told.functional.outcome
     if outcome is not None:
         yield from _said(told, outcome)
-    yield Claim(
-        id="contacts",
-        kind=ClaimKind.CONTACT,
-        statement=_else(told),
-        field="outcome",
-        unit="m",
-        test=partial(_nobody_else, told),
-    )
+    test = partial(_nobody_else, told)
+    yield Claim("contacts", ClaimKind.CONTACT, _else(told), "outcome", "m", test)
 
 
 def _else(told: Told) -> str:
@@ -68,16 +62,8 @@ def _said(told: Told, outcome: Outcome) -> Iterator[Claim]:
 def _claim(
     part: str, statement: str, unit: str, test: Test, scale: float, tolerance: float = 0.0
 ) -> Claim:
-    return Claim(
-        id=f"outcome.{part}",
-        kind=ClaimKind.OUTCOME,
-        statement=statement,
-        field=f"outcome.{part}",
-        unit=unit,
-        test=test,
-        scale=scale,
-        tolerance=tolerance,
-    )
+    name, kind = f"outcome.{part}", ClaimKind.OUTCOME
+    return Claim(name, kind, statement, name, unit, test, tolerance, scale)
 
 
 def pairs_of(told: Told, outcome: Outcome, view: View) -> list[tuple[str, str]]:
