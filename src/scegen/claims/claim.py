@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scegen.claims.series import chosen
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.scenario.model import Interval
@@ -115,11 +116,8 @@ def as_wanted(
 
 def best_of(view: View, found: Sequence[Judged]) -> Judged:
     """Of several, the one with the greatest margin in each candidate; of none, that it never is."""
-    each = np.arange(view.count)
     never = np.full(view.count, -NEVER)
-    found = found or [Judged(never, never, np.zeros(view.count))]
-    pick = np.argmax([one.margin for one in found], axis=0)
-    return Judged(*(np.array(values)[pick, each] for values in zip(*found, strict=True)))
+    return Judged(*chosen(found or [(never, never, np.zeros(view.count))], np.argmax))
 
 
 def always(view: View, *, holds: bool, measured: float = np.nan) -> Judged:

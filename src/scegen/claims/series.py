@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 
 from scegen.motion.batch.arrays import Bools, Floats, Ints
@@ -28,6 +30,15 @@ def least(series: Floats) -> tuple[Floats, Ints]:
     """The least value, and the first step that has it (c,) each."""
     step = np.asarray(series.argmin(axis=1), dtype=np.int64)
     return at(series, step), step
+
+
+def chosen(rows: Sequence[Sequence[Floats]], choose: Callable[..., Ints]) -> tuple[Floats, ...]:
+    """The first row of each candidate whose first value is the greatest, or the least (c,) each."""
+    if len(rows) == 1:
+        return (*rows[0],)
+    columns = [np.array(values) for values in zip(*rows, strict=True)]
+    pick = choose(columns[0], axis=0)
+    return tuple(values[pick, np.arange(len(pick))] for values in columns)
 
 
 def lasting(series: Floats, steps: int) -> Floats:

@@ -10,6 +10,7 @@ from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
 from scegen.scenario.logical import ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import JunctionKind
 
 KPH = 3.6
 NONE = ConflictKind.NONE
@@ -38,6 +39,11 @@ class Told:
     def people(self) -> tuple[Participant, ...]:
         """Everybody in traffic."""
         return self.functional.participants
+
+    @property
+    def plain_road(self) -> bool:
+        """Whether the road has no junction."""
+        return self.functional.junction.kind is JunctionKind.STRAIGHT
 
     def drive(self, name: str) -> Drive | None:
         """How somebody drives, None if it does not."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from cmath import exp
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from math import atan2
+from math import atan2, ceil
 from typing import NamedTuple
 
 from scegen.checking.opendrive.network import (
@@ -20,6 +20,15 @@ from scegen.checking.opendrive.network import (
     lane_place,
     piece_at,
 )
+
+STEP_M = 1.0
+"""Rules look at places no farther apart than this along a road."""
+
+
+def stations(start: float, end: float) -> list[float]:
+    """Both ends and points at most ``STEP_M`` apart between them."""
+    count = max(1, min(10_000, ceil((end - start) / STEP_M)))
+    return [start + (end - start) * i / count for i in range(count + 1)]
 
 
 def reference(road: Road, s: float) -> tuple[complex, float, float]:

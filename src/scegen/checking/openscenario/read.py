@@ -17,7 +17,6 @@ from scegen.checking.openscenario.storyboard import (
     Entity,
     LanePoint,
     Reference,
-    Start,
     Storyboard,
     Trajectory,
     WorldPoint,
@@ -89,7 +88,7 @@ class _Reader:
             version=".".join(self.document.version),
             road_file=None if logic is None else self.text(logic, "filepath"),
             entities=tuple(self.entity(e) for e in root.iterfind("Entities/ScenarioObject")),
-            starts=tuple(self.starts(root)),
+            starts=self.starts(root),
             trajectories=tuple(self.trajectories(root)),
             references=tuple(self.references(root)),
             lane_points=tuple(self.lane_points(root)),
@@ -152,10 +151,12 @@ class _Reader:
             return None
         return length, width, height
 
-    def starts(self, root: etree._Element) -> Iterator[Start]:
+    def starts(self, root: etree._Element) -> dict[str, WorldPoint | LanePoint | None]:
+        found: dict[str, WorldPoint | LanePoint | None] = {}
         for private in root.iterfind("Storyboard/Init/Actions/Private"):
-            position = private.find("PrivateAction/TeleportAction/Position")
-            yield Start(self.text(private, "entityRef"), self.position(position))
+            position = self.position(private.find("PrivateAction/TeleportAction/Position"))
+            found.setdefault(self.text(private, "entityRef"), position)
+        return found
 
     def position(self, element: etree._Element | None) -> WorldPoint | LanePoint | None:
         if element is None:

@@ -1,4 +1,4 @@
-"""How who causes a danger stands to who suffers it, of two in one line.
+"""How who causes a danger stands to who suffers it, of two in one line; following too closely.
 
 Amounts that the text gives take the place of thresholds; these conditions hold all the same.
 """
@@ -9,8 +9,8 @@ import numpy as np
 
 from scegen.claims.boxes import boxes, free_width_m, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
-from scegen.claims.hazards.predicate import Part, at_least
-from scegen.claims.series import at, first
+from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
+from scegen.claims.series import at, first, lasting
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 
@@ -64,6 +64,13 @@ def _not_behind(gap_m: Floats, time_s: Floats) -> Part:
     return at_least("not behind the other", ahead, limits.AHEAD, time_s)
 
 
+def tailgating(view: View, by: str, to: str) -> list[Part]:
+    """Keeps less than the least gap of adaptive cruise control, for a second."""
+    steps = round(limits.TAILGATING_FOR_S / view.dt_s)
+    held = lasting(view.headway_s(by, to), steps)
+    return [at_most("headway", held.min(axis=1), limits.TAILGATING, view.when(-held))]
+
+
 def faces(view: View, by: str, to: str, time_s: Floats) -> Part:
     """Who comes towards it has not gone past yet when it has come over the centre line."""
     frame, box = boxes(view, by), boxes(view, to)
@@ -78,3 +85,6 @@ def faces(view: View, by: str, to: str, time_s: Floats) -> Part:
     out = np.min([*outs, np.full(view.count, np.inf)], axis=0)
     left = np.where(np.isfinite(out), passes - np.where(np.isfinite(out), out, 0.0), np.nan)
     return at_least("over the line before the other is past", left, limits.IN_TIME, time_s)
+
+
+TAILGATING = Predicate(tailgating)

@@ -20,7 +20,6 @@ from scegen.scenario.vocabulary import (
     ON_FOOT,
     Approach,
     DrivingSide,
-    JunctionKind,
     Maneuver,
 )
 
@@ -72,8 +71,7 @@ def claims(told: Told) -> Iterator[Claim]:
 def _by_other_arms(told: Told, name: str, reference: str) -> bool:
     """Whether two drive and come by different arms of a junction: their courses are their ways'."""
     one, other = told.drive(name), told.drive(reference)
-    plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
-    if one is None or other is None or plain_road or one.maneuver is Maneuver.STAY:
+    if one is None or other is None or told.plain_road or one.maneuver is Maneuver.STAY:
         return False
     return one.entry != other.entry
 

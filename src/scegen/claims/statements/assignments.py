@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
-from scegen.claims.arms import arms_of, off_lane_m
+from scegen.claims.arms import arms_of
 from scegen.claims.boxes import box_at, boxes, same_way, seen, to_side
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always
 from scegen.claims.series import at, first
@@ -109,8 +109,7 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
         test = partial(_comes_in, drive, _off_its_side(told, drive))
         yield _claim(ClaimKind.ENTRY, name, does, drive, "entries", test)
     if person.maneuvers != {Maneuver.STAY}:
-        plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
-        straight = plain_road and drive.turn is Maneuver.STRAIGHT
+        straight = told.plain_road and drive.turn is Maneuver.STRAIGHT
         leaves = "drives on" if straight else _TURNS.get(drive.turn, "drives")
         does = f"{name} {leaves} and leaves by arm {drive.exit}, if nothing holds it up"
         test = partial(_goes_out, told, drive)
@@ -207,14 +206,13 @@ def _goes_out(told: Told, drive: Drive, view: View) -> Judged:
     out = leaving.facing(box) < -_SAME_WAY
     margin = np.where(out & (gone >= 0.0), gone, -np.minimum(away, NEVER))
     on_entry = (along <= entry.length_m) & (entry.facing(box) > _SAME_WAY)
-    plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
     excused = _is_held_up(told, name, view)
     wrong = np.zeros(view.count, dtype=np.bool_)
     for number, arm in enumerate(arms):
         if number not in {drive.entry, drive.exit}:
             reached = arm.length_m - arm.place(box)[0]
             wrong |= (arm.facing(box) < -0.95) & (reached > 5.0) & (away > gone + 5.0)
-    excused |= on_entry & plain_road
+    excused |= on_entry & told.plain_road
     margin = np.where(excused & ~wrong, np.maximum(margin, 0.0), margin)
     return Judged(margin, gone, view.time_of(last))
 
@@ -228,7 +226,8 @@ def _is_held_up(told: Told, name: str, view: View) -> Bools:
 def _lane(drive: Drive, lanes: tuple[int, ...], view: View) -> Judged:
     arm = arms_of(view)[drive.entry]
     box = box_at(view, drive.participant, 0)
-    off = off_lane_m(arm, box, lanes, inwards=True)
+    offset = arm.place(box)[1]
+    off = np.min([np.abs(offset - arm.lane_in_m(number)) for number in lanes], axis=0)
     return Judged(arm.lane_width_m / 2 - off, off, np.zeros(view.count))
 
 

@@ -54,11 +54,13 @@ def _possible(person: Participant, view: View) -> Judged:
     speed = view.speed_mps(person.id)
     change = np.diff(speed, axis=1) / view.dt_s
     hardest = max(body.max_deceleration_mps2, HARDEST_MPS2)
+    on_foot = person.kind in ON_FOOT
+    aside = _WALKS_ASIDE_MPS2 if on_foot else _ASIDE * view.friction * GRAVITY_MPS2
     series = [
         speed[:, 1:] / (body.top_speed_mps * (1.0 + _SPEED_ROOM)),
         change / body.max_acceleration_mps2,
         -change / hardest,
-        _aside(view, person.id, speed) / _limit_aside(person, view),
+        _aside(view, person.id, speed) / aside,
         _jumps(view, person.id, speed),
     ]
     inside = np.arange(view.steps - 1) < np.minimum(view.last_step, _crash(person, view))[:, None]
@@ -74,12 +76,6 @@ def _crash(person: Participant, view: View) -> Ints:
         return view.last_step
     time_s = view.of_pair("contact_s", person.id, struck.participant)
     return np.where(np.isfinite(time_s), view.step_of(time_s), view.last_step)
-
-
-def _limit_aside(person: Participant, view: View) -> float:
-    if person.kind in ON_FOOT:
-        return _WALKS_ASIDE_MPS2
-    return _ASIDE * view.friction * GRAVITY_MPS2
 
 
 def _aside(view: View, name: str, speed: Floats) -> Floats:

@@ -10,7 +10,7 @@ import numpy as np
 
 from scegen.claims.boxes import boxes, offset, same_way
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
-from scegen.claims.series import at, first
+from scegen.claims.series import at, chosen, first
 from scegen.claims.statements.rules import rests_at_line
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
@@ -20,7 +20,6 @@ from scegen.motion.batch.arrays import Floats, S
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
 from scegen.scenario.acts import LETS_BY, Act
-from scegen.scenario.vocabulary import JunctionKind
 
 _ENOUGH_S, _ENOUGH_M = 10.0, 10.0
 _ALONG = 0.5
@@ -52,8 +51,10 @@ def said(told: Told) -> Iterator[Claim]:
 
 def _lets_by(name: str, other: str, view: View) -> Judged:
     """How long after the other has left their ground it comes onto it, or that it gets past."""
-    margin, time_s = np.full(view.count, _ENOUGH_S), np.zeros(view.count)
     shared = _grounds(view, name, other)
+    if not shared:
+        return _gets_past(name, other, view)
+    found = [(np.full(view.count, _ENOUGH_S), np.zeros(view.count))]
     for ground in shared:
         left_m = ground.other_leaves_m
         if not left_m < inf:
@@ -63,15 +64,14 @@ def _lets_by(name: str, other: str, view: View) -> Judged:
         with np.errstate(invalid="ignore"):
             own = np.where(np.isfinite(comes), comes - they_go, _ENOUGH_S)
         own = np.clip(np.where(np.isfinite(they_go), own, -NEVER), -NEVER, _ENOUGH_S) + TIME_S
-        time_s = np.where(own < margin, np.where(np.isfinite(they_go), they_go, 0.0), time_s)
-        margin = np.minimum(margin, own)
-    return Judged(margin, margin, time_s) if shared else _gets_past(name, other, view)
+        found.append((own, np.where(np.isfinite(they_go), they_go, 0.0)))
+    margin, time_s = chosen(found, np.argmin)
+    return Judged(margin, margin, time_s)
 
 
 def _meet(told: Told, act: Act) -> bool:
     """Whether the ways of the two cross; along a plain road one gets past the other."""
-    along = told.functional.junction.kind is JunctionKind.STRAIGHT
-    return not along or told.drive(act.into or "") is None
+    return not told.plain_road or told.drive(act.into or "") is None
 
 
 def _gets_past(name: str, other: str, view: View) -> Judged:

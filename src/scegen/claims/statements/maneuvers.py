@@ -27,12 +27,10 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import (
     ON_FOOT,
     HazardKind,
-    JunctionKind,
     Maneuver,
     Side,
 )
 
-STRAIGHT = JunctionKind.STRAIGHT
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BACK_DEG = 15.0, 140.0
@@ -52,9 +50,7 @@ def claims(told: Told) -> Iterator[Claim]:
             yield from _driven(told, drive, field)
             yield from by_ramp(person, drive, field)
         if drive is not None and _keeps_lane(told, drive):
-            does = f"{person.id} keeps its lane" + (
-                "" if told.functional.junction.kind is STRAIGHT else " up to the junction"
-            )
+            does = f"{person.id} keeps its lane{'' if told.plain_road else ' up to the junction'}"
             yield way_claim(f"lane.{person.id}", does, field, partial(_stays_in_lane, drive))
         if crossing is None:
             continue
@@ -75,8 +71,7 @@ def _keeps_lane(told: Told, drive: Drive) -> bool:
     moves = drive.changes_to or drive.reverses or drive.maneuver is not drive.turn
     if moves or drive.circulating or person.pulls_out or drive.turn is Maneuver.U_TURN:
         return False
-    plain_road = told.functional.junction.kind is STRAIGHT
-    beside = [h for h in told.hazards if plain_road and h.kind in FROM_BESIDE]
+    beside = [h for h in told.hazards if told.plain_road and h.kind in FROM_BESIDE]
     beside += [h for h in told.hazards if LEAVING & {*HAZARDS[h.kind].acts}]
     beside += [h for h in told.hazards if h.kind is HazardKind.SUDDEN_TURN]
     led_around = any(

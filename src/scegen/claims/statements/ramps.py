@@ -39,7 +39,7 @@ def _beyond(view: View, drive: Drive) -> tuple[Arm, Auxiliary, Floats, Floats] |
         return None
     arm = arms_of(view)[0]
     along, offset = arm.place(boxes(view, drive.participant))
-    border = arm.inward * arm.lane_offset_m(view.concrete.road.arms[0].lanes_in, inwards=True)
+    border = arm.inward * arm.lane_in_m(view.concrete.road.arms[0].lanes_in)
     outside = arm.inward * offset - border - arm.lane_width_m / 2
     return arm, auxiliary, along - arm.length_m, outside
 

@@ -11,7 +11,7 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
 from scegen.claims.moments import act_begins, speed_runs
-from scegen.claims.series import at, first, greatest
+from scegen.claims.series import at, chosen, first, greatest
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, speed_words
 from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
@@ -144,29 +144,24 @@ def _held_until(told: Told, person: Participant, view: View) -> Ints:
 
 def _own_change(told: Told, person: Participant, view: View) -> Ints:
     """When its own first act or danger that changes its speed begins."""
-    begins = [np.full(view.count, view.steps)]
     acts = [a for a in told.acts_of(person.id) if a.kind in SLOWING | GAINING | {ActKind.WAIT}]
-    begins += [act_begins(told, act, view) for act in acts]
-    if not acts:
-        for hazard in told.hazards:
-            if person.id in hazard.by and hazard.kind in SPEED_CHANGES:
-                run = speed_runs(view, person.id, SPEED_CHANGES[hazard.kind])[0]
-                begins.append(np.where(run.happens, run.begin, view.steps))
-    return np.asarray(np.min(begins, axis=0))
+    begins = [act_begins(told, act, view) for act in acts]
+    own = [h.kind for h in told.hazards if person.id in h.by and h.kind in SPEED_CHANGES]
+    for kind in own if not acts else ():
+        run = speed_runs(view, person.id, SPEED_CHANGES[kind])[0]
+        begins.append(np.where(run.happens, run.begin, view.steps))
+    return np.asarray(np.min([*begins, np.full(view.count, view.steps)], axis=0))
 
 
 def _closest(told: Told, view: View, name: str) -> Ints:
     """When those who concern it (or else all, or things) come nearest to it; the end if none."""
-    nearest = np.full(view.count, np.nan)
-    best = np.full(view.count, np.inf)
     others = [other.id for other in told.people if other.id != name]
     things = [other for other in view.index if other != name]
-    concerned = told.concerned_by(name)
-    for other in sorted(concerned) or others or things:
-        apart = view.of_pair("distance_m", name, other)
-        better = apart < best
-        nearest = np.where(better, view.of_pair("closest_s", name, other), nearest)
-        best = np.fmin(best, apart)
+    found = [(np.full(view.count, np.inf), np.full(view.count, np.nan))]
+    for other in sorted(told.concerned_by(name)) or others or things:
+        apart = np.nan_to_num(view.of_pair("distance_m", name, other), nan=np.inf)
+        found.append((apart, view.of_pair("closest_s", name, other)))
+    _, nearest = chosen(found, np.argmin)
     return np.where(np.isfinite(nearest), view.step_of(nearest), view.last_step)
 
 
@@ -174,7 +169,7 @@ def _turns(told: Told, name: str) -> bool:
     """Whether its way or the rules at the junction make it slow down."""
     drive = told.drive(name)
     junction = told.functional.junction
-    if drive is None or junction.kind is JunctionKind.STRAIGHT:
+    if drive is None or told.plain_road:
         exits = told.functional.participant(name).maneuvers == {Maneuver.EXIT}
         return drive is not None and (drive.turn is Maneuver.U_TURN or exits)
     return (

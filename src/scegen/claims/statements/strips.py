@@ -32,15 +32,11 @@ def claims(told: Told) -> Iterator[Claim]:
             continue
         stays = _stays(told, person)
         when = "" if stays else " at first"
-        yield Claim(
-            id=f"strip.{person.id}",
-            kind=ClaimKind.ENTRY,
-            statement=f"{person.id} is on the strip beside the lanes ({plain(person.strip)}){when}",
-            field=f"participants.{person.id}.strip",
-            unit="m",
-            test=partial(_on_it, told, person.id, person.strip, stays=stays),
-            fixed=person.parked,
-        )
+        statement = f"{person.id} is on the strip beside the lanes ({plain(person.strip)}){when}"
+        test = partial(_on_it, told, person.id, person.strip, stays=stays)
+        name, field = f"strip.{person.id}", f"participants.{person.id}.strip"
+        fixed = person.parked
+        yield Claim(name, ClaimKind.ENTRY, statement, field, "m", test, fixed=fixed)
 
 
 def _stays(told: Told, person: Participant) -> bool:
@@ -54,14 +50,13 @@ def _stays(told: Told, person: Participant) -> bool:
 def _on_it(told: Told, name: str, strip: Strip, view: View, *, stays: bool) -> Judged:
     """How far inside the strip its middle is, at worst; beyond its edges it is negative."""
     assignment = told.logical.assignment(name)
-    entry = isinstance(assignment, Drive)
-    number = assignment.entry if isinstance(assignment, Drive) else assignment.arm
-    arm = arms_of(view)[number]
+    drives = isinstance(assignment, Drive)
+    arm = arms_of(view)[assignment.entry if isinstance(assignment, Drive) else assignment.arm]
     band = arm.strips.get(LANE_TYPES[strip])
     if band is None:
         return always(view, holds=False)
     side = getattr(assignment, "side", None)
-    sign = arm.inward if entry or side is None else (1 if side is Side.LEFT else -1)
+    sign = arm.inward if drives or side is None else (1 if side is Side.LEFT else -1)
     _, offset = arm.place(boxes(view, name))
     out: Floats = sign * offset
     inside = np.minimum(out - band[0], band[1] - out)

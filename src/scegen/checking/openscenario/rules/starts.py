@@ -28,7 +28,7 @@ def check_starts(situation: Situation) -> Iterator[Finding]:
     The numbers beyond the driving lanes are those of the strips beside them.
     """
     starts = {
-        entity.name: situation.in_world(situation.storyboard.start(entity.name))
+        entity.name: situation.in_world(situation.storyboard.starts.get(entity.name))
         for entity in situation.storyboard.entities
     }
     placed = [(name, position) for name, position in starts.items() if position is not None]

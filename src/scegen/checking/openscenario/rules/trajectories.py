@@ -50,7 +50,7 @@ def check_trajectory_starts(situation: Situation) -> Iterator[Finding]:
     """``xosc.trajectory_start``: an entity stands where it begins to follow its trajectory."""
     for entity in situation.storyboard.entities:
         trajectory = situation.storyboard.trajectory(entity.name)
-        start = situation.in_world(situation.storyboard.start(entity.name))
+        start = situation.in_world(situation.storyboard.starts.get(entity.name))
         if trajectory and len(trajectory.points) and start is not None:
             begins = trajectory.at(trajectory.begins_m)
             if begins is None:
