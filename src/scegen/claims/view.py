@@ -178,9 +178,7 @@ class View:
 
     def lateral_mps2(self, name: str) -> Floats:
         """Lateral accelerations on the path."""
-        way = self.ways[name]
-        bend = np.interp(self.place_m(name), way.at_m, way.curvature_1pm)
-        return self.speed_mps(name) ** 2 * bend
+        return self.speed_mps(name) ** 2 * self.ways[name].curvature_1pm(self.place_m(name))
 
     def when(self, series: Floats) -> Floats:
         """Time of the greatest value."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
@@ -40,12 +42,10 @@ def slow_driving(view: View, by: str, _: str) -> list[Part]:
     return [at_most("speed", slow.min(axis=1), limits.SLOW, time_s, bound)]
 
 
-def _possible(view: View, by: str, bound: float, *, braking: bool) -> float:
-    """The threshold, or most of what body and road allow where that is less."""
-    body = view.body(by)
-    best = body.max_deceleration_mps2 if braking else body.max_acceleration_mps2
-    best = min(best, view.friction * GRAVITY_MPS2)
-    return min(bound, limits.OF_WHAT_IS_POSSIBLE * best)
+def possible(view: View, limit: limits.Threshold, best_mps2: float = inf) -> float:
+    """The threshold, or most of what a body and the road allow where that is less."""
+    best = min(best_mps2, view.friction * GRAVITY_MPS2)
+    return min(limit.value, limits.OF_WHAT_IS_POSSIBLE * best)
 
 
 def braking_part(view: View, by: str, limit: limits.Threshold) -> Part:
@@ -54,14 +54,14 @@ def braking_part(view: View, by: str, limit: limits.Threshold) -> Part:
     # One who reaches the end of its way is taken off its feet, which is no braking.
     ends = view.place_m(by)[:, -braking.shape[1] :] >= view.ways[by].path.length_m - _AT_END_M
     braking = np.where(ends, 0.0, braking)
-    bound = _possible(view, by, limit.value, braking=True)
+    bound = possible(view, limit, view.body(by).max_deceleration_mps2)
     return at_least("deceleration", braking.max(axis=1), limit, view.when(braking), bound)
 
 
 def sudden_acceleration(view: View, by: str, _: str) -> list[Part]:
     """Accelerates harshly."""
     gain = view.acceleration_mps2(by, limits.MEASURED_OVER_S)
-    bound = _possible(view, by, limits.ACCELERATION.value, braking=False)
+    bound = possible(view, limits.ACCELERATION, view.body(by).max_acceleration_mps2)
     time_s = view.when(gain)
     return [at_least("acceleration", gain.max(axis=1), limits.ACCELERATION, time_s, bound)]
 
