@@ -13,7 +13,6 @@ from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import JunctionKind
 
 KPH = 3.6
-NONE = ConflictKind.NONE
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,9 @@ class Told:
         pairs: list[tuple[str, ...]] = [
             (by, to) for h in self.hazards for by in h.by for to in h.to
         ]
-        pairs += [(c.first, c.second) for c in self.logical.conflicts if c.kind is not NONE]
+        pairs += [
+            (c.first, c.second) for c in self.logical.conflicts if c.kind is not ConflictKind.NONE
+        ]
         if self.functional.outcome is not None:
             pairs.append(self.functional.outcome.between)
         known = {p.id for p in self.people}

@@ -10,7 +10,7 @@ import numpy as np
 from lxml import etree
 from numpy.typing import NDArray
 
-from scegen.checking.documents import Document
+from scegen.checking.documents import LARGEST, Document, usable
 from scegen.checking.openscenario.storyboard import (
     EGO_PROPERTY,
     EXTERNAL_PROPERTY,
@@ -24,8 +24,6 @@ from scegen.checking.openscenario.storyboard import (
 from scegen.checking.results import Finding, error, unchecked
 
 READABLE = "xosc.readable"
-LARGEST = 1e9
-"""Larger numbers are no metres, radians or seconds; computing with them could overflow."""
 BODIES = ("Vehicle", "Pedestrian", "MiscObject", "CatalogReference")
 
 _REFERRING: Any = etree.XPath("//@entityRef/..")
@@ -107,11 +105,8 @@ class _Reader:
 
     def number(self, element: etree._Element, name: str, default: str | None = None) -> float:
         text = self.worked_out(element, name) or default
-        try:
-            value = float(text or "")
-        except ValueError:
-            value = float("nan")
-        if not abs(value) <= LARGEST:
+        value = usable(text)
+        if value is None:
             raise _UnreadableError(
                 element, f"<{element.tag}> {name}={text!r} is not a usable number"
             )

@@ -66,6 +66,11 @@ class Trajectory:
     headings: NDArray[np.float64]
     begins_m: float = 0.0
 
+    @property
+    def place(self) -> str:
+        """How findings name it."""
+        return ", ".join(self.actors) or self.name
+
     def at(self, along_m: float) -> WorldPoint | None:
         """The place so far along it, None if it ends before that."""
         if not len(self.points) or along_m < 0.0:

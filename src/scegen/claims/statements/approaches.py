@@ -102,10 +102,7 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
         choices = [_beside(place.y * _SIDES[word]) for word in sides]
     else:
         walks = told.functional.participant(name).kind in ON_FOOT
-        lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
-        if _overlaps(told, name, reference):
-            lane = max(lane, frame.half_width + box.half_width)
-        lane = max(lane, _aside_m(told, name, reference) + _ROUNDING_M)
+        lane = _in_lane_m(told, name, reference, frame.half_width + box.half_width)
         choices = []
         for word in words:
             if word is Approach.ADJACENT:
@@ -131,24 +128,20 @@ def _backs_up(told: Told, name: str) -> bool:
     return drive is not None and drive.reverses is Reverses.BACKS_UP
 
 
-def _overlaps(told: Told, name: str, reference: str) -> bool:
-    """Whether a share of a width is said to overlap: then one is ahead by as little as that."""
-    return any(
-        s.measure is Measure.OVERLAP_PERCENT and {s.participant, s.reference} == {name, reference}
-        for s in told.functional.spacings
-    )
+def _in_lane_m(told: Told, name: str, reference: str, touching_m: float) -> float:
+    """How far to the side one may be at first to be in the other's lane.
 
-
-def _aside_m(told: Told, name: str, reference: str) -> float:
-    """How far to the side one is said to be at first: as far it may be out of the other's lane."""
-    said = (
-        max(-s.value.low, s.value.high)
-        for s in told.functional.spacings
-        if s.measure is Measure.LATERAL_OFFSET_M
-        and s.at == START
-        and {s.participant, s.reference} == {name, reference}
-    )
-    return max(said, default=0.0)
+    As far as it is said to be; where an overlap is said, as long as they share any width.
+    """
+    lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
+    for spacing in told.functional.spacings:
+        if {spacing.participant, spacing.reference} != {name, reference}:
+            continue
+        if spacing.measure is Measure.OVERLAP_PERCENT:
+            lane = max(lane, touching_m)
+        elif spacing.measure is Measure.LATERAL_OFFSET_M and spacing.at == START:
+            lane = max(lane, max(-spacing.value.low, spacing.value.high) + _ROUNDING_M)
+    return lane
 
 
 def _course(view: View, name: str, frame: Boxes) -> Floats:

@@ -33,17 +33,10 @@ def claims(told: Told) -> Iterator[Claim]:
     for person in told.people:
         if person.parked and not person.pulls_out:
             continue
-        yield Claim(
-            id=f"body.{person.id}",
-            kind=ClaimKind.BODY,
-            statement=f"{person.id} is {with_article(plain(person.kind))} and moves as one can",
-            field=f"participants.{person.id}.kind",
-            unit="1",
-            test=partial(_possible, person),
-            tolerance=_ROOM,
-            scale=0.5,
-            fixed=True,
-        )
+        does = f"{person.id} is {with_article(plain(person.kind))} and moves as one can"
+        field, test = f"participants.{person.id}.kind", partial(_possible, person)
+        name, kind = f"body.{person.id}", ClaimKind.BODY
+        yield Claim(name, kind, does, field, "1", test, _ROOM, scale=0.5, fixed=True)
 
 
 def _possible(person: Participant, view: View) -> Judged:

@@ -56,17 +56,11 @@ def claims(told: Told) -> Iterator[Claim]:
                 when = f"when {act.participant} has {does}"
         on = f" on the {spacing.side}" if spacing.side else ""
         ahead = _is_ahead(told, spacing)
-        yield Claim(
-            id=f"spacing.{number}",
-            kind=ClaimKind.SPACING,
-            statement=f"the {called} of {spacing.participant} {_to(spacing, ahead)} "
-            f"is {amount(spacing.value)} {unit}{on} {when}",
-            field=f"spacings.{number}",
-            unit=unit,
-            test=partial(judge_spacing, told, spacing, ahead=ahead),
-            tolerance=tolerance,
-            scale=scale,
-        )
+        who = f"the {called} of {spacing.participant} {_to(spacing, ahead)}"
+        statement = f"{who} is {amount(spacing.value)} {unit}{on} {when}"
+        test, name = partial(judge_spacing, told, spacing, ahead=ahead), f"spacing.{number}"
+        kind, field = ClaimKind.SPACING, f"spacings.{number}"
+        yield Claim(name, kind, statement, field, unit, test, tolerance, scale)
 
 
 def _is_ahead(told: Told, spacing: Spacing) -> bool | None:

@@ -13,7 +13,12 @@ from scegen.checking.openscenario.rules.trajectories import backwards_m
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.openscenario.storyboard import Trajectory
 from scegen.checking.results import Finding, error
-from scegen.scenario.concrete import CrossingMotion, DriveMotion, StandingMotion
+from scegen.scenario.concrete import (
+    ConcreteParticipant,
+    CrossingMotion,
+    DriveMotion,
+    StandingMotion,
+)
 from scegen.scenario.reversing import BacksOut
 from scegen.scenario.vocabulary import ON_FOOT
 
@@ -40,9 +45,8 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
         elif trajectory is None or not situation.arms or not len(trajectory.points):
             continue
         elif isinstance(motion, DriveMotion):
-            on_foot = participant.kind in ON_FOOT
             lanes = under[participant.id]
-            yield from _drive(situation, participant.id, motion, trajectory, lanes, on_foot=on_foot)
+            yield from _drive(situation, participant, motion, trajectory, lanes)
         elif isinstance(motion, CrossingMotion):
             yield from _crossing(situation, participant.id, motion, trajectory)
 
@@ -57,13 +61,12 @@ def _under(situation: Situation, names: Sequence[str]) -> dict[str, list[list[On
 
 def _drive(
     situation: Situation,
-    name: str,
+    participant: ConcreteParticipant,
     motion: DriveMotion,
     trajectory: Trajectory,
     under: Sequence[list[OnLane]],
-    *,
-    on_foot: bool,
 ) -> Iterator[Finding]:
+    name, on_foot = participant.id, participant.kind in ON_FOOT
     inward = situation.arms[motion.entry].inward
     numbers = [motion.entry_lane, *(change.lane_after for change in motion.lane_changes)]
     on_a_strip = max(numbers) > len(inward)
