@@ -42,18 +42,7 @@ def way(participant, path, *, changes=(), turn=(150.0, 170.0), limit_mps=14.0, l
         Sideways(a, b, w, LaneChange(position_m=a, length_m=b - a, lane_after=lane))
         for a, b, w, lane in changes
     )
-    return Way(
-        participant,
-        path,
-        limit_mps,
-        turn[0],
-        turn[1],
-        path.length_m,
-        made,
-        np.zeros(1),
-        np.zeros(1),
-        laid,
-    )
+    return Way(participant, path, limit_mps, *turn, path.length_m, made, laid)
 
 
 def view(people, paths, speeds, hazards=(), friction=1.0, **ways):

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
 from scegen.checking import asam, opendrive, openscenario, parameters, replay, said, schema
 from scegen.checking import esmini as player
-from scegen.checking.esmini.playing import Played, play_once
+from scegen.checking.esmini.playing import play_once
 from scegen.checking.opendrive.network import Network
 from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
 from scegen.checking.subject import File, Subject, find_subjects, read_folder
@@ -124,46 +123,22 @@ def _played(
         else:
             yield replay.check_replay(scenario.path, subject.concrete, once)
     if said.CHECKER in asked:
-        yield _said(subject, scenario, outside, once)
-
-
-def _said(
-    subject: Subject, scenario: File, outside: frozenset[str], once: Callable[[], Played]
-) -> CheckResult:
-    """What was said; who is driven from outside does as it likes."""
-    if subject.concrete is None or subject.functional is None:
-        lacking = "concrete.yaml" if subject.concrete is None else "functional.yaml"
-        return not_run(said.CHECKER, f"there is no {lacking} that tells what was said")
-    if outside:
-        return not_run(said.CHECKER, f"{min(outside)} is driven from outside")
-    return said.check_said(
-        scenario.path,
-        subject.concrete,
-        subject.functional,
-        subject.touching,
-        subject.brought_together,
-        once,
-    )
-
-
-@dataclass(frozen=True)
-class _Prepared:
-    job: asam.Job
-    results: list[CheckResult]
+        yield said.check_said(subject, scenario.path, outside, once)
 
 
 def _asam(subjects: list[Subject], checkers: Collection[str]) -> list[list[CheckResult]]:
     if asam.OPENDRIVE not in checkers and asam.OPENSCENARIO not in checkers:
         return [[] for _ in subjects]
     prepared = [_prepare(subject, checkers) for subject in subjects]
-    ran = asam.run_asam([item.job for item in prepared])
-    return [item.results + results for item, results in zip(prepared, ran, strict=True)]
+    ran = asam.run_asam([job for job, _ in prepared])
+    return [known + results for (_, known), results in zip(prepared, ran, strict=True)]
 
 
-def _prepare(subject: Subject, checkers: Collection[str]) -> _Prepared:
-    """What ASAM's checkers get; a 1.2 twin of the scenario only if it is what was written as 1.0.
+def _prepare(subject: Subject, checkers: Collection[str]) -> tuple[asam.Job, list[CheckResult]]:
+    """What ASAM's checkers get, and what is known without them.
 
-    Of 1.0, they check 5 of their 17 rules.
+    They check 5 of their 17 rules of OpenSCENARIO 1.0: a 1.2 twin stands for a scenario that is
+    what was written as 1.0.
     """
     asked = {
         checker: file
@@ -184,7 +159,7 @@ def _prepare(subject: Subject, checkers: Collection[str]) -> _Prepared:
         check_road=asam.OPENDRIVE in asked,
     )
     if scenario is None or subject.concrete is None:
-        return _Prepared(job, results)
+        return job, results
     try:
         outside = openscenario.driven_from_outside(scenario.name, scenario.content)
         ego, road_file = "external" if outside else "scripted", job.road_file
@@ -195,13 +170,11 @@ def _prepare(subject: Subject, checkers: Collection[str]) -> _Prepared:
         )
     except ScegenError as problem:
         failed = error("asam.twin", "concrete.yaml", f"cannot be built: {problem.message}")
-        return _Prepared(
-            job._replace(scenario=None), [*results, verdict(asam.OPENSCENARIO, [failed])]
-        )
+        return job._replace(scenario=None), [*results, verdict(asam.OPENSCENARIO, [failed])]
     if twin == scenario.content:
-        return _Prepared(job, results)
+        return job, results
     if played != scenario.content:
         note = "scenario.xosc is not what concrete.yaml gives, so no 1.2 twin speaks for it"
-        return _Prepared(job._replace(scenario_note=note), results)
+        return job._replace(scenario_note=note), results
     note = "on the 1.2 twin"
-    return _Prepared(job._replace(scenario=twin, scenario_note=note), results)
+    return job._replace(scenario=twin, scenario_note=note), results

@@ -9,6 +9,8 @@ from lxml import etree
 
 from scegen.checking.results import Finding, error
 
+LARGEST = 1e9
+"""Larger numbers are no metres, radians, seconds or shares: computing with them could overflow."""
 _KEPT = 4
 """Documents that are kept: several checkers look at one after the other."""
 
@@ -33,6 +35,15 @@ class Document:
         """The values of an OpenSCENARIO file's parameters by ``$name``."""
         found = self.root.iterfind(".//ParameterDeclaration")
         return {"$" + e.get("name", "").removeprefix("$"): e.get("value", "") for e in found}
+
+
+def usable(text: str | None) -> float | None:
+    """A number as it stands in a file; None if it is none, or larger than metres, radians get."""
+    try:
+        value = float(text or "")
+    except ValueError:
+        return None
+    return value if abs(value) <= LARGEST else None
 
 
 class BrokenXmlError(Exception):

@@ -127,5 +127,5 @@ def _apart_m(one: Played, other: Played) -> tuple[float, str]:
         off = np.abs(same.point[:steps] - movement.point[:steps])
         if float(off.max()) > worst:
             worst, step = float(off.max()), int(off.argmax())
-            where = f"{movement.entity} t = {movement.time_s[step]:.2f} s"
+            where = movement.when(step)
     return (float("inf"), f"{min(theirs)} is missing") if theirs else (worst, where)

@@ -42,8 +42,8 @@ EVENT_STEPS = 2
 GRAZE_M = 0.02
 """Bodies that pass so closely may touch in one program and not in the other."""
 
-_FIRED = re.compile(r"^\[(?P<time>[\d.]+)\] \[info\] (?P<event>\S+_phase_\d+) standbyState -> ")
-_CONTACT = re.compile(r"^\[(?P<time>[\d.]+)\] .*Collision between (?P<a>\S+) and (?P<b>\S+)")
+_FIRED = re.compile(r"^\[([\d.]+)\] \[info\] (\S+_phase_\d+) standbyState -> ")
+_CONTACT = re.compile(r"^\[([\d.]+)\] .*Collision between (\S+) and (\S+)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +160,8 @@ def compare(predicted: Prediction, recording: list[Movement], log: str) -> Agree
             findings.append(error("replay.missing", name, "is not there in the play"))
         elif np.abs(played[name].point - place).max() > P95_M:
             findings.append(error("replay.position", name, "is not where it should stand"))
-    phases, contacts = _phases(log), _contacts(log)
+    phases = {event: time_s for (event,), time_s in _told(log, _FIRED).items()}
+    contacts = {frozenset(pair): time_s for pair, time_s in _told(log, _CONTACT).items()}
     ends_s = max((len(t.x_m) - 1) * STEP_S for t in predicted.traces.values())
     findings += _events(predicted.fired_s, phases, ends_s)
     findings += _touching(predicted, contacts)
@@ -264,19 +265,10 @@ def _steps_apart(one_s: float, two_s: float) -> int:
     return abs(round(one_s / STEP_S) - round(two_s / STEP_S))
 
 
-def _phases(log: str) -> dict[str, float]:
-    """When esmini starts the event of each phase, s."""
-    times: dict[str, float] = {}
-    for line in log.splitlines():
-        if found := _FIRED.match(line):
-            times.setdefault(found["event"], float(found["time"]))
-    return times
-
-
-def _contacts(log: str) -> dict[frozenset[str], float]:
-    """When esmini says for the first time that two touch, s."""
-    times: dict[frozenset[str], float] = {}
-    for line in log.splitlines():
-        if found := _CONTACT.match(line):
-            times.setdefault(frozenset((found["a"], found["b"])), float(found["time"]))
+def _told(log: str, line: re.Pattern[str]) -> dict[tuple[str, ...], float]:
+    """When esmini first says something of some, by their names, s."""
+    times: dict[tuple[str, ...], float] = {}
+    for found in filter(None, map(line.match, log.splitlines())):
+        time, *names = found.groups()
+        times.setdefault(tuple(sorted(names)), float(time))
     return times

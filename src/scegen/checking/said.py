@@ -11,6 +11,7 @@ from scegen.checking.esmini.playing import Played
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.checking.recording import record, trace_of
 from scegen.checking.results import CheckResult, Finding, Severity, error, not_run, verdict
+from scegen.checking.subject import Subject
 from scegen.claims import View, claims_of, prove, view_of
 from scegen.claims.hazards.scenes import judged_pairs, scene_of
 from scegen.claims.ways import paths_of, ways_of
@@ -19,7 +20,6 @@ from scegen.motion.batch import BatchTraces, stack_traces
 from scegen.motion.friction import friction_of
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.wording import counted
 
 CHECKER = "said"
@@ -28,24 +28,25 @@ _BACK_M = 1e-4
 
 
 def check_said(
+    subject: Subject,
     scenario: Path,
-    concrete: ConcreteScenario,
-    functional: FunctionalScenario,
-    touching: tuple[str, ...] | None = (),
-    brought_together: tuple[str, ...] = (),
-    once: Callable[[], Played] | None = None,
+    driven_from_outside: frozenset[str],
+    once: Callable[[], Played],
 ) -> CheckResult:
     """Play a scenario, in esmini or else in our own simulation, and judge every statement.
 
     Args:
+        subject: its numbers, what was said, and what a search was asked for besides.
         scenario: the file to play.
-        concrete: its numbers, for bodies and ways.
-        functional: what the description says.
-        touching: two of whom a contact was asked for that nobody described; None where no danger
-            was sought.
-        brought_together: two of whom a measure was asked for.
+        driven_from_outside: who does as it likes: then nothing is judged.
         once: plays it in esmini, for others too.
     """
+    concrete, functional = subject.concrete, subject.functional
+    if concrete is None or functional is None:
+        lacking = "concrete.yaml" if concrete is None else "functional.yaml"
+        return not_run(CHECKER, f"there is no {lacking} that tells what was said")
+    if driven_from_outside:
+        return not_run(CHECKER, f"{min(driven_from_outside)} is driven from outside")
     missing = {p.id for p in functional.participants} - {p.id for p in concrete.participants}
     if missing:
         message = "is described but does not take part in concrete.yaml"
@@ -56,7 +57,10 @@ def check_said(
     except (ScegenError, RecordingError) as problem:
         return not_run(CHECKER, str(problem))
     claims = claims_of(
-        functional, concrete.logical, touching=touching, brought_together=brought_together
+        functional,
+        concrete.logical,
+        touching=subject.touching,
+        brought_together=subject.brought_together,
     )
     proofs = prove(claims, view)
     findings = []

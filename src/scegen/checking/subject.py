@@ -88,34 +88,35 @@ def read_folder(folder: Path) -> Subject:
     Raises:
         InputError: a file is missing or cannot be read.
     """
+    files = {name: read_bytes(folder / name) for name in (ROAD_FILE, SCENARIO_FILE)}
+    concrete = load_if_there(folder / CONCRETE_FILE, ConcreteScenario)
     # Made by generate, the folder lies two levels below what it was made from.
     functional = folder.absolute().parent.parent / FUNCTIONAL_FILE
-    found = Subject(
-        place=folder,
-        road=_read(folder / ROAD_FILE),
-        scenario=_read(folder / SCENARIO_FILE),
-        concrete=load_if_there(folder / CONCRETE_FILE, ConcreteScenario),
-        functional=load_if_there(functional, FunctionalScenario),
-    )
-    return _as_asked(found, read_proof(folder))
+    said = load_if_there(functional, FunctionalScenario)
+    return subject_of(folder, files, concrete, said, read_proof(folder))
 
 
 def subject_of(
     place: Path,
     files: Mapping[str, bytes],
-    concrete: ConcreteScenario,
+    concrete: ConcreteScenario | None,
     functional: FunctionalScenario | None = None,
     proof: Proof | None = None,
 ) -> Subject:
-    """A scenario in memory; only the player needs its files to lie in the folder ``place``."""
-    made = Subject(
-        place=place,
-        road=_file(place / ROAD_FILE, files[ROAD_FILE]),
-        scenario=_file(place / SCENARIO_FILE, files[SCENARIO_FILE]),
-        concrete=concrete,
-        functional=functional,
+    """A scenario in memory; only the player needs its files to lie in the folder ``place``.
+
+    A search that proves itself was asked, or allowed, to bring two together and into contact.
+    """
+    road, scenario = (_file(place / name, files[name]) for name in (ROAD_FILE, SCENARIO_FILE))
+    found = Subject(place, road, scenario, concrete, functional)
+    if proof is None:
+        return found
+    target = parse_target(proof.target)
+    return replace(
+        found,
+        touching=proof.pair if target.contact is not False else (),
+        brought_together=proof.pair if asks_for_measure(target) else (),
     )
-    return _as_asked(made, proof)
 
 
 def read_proof(folder: Path) -> Proof | None:
@@ -131,18 +132,6 @@ def read_proof(folder: Path) -> Proof | None:
         return Proof.model_validate_json(read_bytes(file))
     except ValidationError as problem:
         raise InputError("is no proof of a search", where=str(file)) from problem
-
-
-def _as_asked(subject: Subject, proof: Proof | None) -> Subject:
-    """With whom a search was asked, or allowed, to bring together, and into contact."""
-    if proof is None:
-        return subject
-    target = parse_target(proof.target)
-    return replace(
-        subject,
-        touching=proof.pair if target.contact is not False else (),
-        brought_together=proof.pair if asks_for_measure(target) else (),
-    )
 
 
 def _single(path: Path) -> Subject:

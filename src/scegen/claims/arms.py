@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import cos, pi, sin
 
-import numpy as np
-
 from scegen.claims.boxes import Boxes
 from scegen.claims.straightened import Axis, axis_of
 from scegen.claims.view import View
@@ -59,10 +57,9 @@ class Arm:
         """1 where it heads straight towards the junction, -1 straight away from it."""
         return box.cos * self.cos + box.sin * self.sin
 
-    def lane_offset_m(self, number: int, *, inwards: bool) -> float:
-        """Offset of the middle of a lane to the left of the centre line; 1 is next to it."""
-        side = self.inward if inwards else -self.inward
-        return side * (self.inner_m + (number - 0.5) * self.lane_width_m)
+    def lane_in_m(self, number: int) -> float:
+        """Offset of the middle of a lane that leads in, to the left of the centre line; from 1."""
+        return self.inward * (self.inner_m + (number - 0.5) * self.lane_width_m)
 
 
 def arms_of(view: View) -> tuple[Arm, ...]:
@@ -109,12 +106,3 @@ def _strips(road: Road, sign: int) -> dict[LaneType, tuple[float, float]]:
             middle = abs(road.lane_centre_t_m(lane.id))
             found[lane.type] = (middle - lane.width_m / 2, middle + lane.width_m / 2)
     return found
-
-
-def off_lane_m(arm: Arm, box: Boxes, numbers: tuple[int, ...], *, inwards: bool) -> Floats:
-    """How far the centre of a box lies from the middle of the nearest of these lanes."""
-    _, offset = arm.place(box)
-    away: Floats = np.min(
-        [np.abs(offset - arm.lane_offset_m(number, inwards=inwards)) for number in numbers], axis=0
-    )
-    return away

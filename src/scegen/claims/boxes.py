@@ -6,9 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from scegen.claims.series import greatest
 from scegen.claims.view import View
 from scegen.measures.contact import first_touches
 from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
+from scegen.scenario.vocabulary import Side
 
 _HALVINGS = 5
 """Of a time step, to find the moment of touch: 0.05 s at 20 m/s is then known to 3 cm."""
@@ -80,6 +82,13 @@ def offset(frame: Boxes, other: Boxes) -> tuple[Floats, Floats]:
     return dx * frame.cos + dy * frame.sin, dy * frame.cos - dx * frame.sin
 
 
+def to_side(side: Side | None, left_m: Floats) -> Floats:
+    """How far to a side something is that is so far to the left; to either, if none is named."""
+    if side is None:
+        return np.abs(left_m)
+    return left_m if side is Side.LEFT else -left_m
+
+
 def same_way(frame: Boxes, other: Boxes) -> Floats:
     """Cosine of the angle between the headings: 1 if they go the same way."""
     return frame.cos * other.cos + frame.sin * other.sin
@@ -112,6 +121,12 @@ def gap_m(frame: Boxes, other: Boxes) -> Floats:
     return np.maximum(clear.front, clear.rear)
 
 
+def free_width_m(frame: Boxes, other: Boxes) -> Floats:
+    """Free width across the frame's heading; negative where the one is in front of the other."""
+    clear = free(frame, other)
+    return np.maximum(clear.left, clear.right)
+
+
 def course(frame: Boxes, other: Boxes) -> Floats:
     """Direction of the other's heading from the frame's, counter-clockwise positive, rad."""
     sin = frame.cos * other.sin - frame.sin * other.cos
@@ -135,8 +150,8 @@ def _passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
     beside = (np.abs(y) < _BESIDE_M) & (cos > _SAME_WAY)
     behind = np.maximum.accumulate(np.where(beside, -half - x, -_MUCH_M), axis=1)
     passed = np.minimum(behind, np.where(beside, x - half, -_MUCH_M))
-    step = passed.argmax(axis=1)
-    return passed[np.arange(view.count), step], view.time_of(step)
+    most, step = greatest(passed)
+    return most, view.time_of(step)
 
 
 class Contact(NamedTuple):

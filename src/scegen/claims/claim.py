@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import NamedTuple
 
 import numpy as np
 
+from scegen.claims.series import chosen
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 from scegen.scenario.model import Interval
@@ -88,32 +89,35 @@ def rule_claim(
     name: str, statement: str, test: Test, *, unit: str = "s", tolerance: float = 0.0,
     scale: float = 1.0, field: str = "junction.control",
 ) -> Claim:  # fmt: skip
-    """A statement that a rule of the road is kept, or broken by who is said to break it.
+    """A statement that a rule of the road is kept, or broken by who is said to break it."""
+    return Claim(f"rule.{name}", ClaimKind.RULE, statement, field, unit, test, tolerance, scale)
 
-    Args:
-        name: what tells it from others, after ``rule.``.
-        statement: what has to be so.
-        test: how it is judged.
-        unit: of margin, measured value and tolerance.
-        tolerance: see Claim.
-        scale: see Claim.
-        field: where it is said.
-    """
-    return Claim(
-        id=f"rule.{name}",
-        kind=ClaimKind.RULE,
-        statement=statement,
-        field=field,
-        unit=unit,
-        test=test,
-        tolerance=tolerance,
-        scale=scale,
-    )
+
+def way_claim(
+    name: str, statement: str, field: str, test: Test, *, unit: str = "m", fixed: bool = True
+) -> Claim:
+    """A statement of what somebody does on its way; see Claim."""
+    kind, scale = ClaimKind.MANEUVER, 2.0
+    return Claim(f"maneuver.{name}", kind, statement, field, unit, test, scale=scale, fixed=fixed)
 
 
 def within(value: Floats, wanted: Interval, tolerance: float) -> Floats:
     """How far a value lies inside a range with its tolerance; below 0 outside (c,)."""
     return np.minimum(value - (wanted.low - tolerance), wanted.high + tolerance - value)
+
+
+def as_wanted(
+    value: Floats, wanted: Interval, tolerance: float, time_s: Floats, *, there: Bools | None = None
+) -> Judged:
+    """A value that is to lie in a range; undefined where it is not ``there`` to be measured."""
+    margin = within(value, wanted, tolerance)
+    return Judged(margin if there is None else np.where(there, margin, np.nan), value, time_s)
+
+
+def best_of(view: View, found: Sequence[Judged]) -> Judged:
+    """Of several, the one with the greatest margin in each candidate; of none, that it never is."""
+    never = np.full(view.count, -NEVER)
+    return Judged(*chosen(found or [(never, never, np.zeros(view.count))], np.argmax))
 
 
 def always(view: View, *, holds: bool, measured: float = np.nan) -> Judged:

@@ -33,8 +33,6 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.outcome import Outcome, OutcomeKind
 
-COLLISION = OutcomeKind.COLLISION
-
 STATEMENTS: tuple[Callable[[Told], Iterator[Claim]], ...] = (
     roads.claims,
     approaches.claims,
@@ -77,8 +75,10 @@ def claims_of(
             sought: what the description does not say of the end is then open.
         brought_together: two of whom a measure was asked for: they need not give way.
     """
-    if touching and (functional.outcome is None or functional.outcome.kind is not COLLISION):
-        asked = Outcome(kind=COLLISION, between=touching)
+    if touching and (
+        functional.outcome is None or functional.outcome.kind is not OutcomeKind.COLLISION
+    ):
+        asked = Outcome(kind=OutcomeKind.COLLISION, between=touching)
         functional = functional.model_copy(update={"outcome": asked})
     if logical.acts:
         # With the sides and lanes that the text leaves open.

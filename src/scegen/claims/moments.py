@@ -7,16 +7,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.arms import Arm, arms_of
-from scegen.claims.boxes import boxes, free
+from scegen.claims.arms import arms_of
+from scegen.claims.boxes import boxes, gap_m, same_way
 from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
+from scegen.claims.series import at, first
+from scegen.claims.told import Told
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Bools, Ints
 from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.concrete import door_of
-from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import Approach, HazardKind, Side
 
 CHANGES_MPS2 = 0.3
@@ -32,17 +33,6 @@ ASIDE_MPS = 0.05
 _GOES_ON_S = 0.4
 
 
-def first(flags: Bools) -> Ints:
-    """The first step that is so; the number of steps where none is (c,)."""
-    found = np.where(flags.any(axis=1), flags.argmax(axis=1), flags.shape[1])
-    return np.asarray(found, dtype=np.int64)
-
-
-def at(series: Floats, step: Ints) -> Floats:
-    """A series (c, t) at a step of each candidate, clipped to its ends (c,)."""
-    return series[np.arange(len(series)), np.clip(step, 0, series.shape[1] - 1)]
-
-
 def speed_runs(view: View, name: str, sense: int, count: int = 1) -> list[Run]:
     """The greatest runs in which speed falls (-1) or grows (+1), in the order of time."""
     return view.once(("runs", name, sense, count), lambda: _runs(view, name, sense, count))
@@ -55,23 +45,24 @@ def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
     return greatest_runs(view.speed_mps(name), sense, least, most, count)
 
 
-def sideways_begin(
-    view: View, functional: FunctionalScenario, drive: Drive | None, act: Act
-) -> Ints:
+def sideways_begin(told: Told, act: Act, view: View) -> Ints:
     """When a move to the side begins; one after another of the same, as it turns to its side."""
-    beside = _starts_beside(functional, drive)
+    drive, acts = told.drive(act.participant), told.functional.acts
+    beside = _starts_beside(told, drive)
     earlier = [
         a
-        for a in functional.acts[: functional.acts.index(act)]
+        for a in acts[: acts.index(act)]
         if a.participant == act.participant
         and a.kind in LEAVING
         and not (beside and a.kind is ActKind.OVERTAKE)
     ]
-    before = leaves_lane(view, act.participant, drive)
-    if not earlier and (beside or not _comes_back_by(functional, act)):
-        return before
     if earlier:
-        before = sideways_begin(view, functional, drive, earlier[-1])
+        before = sideways_begin(told, earlier[-1], view)
+    else:
+        key = "leaves line", act.participant
+        before = view.once(key, lambda: _leaves_line(view, act.participant, drive))
+        if beside or not _comes_back_by(told, act):
+            return before
     moved = lateral_m(view, act.participant, drive)
     speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
     sense = _sense(act) or (-_sense(earlier[-1]) if earlier else 0.0)
@@ -98,20 +89,20 @@ def straightened(view: View, name: str, over: Ints) -> Ints:
     return over + later.astype(np.int64)
 
 
-def _starts_beside(functional: FunctionalScenario, drive: Drive | None) -> bool:
+def _starts_beside(told: Told, drive: Drive | None) -> bool:
     """Whether it drives in the lane beside at first, so that it leaves no lane to pass."""
     if drive is None:
         return True
-    return Approach.ADJACENT in functional.participant(drive.participant).approaches
+    return Approach.ADJACENT in told.functional.participant(drive.participant).approaches
 
 
-def _comes_back_by(functional: FunctionalScenario, act: Act) -> bool:
+def _comes_back_by(told: Told, act: Act) -> bool:
     """Whether one who overtakes comes back by it, before the one it has passed."""
     return any(
         hazard.kind is HazardKind.OVERTAKING
         and act.participant in hazard.by
         and act.into in hazard.to
-        for hazard in functional.hazards
+        for hazard in told.functional.hazards
     )
 
 
@@ -120,12 +111,8 @@ def _sense(act: Act) -> float:
     return 0.0 if act.side is None else 1.0 if act.side is Side.LEFT else -1.0
 
 
-def leaves_lane(view: View, name: str, drive: Drive | None) -> Ints:
+def _leaves_line(view: View, name: str, drive: Drive | None) -> Ints:
     """The step in which somebody was last on its line before it left it; all steps if never."""
-    return view.once(("leaves lane", name), lambda: _leaves_lane(view, name, drive))
-
-
-def _leaves_lane(view: View, name: str, drive: Drive | None) -> Ints:
     moved = np.abs(lateral_m(view, name, drive))
     gone = first(moved > LEAVES_M)
     before = np.arange(view.steps) < gone[:, None]
@@ -143,33 +130,21 @@ def sets_off(view: View, name: str, number: int = 0) -> Ints:
     return first(leaves & (np.cumsum(leaves, axis=1) > number))
 
 
-def steps_out(view: View, name: str, arm: Arm) -> Ints:
-    """When one who crosses begins: sets off; where it moves from the start, leaves the kerb."""
-    stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
-    on = arm.on_it(boxes(view, name))
-    return np.where(stands, sets_off(view, name), np.maximum(first(on) - 1, 0))
-
-
-def turns(view: View, name: str) -> Ints:
+def _turns(view: View, name: str) -> Ints:
     """When the heading first leaves that of the start."""
     cos, sin = boxes(view, name).cos, boxes(view, name).sin
     aside = np.abs(sin * cos[:, :1] - cos * sin[:, :1])
     return first((aside > TURNS_RAD) | (cos * cos[:, :1] + sin * sin[:, :1] < 0.0))
 
 
-def act_begins(
-    view: View, functional: FunctionalScenario, logical: LogicalScenario, act: Act
-) -> Ints:
+def act_begins(told: Told, act: Act, view: View) -> Ints:
     """The step in which an act begins; the number of steps where it does not happen (c,)."""
-    make = lambda: _begins(view, functional, logical, act)  # noqa: E731
-    return view.once(("begins", act.id), make)
+    return view.once(("begins", act.id), lambda: _begins(told, act, view))
 
 
-def comes_to_rest(
-    view: View, functional: FunctionalScenario, logical: LogicalScenario, act: Act, other: str
-) -> Ints:
+def comes_to_rest(told: Told, act: Act, other: str, view: View) -> Ints:
     """The step in which who acts stands, the other too if it stops before that one goes on."""
-    since = np.arange(view.steps) >= act_begins(view, functional, logical, act)[:, None]
+    since = np.arange(view.steps) >= act_begins(told, act, view)[:, None]
     stands = since & (view.speed_mps(act.participant) <= STANDS_MPS)
     rests = first(stands)
     goes_on = first(since & ~stands & (np.arange(view.steps) > rests[:, None]))
@@ -177,19 +152,18 @@ def comes_to_rest(
     return np.where(both < goes_on, both, rests)
 
 
-def rest(view: View, functional: FunctionalScenario, act: Act) -> tuple[Ints, Ints]:
+def rest(told: Told, act: Act, view: View) -> tuple[Ints, Ints]:
     """The first and the last step of the rest after which one goes on (c,) each."""
-    leaves = sets_off(view, act.participant, _rests_before(functional, act))
+    leaves = sets_off(view, act.participant, _rests_before(told, act))
     moves = view.speed_mps(act.participant) > STANDS_MPS
     steps = np.arange(view.steps)
     before = np.where(moves & (steps < leaves[:, None]), steps + 1, 0).max(axis=1)
     return np.where(leaves < view.steps, before, view.steps), leaves
 
 
-def _rests_before(functional: FunctionalScenario, act: Act) -> int:
+def _rests_before(told: Told, act: Act) -> int:
     """How often one has gone on after a rest before; who waits and then sets off does so once."""
-    own = [a for a in functional.acts if a.participant == act.participant]
-    number = -1
+    own, number = told.acts_of(act.participant), -1
     for n, each in enumerate(own):
         after_wait = n > 0 and own[n - 1].kind is ActKind.WAIT
         number += each.kind is ActKind.WAIT
@@ -199,12 +173,12 @@ def _rests_before(functional: FunctionalScenario, act: Act) -> int:
     return number
 
 
-def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
+def act_run(told: Told, act: Act, view: View) -> Run:
     """The change of speed that an act is: the one of its number among the greatest."""
     # To come to rest for a while is a change of speed, too, and so is to go on.
     slows = act.kind in SLOWING or act.kind is ActKind.WAIT
     kinds = (SLOWING if slows else GAINING) | {ActKind.WAIT}
-    same = [a for a in functional.acts if a.participant == act.participant and a.kind in kinds]
+    same = [a for a in told.acts_of(act.participant) if a.kind in kinds]
     sense = -1 if slows else 1
     if len(same) == 1 and act.rate_mps2 is not None:
         return _alike(speed_runs(view, act.participant, sense, _OTHERS), act.rate_mps2.middle, view)
@@ -213,11 +187,7 @@ def act_run(view: View, functional: FunctionalScenario, act: Act) -> Run:
     chosen = runs[0]
     for run in runs[1 : number + 1]:
         # Two acts that follow on without a break are one run: both are then that one.
-        chosen = Run(
-            np.where(run.happens, run.begin, chosen.begin),
-            np.where(run.happens, run.end, chosen.end),
-            np.where(run.happens, run.change_mps, chosen.change_mps),
-        )
+        chosen = run.instead_of(chosen, run.happens)
     return _to_rest(chosen, view, act.participant) if act.kind is ActKind.STOP else chosen
 
 
@@ -241,83 +211,74 @@ def _alike(runs: list[Run], rate_mps2: float, view: View) -> Run:
     for run in runs:
         rate = run.change_mps / (np.maximum(run.end - run.begin, 1) * view.dt_s)
         off = np.where(run.happens, np.abs(rate - rate_mps2), np.inf)
-        chosen = Run(*(np.where(off < least, a, b) for a, b in zip(run, chosen, strict=True)))
+        chosen = run.instead_of(chosen, off < least)
         least = np.minimum(off, least)
     return chosen
 
 
-def _begins(view: View, functional: FunctionalScenario, logical: LogicalScenario, act: Act) -> Ints:
+def _begins(told: Told, act: Act, view: View) -> Ints:
     name = act.participant
     never = np.full(view.count, view.steps, dtype=np.int64)
     if name not in view.index:
         return never
+    stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
     if act.kind is ActKind.SET_OFF:
-        return sets_off(view, name, _rests_before(functional, act))
+        return sets_off(view, name, _rests_before(told, act))
     if act.kind is ActKind.WAIT:
-        return _waits(view, functional, act)
-    if act.kind is ActKind.ENTER:
-        return _comes_in(view, name, drive_of(logical, name))
+        return _waits(told, act, view)
     if act.kind in SLOWING | GAINING:
-        run = act_run(view, functional, act)
+        run = act_run(told, act, view)
         return np.where(run.happens, run.begin, never)
-    if act.kind is ActKind.OVERTAKE:
-        return _passing_begins(view, functional, drive_of(logical, name), act)
+    if act.kind is ActKind.ENTER:
+        return _comes_in(view, name, told.drive(name))
     if act.kind in LEAVING:
-        return sideways_begin(view, functional, drive_of(logical, name), act)
+        begins = sideways_begin(told, act, view)
+        # Who passes another leaves its lane, or is beside that one, if that is sooner.
+        others = passed(told, act, view) if act.kind is ActKind.OVERTAKE else []
+        level = [first(is_level(view, name, other)) for other in others]
+        return np.asarray(np.min([begins, *level], axis=0))
     if act.kind is ActKind.REVERSE:
         return first(view.row(name, SPEED) < -STANDS_MPS)
     if act.kind is ActKind.TURN:
-        return turns(view, name)
+        return _turns(view, name)
     if act.kind is ActKind.OPEN_DOOR:
         return sets_off(view, door_of(name)) if door_of(name) in view.index else never
-    crossing = next((c for c in logical.crossings if c.participant == name), None)
-    if crossing is None:
-        stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
-        return np.where(stands, sets_off(view, name), 0)
-    return steps_out(view, name, arms_of(view)[crossing.arm])
+    crossing, begins = told.crossing(name), np.zeros_like(never)
+    if crossing is not None:
+        # Who crosses and moves from the start begins where it leaves the kerb.
+        on = arms_of(view)[crossing.arm].on_it(boxes(view, name))
+        begins = np.maximum(first(on) - 1, 0)
+    return np.where(stands, sets_off(view, name), begins)
 
 
-def _waits(view: View, functional: FunctionalScenario, act: Act) -> Ints:
+def _waits(told: Told, act: Act, view: View) -> Ints:
     """When one begins to stop that then waits; at once where it stands from the start.
 
     When it stands, where it is told before to brake.
     """
-    name = act.participant
-    own = [a for a in functional.acts if a.participant == name]
+    own = told.acts_of(act.participant)
     if own[max(own.index(act) - 1, 0)].kind in SLOWING:
-        return rest(view, functional, act)[0]
-    stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
-    run = act_run(view, functional, act)
+        return rest(told, act, view)[0]
+    stands = view.speed_mps(act.participant)[:, 0] <= STANDS_MPS
+    run = act_run(told, act, view)
     return np.where(stands, 0, np.where(run.happens, run.begin, view.steps))
 
 
-def _passing_begins(
-    view: View, functional: FunctionalScenario, drive: Drive | None, act: Act
-) -> Ints:
-    """When it leaves its lane, or is beside whom it passes, if that is sooner."""
-    begins = sideways_begin(view, functional, drive, act)
-    for other in passed(functional, act, view):
-        begins = np.minimum(begins, first(is_level(view, act.participant, other)))
-    return begins
-
-
-def passed(functional: FunctionalScenario, act: Act, view: View) -> list[str]:
+def passed(told: Told, act: Act, view: View) -> list[str]:
     """Whom one who overtakes is said to pass; where nobody is named, anybody else.
 
     Also what lies in its way: "swerves to the left around a crate".
     """
-    named = (act.into,) if act.into else functional.overtaken(act.participant)
-    others = [p.id for p in functional.participants if p.id != act.participant]
-    things = [o.id for o in functional.objects if o.in_way_of == act.participant]
+    named = (act.into,) if act.into else told.functional.overtaken(act.participant)
+    others = [p.id for p in told.people if p.id != act.participant]
+    things = [o.id for o in told.functional.objects if o.in_way_of == act.participant]
     return [name for name in named or (*others, *things) if name in view.index]
 
 
 def is_level(view: View, name: str, other: str) -> Bools:
     """Whether one is beside another that faces as it does (c, t)."""
     own, frame = boxes(view, name), boxes(view, other)
-    clear = free(frame, own)
-    alike = own.cos * frame.cos + own.sin * frame.sin > 0.0
-    return alike & (np.maximum(clear.front, clear.rear) < 0.0)
+    return (same_way(frame, own) > 0.0) & (gap_m(frame, own) < 0.0)
 
 
 def _comes_in(view: View, name: str, drive: Drive | None) -> Ints:
@@ -326,8 +287,3 @@ def _comes_in(view: View, name: str, drive: Drive | None) -> Ints:
         return np.full(view.count, view.steps, dtype=np.int64)
     arm, box = arms_of(view)[drive.entry], boxes(view, name)
     return first(arm.place(box)[0] + box.half_length >= arm.length_m)
-
-
-def drive_of(logical: LogicalScenario, name: str) -> Drive | None:
-    """The drive of a participant, None if it does not drive."""
-    return next((d for d in logical.drives if d.participant == name), None)

@@ -22,6 +22,10 @@ class Run(NamedTuple):
         """Where there is one."""
         return self.change_mps > 0.0
 
+    def instead_of(self, other: Run, where: Bools) -> Run:
+        """This one in some candidates, another in the rest."""
+        return Run(*(np.where(where, a, b) for a, b in zip(self, other, strict=True)))
+
 
 def greatest_runs(
     speed_mps: Floats, sense: int, least: float, most: float, count: int

@@ -10,9 +10,9 @@ from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
 from scegen.scenario.logical import ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.vocabulary import JunctionKind
 
 KPH = 3.6
-NONE = ConflictKind.NONE
 
 
 @dataclass(frozen=True)
@@ -38,6 +38,11 @@ class Told:
     def people(self) -> tuple[Participant, ...]:
         """Everybody in traffic."""
         return self.functional.participants
+
+    @property
+    def plain_road(self) -> bool:
+        """Whether the road has no junction."""
+        return self.functional.junction.kind is JunctionKind.STRAIGHT
 
     def drive(self, name: str) -> Drive | None:
         """How somebody drives, None if it does not."""
@@ -77,7 +82,9 @@ class Told:
         pairs: list[tuple[str, ...]] = [
             (by, to) for h in self.hazards for by in h.by for to in h.to
         ]
-        pairs += [(c.first, c.second) for c in self.logical.conflicts if c.kind is not NONE]
+        pairs += [
+            (c.first, c.second) for c in self.logical.conflicts if c.kind is not ConflictKind.NONE
+        ]
         if self.functional.outcome is not None:
             pairs.append(self.functional.outcome.between)
         known = {p.id for p in self.people}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from scegen.scenario.spacings import Measure
 
 SPEED_MPS = 0.5 / 3.6
@@ -16,19 +18,21 @@ SAME_LANE_M = 1.75
 DISTANCE_M = 1.0
 """Of a way that somebody goes, or a place along the road."""
 
-OF_MEASURE: dict[Measure, float] = {
-    Measure.GAP_M: GAP_M,
-    Measure.HEADWAY_S: TIME_S,
-    Measure.TTC_S: TIME_S,
-    Measure.LATERAL_GAP_M: LATERAL_M,
-    Measure.LATERAL_OFFSET_M: LATERAL_M,
-    Measure.OVERLAP_PERCENT: PERCENT,
-}
-UNITS: dict[Measure, str] = {
-    Measure.GAP_M: "m",
-    Measure.HEADWAY_S: "s",
-    Measure.TTC_S: "s",
-    Measure.LATERAL_GAP_M: "m",
-    Measure.LATERAL_OFFSET_M: "m",
-    Measure.OVERLAP_PERCENT: "%",
+
+class Exactly(NamedTuple):
+    """What a measure is called, its unit, how far it may be off, and what is worth as much."""
+
+    name: str
+    unit: str
+    tolerance: float
+    scale: float
+
+
+OF_MEASURE: dict[Measure, Exactly] = {
+    Measure.GAP_M: Exactly("gap", "m", GAP_M, 2.0),
+    Measure.HEADWAY_S: Exactly("headway", "s", TIME_S, 0.5),
+    Measure.TTC_S: Exactly("time to collision", "s", TIME_S, 0.5),
+    Measure.LATERAL_GAP_M: Exactly("free width", "m", LATERAL_M, 2.0),
+    Measure.LATERAL_OFFSET_M: Exactly("lateral offset", "m", LATERAL_M, 2.0),
+    Measure.OVERLAP_PERCENT: Exactly("overlap", "%", PERCENT, 20.0),
 }

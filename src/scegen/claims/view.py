@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from math import nan
-from typing import NamedTuple, TypeVar, cast
+from typing import TypeVar, cast
 
 import numpy as np
 
@@ -17,25 +17,14 @@ from scegen.claims.ways import Way
 from scegen.measures.distance import distances_at
 from scegen.measures.evaluation import Summary, measure
 from scegen.measures.following import gaps_behind
+from scegen.measures.grounds import Ground
 from scegen.measures.tables import Tables
-from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats, Ints, S
+from scegen.motion.batch.arrays import SPEED, BatchTraces, Floats, Ints, S
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
 T = TypeVar("T")
-
-
-class Area(NamedTuple):
-    """Ground that two use: where either enters and leaves it on its path, m.
-
-    One whose path ends inside never leaves (inf).
-    """
-
-    enter_m: float
-    leave_m: float
-    other_enters_m: float
-    other_leaves_m: float
 
 
 @dataclass(frozen=True)
@@ -165,18 +154,15 @@ class View:
             key, lambda: _reach_s(self.traces.tracks, self.index[name], place_m, self.dt_s)
         )
 
-    def areas(self, name: str, other: str) -> list[Area]:
+    def areas(self, name: str, other: str) -> list[Ground]:
         """The grounds that two use, in the order of the paths."""
-        found = self.pair(name, other)
+        found, table = self.pair(name, other), self.scene.areas
         if found is None:
             return []
-        (p, i), table = found, self.scene.areas
-        return [
-            Area(
-                *(float(edge[n, k]) for k in (i, 1 - i) for edge in (table.enter_m, table.leave_m))
-            )
-            for n in range(int(table.first[p]), int(table.first[p + 1]))
-        ]
+        (p, i), j = found, 1 - found[1]
+        rows = slice(int(table.first[p]), int(table.first[p + 1]))
+        edges = zip(table.enter_m[rows].tolist(), table.leave_m[rows].tolist(), strict=True)
+        return [Ground(come[i], go[i], come[j], go[j]) for come, go in edges]
 
     def headway_s(self, follower: str, leader: str) -> Floats:
         """Time headway; inf where there is none (no leader, or the follower stands)."""
@@ -192,9 +178,7 @@ class View:
 
     def lateral_mps2(self, name: str) -> Floats:
         """Lateral accelerations on the path."""
-        way = self.ways[name]
-        bend = np.interp(self.place_m(name), way.at_m, way.curvature_1pm)
-        return self.speed_mps(name) ** 2 * bend
+        return self.speed_mps(name) ** 2 * self.ways[name].curvature_1pm(self.place_m(name))
 
     def when(self, series: Floats) -> Floats:
         """Time of the greatest value."""
@@ -239,24 +223,3 @@ def view_of(
         pairs={(int(a), int(b)): n for n, (a, b) in enumerate(scene.pairs)},
         friction=friction,
     )
-
-
-def lasting(series: Floats, steps: int, *, greatest: bool) -> Floats:
-    """The greatest (or least) value over every window of so many steps."""
-    choose = np.maximum if greatest else np.minimum
-    kept, covered = series, 1
-    while covered < min(steps, series.shape[1]):
-        more = min(covered, min(steps, series.shape[1]) - covered)
-        kept, covered = choose(kept[:, :-more], kept[:, more:]), covered + more
-    return kept
-
-
-def longest_run(flags: Bools) -> tuple[Floats, Floats]:
-    """Length of the longest run of True in steps, and the step where it begins."""
-    count, steps = flags.shape
-    position = np.arange(1, steps + 1)
-    broken = np.maximum.accumulate(np.where(flags, 0, position), axis=1)
-    lengths = np.where(flags, position - broken, 0)
-    ends = lengths.argmax(axis=1)
-    longest = lengths[np.arange(count), ends]
-    return longest.astype(np.float64), (ends + 1 - longest).astype(np.float64)

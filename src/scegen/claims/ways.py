@@ -41,11 +41,10 @@ class Way:
     """One participant's way; positions are along its path, m.
 
     ``turn_start_m`` and ``turn_end_m`` are where the junction begins and ends, ``goal_m`` how far
-    it must come before the scenario may end, unless it ``halts``: stops on the way and stays;
-    ``curvature_1pm`` belongs to ``at_m``; ``lanes_in`` is the number of lanes of its entry arm,
-    ``line_m`` where that has its stop line; ``whole`` is the same way from the outer end of its
-    entry arm, on which it starts at ``starts_m``: None of one that is no such part, and where no
-    ways cross.
+    it must come before the scenario may end, unless it ``halts``; ``lanes_in`` is the number of
+    lanes of its entry arm, ``line_m`` where that has its stop line; ``whole`` is the same way from
+    the outer end of its entry arm, on which it starts at ``starts_m``: None of one that is no such
+    part, and where no ways cross.
     """
 
     participant: ConcreteParticipant
@@ -54,13 +53,10 @@ class Way:
     turn_start_m: float
     turn_end_m: float
     goal_m: float
-    changes: tuple[Sideways, ...]
-    at_m: Floats
-    curvature_1pm: Floats
-    laid: LaidDrive | None
+    changes: tuple[Sideways, ...] = ()
+    laid: LaidDrive | None = None
     lanes_in: int = 0
     line_m: float = 0.0
-    halts: bool = False
     whole: Path | None = None
     starts_m: float = 0.0
 
@@ -68,6 +64,21 @@ class Way:
     def sets_off(self) -> bool:
         """Whether it stands at first and is to move."""
         return self.participant.speed_mps == 0.0 and bool(self.participant.speed_program)
+
+    @property
+    def halts(self) -> bool:
+        """Whether a driver's program ends at rest: it stops on its way and stays."""
+        program = self.participant.speed_program
+        drives = isinstance(self.participant.motion, DriveMotion)
+        return drives and bool(program) and program[-1].target_speed_mps == 0.0
+
+    def curvature_1pm(self, s_m: Floats) -> Floats:
+        """The change of heading per metre at places: that in the middle of every piece, between."""
+        path, step = self.path, np.diff(self.path.s_m)
+        if not step.size:
+            return np.zeros_like(s_m)
+        bends = np.abs(np.diff(path.heading_rad)) / step
+        return np.interp(s_m, path.s_m[:-1] + step / 2, bends)
 
 
 def ways_of(concrete: ConcreteScenario, network: RoadNetwork) -> dict[str, Way]:
@@ -90,8 +101,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         path = build_path(motion, participant.body, network, participant.id)
         limit = concrete.road.arms[motion.arm].speed_limit_mps
         goal = max(0.0, path.length_m - _WALKED_M) if motion.type == "crossing" else 0.0
-        zero = np.zeros(1)
-        return Way(participant, path, limit, 0.0, path.length_m, goal, (), zero, zero, None)
+        return Way(participant, path, limit, 0.0, path.length_m, goal)
     laid = lay_drive(network, motion, participant.id)
     arms = concrete.road.arms
     width, lanes = arms[motion.entry].lane_width_m, arms[motion.entry].lanes_in
@@ -122,7 +132,6 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     leaves = [0.0] if network.plain else [turn_end + _INTO_EXIT_M]
     goal = max([*leaves, *(c.end_m + _BEHIND_CHANGE_M for c in changes)])
     goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
-    at, curvature = _curvature(laid.path)
     whole = None
     if motion.reversal is None and not network.plain:
         outer = motion.model_copy(update={"start_m": 0.0})
@@ -135,26 +144,9 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
         turn_end_m=turn_end,
         goal_m=min(goal, laid.path.length_m) - 1e-3,
         changes=changes,
-        at_m=at,
-        curvature_1pm=curvature,
         laid=laid,
         lanes_in=arms[motion.entry].lanes_in,
         line_m=laid.path_s_m(laid.turning_starts_m) - network.arm_road(motion.entry).stop_line_m,
-        halts=halts(participant),
         whole=None if whole is None else whole.path,
         starts_m=0.0 if whole is None else whole.path_s_m(motion.start_m),
     )
-
-
-def halts(participant: ConcreteParticipant) -> bool:
-    """Whether a driver's program ends at rest: it stops on its way and stays."""
-    program = participant.speed_program
-    return bool(program) and program[-1].target_speed_mps == 0.0
-
-
-def _curvature(path: Path) -> tuple[Floats, Floats]:
-    """Curvature in the middle of every piece of a path: change of heading per metre."""
-    if len(path.s_m) < 2:
-        return np.zeros(1), np.zeros(1)
-    step = np.diff(path.s_m)
-    return path.s_m[:-1] + step / 2, np.abs(np.diff(path.heading_rad)) / step

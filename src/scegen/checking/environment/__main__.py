@@ -5,19 +5,18 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from scegen.checking.environment.install import install_asam, install_interop
+from scegen.checking.environment.install import PACKAGES, install
 from scegen.errors import InputError, MissingToolError
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Install the environment named by the only argument; the exit code."""
     names = list(sys.argv[1:] if arguments is None else arguments)
-    installers = {"asam": install_asam, "interop": install_interop}
-    if len(names) != 1 or names[0] not in installers:
+    if len(names) != 1 or names[0] not in PACKAGES:
         sys.stderr.write("name one environment: asam or interop\n")
         return InputError.exit_code
     try:
-        python = installers[names[0]]()
+        python = install(names[0])
     except MissingToolError as problem:
         sys.stderr.write(f"{problem}\n")
         return problem.exit_code

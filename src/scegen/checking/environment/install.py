@@ -4,34 +4,31 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Sequence
 from importlib.resources import as_file, files
 from pathlib import Path
 
 from scegen.checking.environment import own_python
 from scegen.errors import MissingToolError
 
-ASAM_PACKAGES = ("asam-qc-opendrive", "asam-qc-openscenarioxml")
-INTEROP_PACKAGES = ("carla", "eclipse-sumo")
+PACKAGES = {
+    "asam": ("asam-qc-opendrive", "asam-qc-openscenarioxml"),
+    "interop": ("carla", "eclipse-sumo"),
+}
+"""By name of the environment."""
 
 
-def install_asam() -> Path:
-    """Create the ASAM checkers' environment, in exact versions; its python."""
-    return _install("asam", ASAM_PACKAGES)
+def install(name: str) -> Path:
+    """Create one of the environments, in exact versions; its python.
 
-
-def install_interop() -> Path:
-    """Create the interoperability validators' environment, in exact versions; its python."""
-    return _install("interop", INTEROP_PACKAGES)
-
-
-def _install(name: str, packages: Sequence[str]) -> Path:
+    Raises:
+        MissingToolError: that did not work.
+    """
     python = own_python(name)
     constraints = files("scegen.checking").joinpath("data", f"{name}-constraints.txt")
     with as_file(constraints) as path:
         commands = (
             [sys.executable, "-m", "venv", str(Path(sys.prefix, name))],
-            [str(python), "-m", "pip", "install", "-q", "-c", str(path), *packages],
+            [str(python), "-m", "pip", "install", "-q", "-c", str(path), *PACKAGES[name]],
         )
         for command in commands:
             try:

@@ -78,7 +78,7 @@ def _jumps(movement: Movement) -> Iterator[Finding]:
     if beyond.size and beyond.max() > JUMP_M:
         step = int(beyond.argmax())
         message = f"jumps {moved[step]:.2f} m at {speed[step]:.2f} m/s"
-        yield error("esmini.jump", _when(movement, step + 1), message)
+        yield error("esmini.jump", movement.when(step + 1), message)
 
 
 def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[Finding]:
@@ -90,7 +90,7 @@ def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[F
         message = (
             f"goes {movement.speed_mps[step]:.1f} m/s; {with_article(participant.kind)} {fastest:g}"
         )
-        yield error("esmini.speed", _when(movement, step), message)
+        yield error("esmini.speed", movement.when(step), message)
     rates = [phase.rate_mps2 for phase in participant.speed_program]
     rates += [participant.on_contact.rate_mps2] if participant.on_contact else []
     hardest = max(body.max_acceleration_mps2, body.max_deceleration_mps2, *rates, 0.0)
@@ -99,11 +99,11 @@ def _physics(movement: Movement, participant: ConcreteParticipant) -> Iterator[F
     if arrival is not None and change[arrival] < -hardest - SPARE_MPS2:
         change[arrival] = 0.0
         message = f"is halted at {movement.speed_mps[arrival]:.1f} m/s where its path ends"
-        yield warning("esmini.arrival", _when(movement, arrival + 1), message)
+        yield warning("esmini.arrival", movement.when(arrival + 1), message)
     if change.size and np.abs(change).max() > hardest + SPARE_MPS2:
         step = int(np.abs(change).argmax())
         message = f"changes speed by {change[step]:.1f} m/s², more than {hardest:g}"
-        yield error("esmini.acceleration", _when(movement, step + 1), message)
+        yield error("esmini.acceleration", movement.when(step + 1), message)
 
 
 def _senses(movement: Movement, participant: ConcreteParticipant) -> Iterator[Finding]:
@@ -114,7 +114,7 @@ def _senses(movement: Movement, participant: ConcreteParticipant) -> Iterator[Fi
     if reversal is None and (sense < 0.0).any():
         step = int((sense < 0.0).argmax())
         message = f"goes backwards at {movement.speed_mps[step + 1]:.1f} m/s"
-        yield error("esmini.reversing", _when(movement, step + 1), message)
+        yield error("esmini.reversing", movement.when(step + 1), message)
     elif reversal is not None and not (sense < 0.0).any():
         yield error("esmini.reversing", participant.id, "should reverse but does not")
     steps = np.flatnonzero(sense)
@@ -122,7 +122,7 @@ def _senses(movement: Movement, participant: ConcreteParticipant) -> Iterator[Fi
         fastest = max(movement.speed_mps[before + 1], movement.speed_mps[after + 1])
         if sense[before] != sense[after] and fastest > TURNS_MPS:
             message = f"changes direction at {fastest:.1f} m/s without coming to rest"
-            yield error("esmini.reversing", _when(movement, after + 1), message)
+            yield error("esmini.reversing", movement.when(after + 1), message)
             return
 
 
@@ -200,9 +200,4 @@ def _crossing(
 
 
 def _lanes(network: Network, movement: Movement, step: int, arm: Arm) -> set[int]:
-    under = lanes_at(network, movement.point[[step]])[0]
-    return {lane.lane for lane in under if lane.road == arm.road.id}
-
-
-def _when(movement: Movement, step: int) -> str:
-    return f"{movement.entity} t = {movement.time_s[step]:.2f} s"
+    return arm.under(lanes_at(network, movement.point[[step]])[0])

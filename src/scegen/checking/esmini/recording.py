@@ -28,6 +28,10 @@ class Movement:
     speed_mps: NDArray[np.float64]
     heading_rad: NDArray[np.float64]
 
+    def when(self, step: int) -> str:
+        """How findings name one of its steps."""
+        return f"{self.entity} t = {self.time_s[step]:.2f} s"
+
 
 def read_recording(text: str) -> list[Movement]:
     """Read the log; the rows of all entities stand side by side.

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from cmath import phase
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import degrees, remainder
 from typing import NamedTuple
 
 from scegen.checking.opendrive.lanes import driving, reference
+from scegen.checking.opendrive.locate import OnLane
 from scegen.checking.opendrive.network import END, START, Network, Road, other_end, road_place
 from scegen.checking.results import Finding, error
 from scegen.road.ramps import gore_m
@@ -44,10 +45,17 @@ class Arm:
         """Strips beside the lanes that lead to the junction, outwards."""
         return self._beside(self.inward)
 
-    @property
-    def strips_out(self) -> list[int]:
-        """Strips beside the lanes that lead out of the network, outwards."""
-        return self._beside(self.outward)
+    def numbered_in(self, number: int) -> set[int]:
+        """The lane that leads in by its number; beyond the driving ones come the strips."""
+        return {*[*self.inward, *self.strips][number - 1 : number]}
+
+    def numbered_out(self, number: int) -> set[int]:
+        """The lane that leads out by its number, likewise."""
+        return {*[*self.outward, *self._beside(self.outward)][number - 1 : number]}
+
+    def under(self, lanes: Iterable[OnLane]) -> set[int]:
+        """Which of its lanes are among those that a point lies on."""
+        return {lane.lane for lane in lanes if lane.road == self.road.id}
 
     def _beside(self, lanes: list[int]) -> list[int]:
         section = self.road.section(self.contact)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from cmath import exp
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from math import atan2
+from math import atan2, ceil
+from typing import NamedTuple
 
 from scegen.checking.opendrive.network import (
     END,
@@ -19,6 +20,15 @@ from scegen.checking.opendrive.network import (
     lane_place,
     piece_at,
 )
+
+STEP_M = 1.0
+"""Rules look at places no farther apart than this along a road."""
+
+
+def stations(start: float, end: float) -> list[float]:
+    """Both ends and points at most ``STEP_M`` apart between them."""
+    count = max(1, min(10_000, ceil((end - start) / STEP_M)))
+    return [start + (end - start) * i / count for i in range(count + 1)]
 
 
 def reference(road: Road, s: float) -> tuple[complex, float, float]:
@@ -40,36 +50,37 @@ def section_at(road: Road, s: float) -> LaneSection:
 
 def lane_width(section: LaneSection, lane: int, s: float) -> float:
     """Width of a lane at ``s``."""
-    return _width_piece(section, lane, s).value(s)
-
-
-def _width_piece(section: LaneSection, lane: int, s: float) -> Poly3:
-    widths = section.lanes[lane].widths
-    return piece_at(widths, s) or widths[0]
+    return _of_width(section, lane, s, Poly3.value)
 
 
 def lane_borders(road: Road, section: LaneSection, lane: int, s: float) -> tuple[float, float]:
     """Offsets of the inner and the outer border of a lane from the reference line (left > 0)."""
-    offset = piece_at(road.lane_offsets, s)
-    inner = offset.value(s) if offset else 0.0
-    sign = 1 if lane > 0 else -1
-    for number in range(1, abs(lane)):
-        inner += sign * lane_width(section, sign * number, s)
-    return inner, inner + sign * lane_width(section, lane, s)
+    inner, width = _inner_and_width(road, section, lane, s, Poly3.value)
+    return inner, inner + width
 
 
-def _centre_slope(road: Road, section: LaneSection, lane: int, s: float) -> float:
+def _inner_and_width(
+    road: Road, section: LaneSection, lane: int, s: float, of: Callable[[Poly3, float], float]
+) -> tuple[float, float]:
+    """A lane's inner border and its width, to the left, at ``s``: their values or their slopes."""
     offset = piece_at(road.lane_offsets, s)
-    slope = offset.slope(s) if offset else 0.0
+    inner = of(offset, s) if offset else 0.0
     sign = 1 if lane > 0 else -1
     for number in range(1, abs(lane)):
-        slope += sign * _width_piece(section, sign * number, s).slope(s)
-    return slope + sign * _width_piece(section, lane, s).slope(s) / 2
+        inner += sign * _of_width(section, sign * number, s, of)
+    return inner, sign * _of_width(section, lane, s, of)
+
+
+def _of_width(
+    section: LaneSection, lane: int, s: float, of: Callable[[Poly3, float], float]
+) -> float:
+    widths = section.lanes[lane].widths
+    return of(piece_at(widths, s) or widths[0], s)
 
 
 @dataclass(frozen=True, slots=True)
-class LaneEnd:
-    """A lane's end: centre, heading along s, width and height."""
+class LanePose:
+    """A lane's cross-section: centre, heading along s, width and height."""
 
     centre: complex
     heading: float
@@ -77,49 +88,46 @@ class LaneEnd:
     height: float
 
 
-def lane_end(road: Road, contact: str, lane: int) -> LaneEnd:
-    """The end of a lane at one end of its road."""
-    return lane_pose(road, road.section(contact), lane, road.s_at(contact))
-
-
-def lane_pose(road: Road, section: LaneSection, lane: int, s: float) -> LaneEnd:
+def lane_pose(road: Road, section: LaneSection, lane: int, s: float) -> LanePose:
     """A lane's cross-section at ``s``, seen in the given section."""
     point, heading, curvature = reference(road, s)
     inner, outer = lane_borders(road, section, lane, s)
     t = (inner + outer) / 2
-    slope = _centre_slope(road, section, lane, s)
+    inner_slope, width_slope = _inner_and_width(road, section, lane, s, Poly3.slope)
     elevation = piece_at(road.elevations, s)
-    return LaneEnd(
+    return LanePose(
         centre=point + 1j * t * exp(1j * heading),
-        heading=heading + atan2(slope, 1 - curvature * t),
+        heading=heading + atan2(inner_slope + width_slope / 2, 1 - curvature * t),
         width=abs(outer - inner),
         height=elevation.value(s) if elevation else 0.0,
     )
 
 
-@dataclass(frozen=True, slots=True)
-class LaneJoint:
-    """Two lane ends that a file says are joined; ``by`` names the statement."""
+class LaneEnd(NamedTuple):
+    """One end of a lane: that at an end of its road."""
 
-    first_road: Road
-    first_contact: str
-    first_lane: int
-    second_road: Road
-    second_contact: str
-    second_lane: int
-    by: str
+    road: Road
+    contact: str
+    lane: int
 
     @property
     def place(self) -> str:
         """How findings name it."""
-        first = lane_place(self.first_road.id, self.first_lane, self.first_contact)
-        second = lane_place(self.second_road.id, self.second_lane, self.second_contact)
-        return f"{first} – {second}"
+        return lane_place(self.road.id, self.lane, self.contact)
 
     @property
-    def turned(self) -> bool:
-        """Whether the two roads' s run against each other across the joint."""
-        return self.first_contact == self.second_contact
+    def pose(self) -> LanePose:
+        """Its cross-section."""
+        section, s = self.road.section(self.contact), self.road.s_at(self.contact)
+        return lane_pose(self.road, section, self.lane, s)
+
+
+class LaneJoint(NamedTuple):
+    """Two lane ends that a file says are joined; ``by`` names the statement."""
+
+    first: LaneEnd
+    second: LaneEnd
+    by: str
 
 
 def lane_joints(network: Network) -> Iterator[LaneJoint]:
@@ -144,11 +152,9 @@ def junction_joints(network: Network, junction: Junction) -> Iterator[LaneJoint]
         for lane_from, lane_to in connection.lanes:
             known = lane_from in incoming.section(met).lanes and 0 not in {lane_from, lane_to}
             if known and lane_to in connecting.section(connection.contact).lanes:
-                yield LaneJoint(
-                    *(incoming, met, lane_from),
-                    *(connecting, connection.contact, lane_to),
-                    f"junction {junction.id} connection {connection.id}",
-                )
+                start = LaneEnd(incoming, met, lane_from)
+                goal = LaneEnd(connecting, connection.contact, lane_to)
+                yield LaneJoint(start, goal, f"junction {junction.id} connection {connection.id}")
 
 
 def _road_joints(network: Network, road: Road, contact: str) -> Iterator[LaneJoint]:
@@ -158,7 +164,8 @@ def _road_joints(network: Network, road: Road, contact: str) -> Iterator[LaneJoi
     for lane in road.section(contact).lanes.values():
         target = lane.link(contact)
         if lane.id != 0 and target and target in other.section(end).lanes:
-            yield LaneJoint(road, contact, lane.id, other, end, target, "lane link")
+            here, there = LaneEnd(road, contact, lane.id), LaneEnd(other, end, target)
+            yield LaneJoint(here, there, "lane link")
 
 
 def end_at_junction(
@@ -181,5 +188,5 @@ def end_at_junction(
 
 
 def driving(section: LaneSection) -> list[int]:
-    """The driving lanes of a section."""
-    return sorted(n for n, lane in section.lanes.items() if n != 0 and lane.type == "driving")
+    """The driving lanes of a section, in the order of the file."""
+    return [n for n, lane in section.lanes.items() if n != 0 and lane.type == "driving"]

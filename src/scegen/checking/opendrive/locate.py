@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil, pi
@@ -12,7 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.checking.opendrive.curves import Arc
-from scegen.checking.opendrive.network import Geometry, LaneSection, Network, Poly3, Road
+from scegen.checking.opendrive.network import (
+    Geometry,
+    LaneSection,
+    Network,
+    Poly3,
+    Road,
+    lane_place,
+)
 
 TOLERANCE_M = 0.05
 """How far outside a lane a point may lie and still count as on it."""
@@ -68,6 +75,11 @@ def lanes_at(network: Network, points: Points) -> list[list[OnLane]]:
                     known.add((number, road.id, lane.lane))
                     found[number].append(lane)
     return found
+
+
+def in_words(lanes: Iterable[OnLane]) -> str:
+    """How findings name the lanes that a point lies on."""
+    return ", ".join(lane_place(lane.road, lane.lane) for lane in lanes) or "no lane"
 
 
 @dataclass(frozen=True, slots=True)

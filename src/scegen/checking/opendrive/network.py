@@ -116,6 +116,10 @@ class Link:
     id: str
     contact: str | None
 
+    def __str__(self) -> str:
+        """How findings name it."""
+        return f"{self.element} {self.id} {self.contact or ''}".rstrip()
+
 
 @dataclass(frozen=True, slots=True)
 class Road:

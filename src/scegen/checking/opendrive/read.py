@@ -7,7 +7,7 @@ from typing import NamedTuple, TypeVar
 
 from lxml import etree
 
-from scegen.checking.documents import Document
+from scegen.checking.documents import Document, usable
 from scegen.checking.opendrive.curves import Arc, Cubic, Curve, Spiral
 from scegen.checking.opendrive.network import (
     Connection,
@@ -29,8 +29,6 @@ MPS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 
 
 SHAPES = frozenset({"line", "arc", "spiral", "poly3", "paramPoly3"})
-LARGEST = 1e9
-"""Larger numbers are no metres, radians or shares; computing with them could overflow."""
 
 
 class ReadNetwork(NamedTuple):
@@ -82,11 +80,8 @@ def _text(element: etree._Element, name: str) -> str:
 
 def _number(element: etree._Element, name: str) -> float:
     text = _text(element, name)
-    try:
-        value = float(text)
-    except ValueError:
-        value = float("nan")
-    if not abs(value) <= LARGEST:
+    value = usable(text)
+    if value is None:
         raise _UnreadableError(f"<{element.tag}> {name}={text!r} is not a usable number")
     return value
 

@@ -3,47 +3,42 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import dataclass
+from collections.abc import Iterable
 
 from scegen.checking.opendrive.arms import Arm
-from scegen.checking.opendrive.lanes import junction_joints
+from scegen.checking.opendrive.lanes import driving, junction_joints
 from scegen.checking.opendrive.network import END, START, Network, Road
 
 Node = tuple[str, int, int]
 """Road id, index of the lane section, lane."""
 
 
-@dataclass(frozen=True)
-class LaneGraph:
-    """Directed graph of the driving lanes; ``after`` maps each lane to those that follow."""
+LaneGraph = dict[Node, tuple[Node, ...]]
+"""The driving lanes, each with those that follow."""
 
-    after: dict[Node, tuple[Node, ...]]
 
-    def reach(self, start: Node) -> set[Node]:
-        """All lanes that can be driven to from ``start``, itself included."""
-        seen, open_nodes = {start}, [start]
-        while open_nodes:
-            for following in self.after.get(open_nodes.pop(), ()):
-                if following not in seen:
-                    seen.add(following)
-                    open_nodes.append(following)
-        return seen
+def reach(graph: LaneGraph, starts: Iterable[Node]) -> set[Node]:
+    """All lanes that can be driven to from any of some, themselves included."""
+    seen = {*starts}
+    open_nodes = [*seen]
+    while open_nodes:
+        for following in graph.get(open_nodes.pop(), ()):
+            if following not in seen:
+                seen.add(following)
+                open_nodes.append(following)
+    return seen
 
 
 def lane_graph(network: Network) -> LaneGraph:
     """The graph of all driving lanes; links to what does not exist lead nowhere."""
     connected = _connected(network)
-    after: dict[Node, tuple[Node, ...]] = {}
+    after: LaneGraph = {}
     for road in network.roads.values():
         for index, section in enumerate(road.sections):
-            for lane in section.lanes.values():
-                if lane.id != 0 and lane.type == "driving":
-                    node = (road.id, index, lane.id)
-                    after[node] = (
-                        *_after(network, road, node, connected),
-                        *_beside(road, node),
-                    )
-    return LaneGraph(after)
+            for lane in driving(section):
+                node = (road.id, index, lane)
+                after[node] = (*_after(network, road, node, connected), *_beside(road, node))
+    return after
 
 
 def _beside(road: Road, node: Node) -> tuple[Node, ...]:
@@ -101,10 +96,7 @@ def _driving(network: Network, road: str, index: int, lane: int | None) -> tuple
 
 def _connected(network: Network) -> dict[tuple[str, str, int], list[Node]]:
     connected: dict[tuple[str, str, int], list[Node]] = defaultdict(list)
-    for joint in (
-        x for junction in network.junctions.values() for x in junction_joints(network, junction)
-    ):
-        road = joint.second_road
-        node = road.id, _index(road, joint.second_contact), joint.second_lane
-        connected[joint.first_road.id, joint.first_contact, joint.first_lane].append(node)
+    for junction in network.junctions.values():
+        for (road, contact, lane), (onward, end, there), _ in junction_joints(network, junction):
+            connected[road.id, contact, lane].append((onward.id, _index(onward, end), there))
     return connected

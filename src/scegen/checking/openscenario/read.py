@@ -10,14 +10,13 @@ import numpy as np
 from lxml import etree
 from numpy.typing import NDArray
 
-from scegen.checking.documents import Document
+from scegen.checking.documents import LARGEST, Document, usable
 from scegen.checking.openscenario.storyboard import (
     EGO_PROPERTY,
     EXTERNAL_PROPERTY,
     Entity,
     LanePoint,
     Reference,
-    Start,
     Storyboard,
     Trajectory,
     WorldPoint,
@@ -25,8 +24,6 @@ from scegen.checking.openscenario.storyboard import (
 from scegen.checking.results import Finding, error, unchecked
 
 READABLE = "xosc.readable"
-LARGEST = 1e9
-"""Larger numbers are no metres, radians or seconds; computing with them could overflow."""
 BODIES = ("Vehicle", "Pedestrian", "MiscObject", "CatalogReference")
 
 _REFERRING: Any = etree.XPath("//@entityRef/..")
@@ -89,7 +86,7 @@ class _Reader:
             version=".".join(self.document.version),
             road_file=None if logic is None else self.text(logic, "filepath"),
             entities=tuple(self.entity(e) for e in root.iterfind("Entities/ScenarioObject")),
-            starts=tuple(self.starts(root)),
+            starts=self.starts(root),
             trajectories=tuple(self.trajectories(root)),
             references=tuple(self.references(root)),
             lane_points=tuple(self.lane_points(root)),
@@ -108,11 +105,8 @@ class _Reader:
 
     def number(self, element: etree._Element, name: str, default: str | None = None) -> float:
         text = self.worked_out(element, name) or default
-        try:
-            value = float(text or "")
-        except ValueError:
-            value = float("nan")
-        if not abs(value) <= LARGEST:
+        value = usable(text)
+        if value is None:
             raise _UnreadableError(
                 element, f"<{element.tag}> {name}={text!r} is not a usable number"
             )
@@ -152,10 +146,12 @@ class _Reader:
             return None
         return length, width, height
 
-    def starts(self, root: etree._Element) -> Iterator[Start]:
+    def starts(self, root: etree._Element) -> dict[str, WorldPoint | LanePoint | None]:
+        found: dict[str, WorldPoint | LanePoint | None] = {}
         for private in root.iterfind("Storyboard/Init/Actions/Private"):
-            position = private.find("PrivateAction/TeleportAction/Position")
-            yield Start(self.text(private, "entityRef"), self.position(position))
+            position = self.position(private.find("PrivateAction/TeleportAction/Position"))
+            found.setdefault(self.text(private, "entityRef"), position)
+        return found
 
     def position(self, element: etree._Element | None) -> WorldPoint | LanePoint | None:
         if element is None:

@@ -52,14 +52,6 @@ class Entity:
     size_m: tuple[float, float, float] | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Start:
-    """Where the Init section puts an entity."""
-
-    entity: str
-    position: WorldPoint | LanePoint | None
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Trajectory:
     """A polyline that the entities of its maneuver group follow, from ``begins_m`` along it on.
@@ -73,6 +65,11 @@ class Trajectory:
     points: NDArray[np.complex128]
     headings: NDArray[np.float64]
     begins_m: float = 0.0
+
+    @property
+    def place(self) -> str:
+        """How findings name it."""
+        return ", ".join(self.actors) or self.name
 
     def at(self, along_m: float) -> WorldPoint | None:
         """The place so far along it, None if it ends before that."""
@@ -100,13 +97,13 @@ class Reference:
 
 @dataclass(frozen=True)
 class Storyboard:
-    """Everything that the rules look at."""
+    """Everything that the rules look at; ``starts``: where the Init section puts entities."""
 
     name: str
     version: str
     road_file: str | None
     entities: tuple[Entity, ...]
-    starts: tuple[Start, ...]
+    starts: dict[str, WorldPoint | LanePoint | None]
     trajectories: tuple[Trajectory, ...]
     references: tuple[Reference, ...]
     lane_points: tuple[tuple[str, LanePoint], ...]
@@ -115,10 +112,6 @@ class Storyboard:
     def driven_from_outside(self) -> frozenset[str]:
         """The entities that somebody else drives."""
         return frozenset(entity.name for entity in self.entities if entity.is_external)
-
-    def start(self, entity: str) -> WorldPoint | LanePoint | None:
-        """Where an entity starts, if the file says."""
-        return next((s.position for s in self.starts if s.entity == entity), None)
 
     def trajectory(self, entity: str) -> Trajectory | None:
         """The first trajectory that an entity follows."""

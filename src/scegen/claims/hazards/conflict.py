@@ -10,7 +10,7 @@ import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.in_line import merges_ahead
-from scegen.claims.hazards.predicate import NEVER, Part, Predicate, at_least
+from scegen.claims.hazards.predicate import Part, Predicate, at_least, part
 from scegen.claims.view import View
 from scegen.claims.ways import Way
 from scegen.motion.batch.arrays import Floats
@@ -30,18 +30,8 @@ def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CON
     apart = view.of_pair("distance_m", by, to)
     # Beyond the distance a TTC fades out by 1 s per metre, so that a search finds the way in.
     ttc = ttc + np.maximum(0.0, apart - limits.CONFLICT_WITHIN_M)
-    value = np.fmin(pet, ttc)
-    margin = limit.value - value
-    relative = np.nan_to_num(margin / limit.scale, nan=NEVER, posinf=-NEVER, neginf=NEVER)
-    return Part(
-        "PET or TTC",
-        value,
-        limit.value,
-        "s",
-        margin,
-        np.clip(relative, NEVER, -NEVER),
-        view.of_pair("closest_s", by, to),
-    )
+    value, time_s = np.fmin(pet, ttc), view.of_pair("closest_s", by, to)
+    return part("PET or TTC", value, limit.value, limit, limit.value - value, time_s)
 
 
 def conflict(view: View, by: str, to: str) -> list[Part]:
@@ -89,14 +79,9 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
         until = max(min(shared), way.turn_start_m + _IN_M) if shared else way.turn_end_m
         near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < until)
     slowest = np.where(near, view.speed_mps(by), np.inf)
-    part = at_least(
-        "slowest speed at the line",
-        slowest.min(axis=1),
-        limits.DRIVES_ON,
-        view.when(-slowest),
-        bound,
-    )
-    return [closeness(view, by, to), part]
+    speed, time_s = slowest.min(axis=1), view.when(-slowest)
+    drives = at_least("slowest speed at the line", speed, limits.DRIVES_ON, time_s, bound)
+    return [closeness(view, by, to), drives]
 
 
 def does_not_yield(view: View, by: str, to: str) -> list[Part]:

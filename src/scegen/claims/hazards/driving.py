@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.in_line import leads, leads_once
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.view import View, lasting, longest_run
+from scegen.claims.series import at, lasting, longest_run
+from scegen.claims.view import View
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.speed_limits import limit_for_kind_mps
 
@@ -33,18 +36,16 @@ def slow_driving(view: View, by: str, _: str) -> list[Part]:
     if way.turn_end_m > way.turn_start_m:
         counts &= view.place_m(by) < way.turn_start_m
     steps = round(limits.SLOW_FOR_S / view.dt_s)
-    slow = lasting(np.where(counts, speed, np.inf), steps, greatest=True)
+    slow = lasting(np.where(counts, speed, np.inf), steps)
     time_s = view.when(-slow)
     bound = limits.SLOW.value * way.limit_mps
     return [at_most("speed", slow.min(axis=1), limits.SLOW, time_s, bound)]
 
 
-def _possible(view: View, by: str, bound: float, *, braking: bool) -> float:
-    """The threshold, or most of what body and road allow where that is less."""
-    body = view.body(by)
-    best = body.max_deceleration_mps2 if braking else body.max_acceleration_mps2
-    best = min(best, view.friction * GRAVITY_MPS2)
-    return min(bound, limits.OF_WHAT_IS_POSSIBLE * best)
+def possible(view: View, limit: limits.Threshold, best_mps2: float = inf) -> float:
+    """The threshold, or most of what a body and the road allow where that is less."""
+    best = min(best_mps2, view.friction * GRAVITY_MPS2)
+    return min(limit.value, limits.OF_WHAT_IS_POSSIBLE * best)
 
 
 def braking_part(view: View, by: str, limit: limits.Threshold) -> Part:
@@ -53,14 +54,14 @@ def braking_part(view: View, by: str, limit: limits.Threshold) -> Part:
     # One who reaches the end of its way is taken off its feet, which is no braking.
     ends = view.place_m(by)[:, -braking.shape[1] :] >= view.ways[by].path.length_m - _AT_END_M
     braking = np.where(ends, 0.0, braking)
-    bound = _possible(view, by, limit.value, braking=True)
+    bound = possible(view, limit, view.body(by).max_deceleration_mps2)
     return at_least("deceleration", braking.max(axis=1), limit, view.when(braking), bound)
 
 
 def sudden_acceleration(view: View, by: str, _: str) -> list[Part]:
     """Accelerates harshly."""
     gain = view.acceleration_mps2(by, limits.MEASURED_OVER_S)
-    bound = _possible(view, by, limits.ACCELERATION.value, braking=False)
+    bound = possible(view, limits.ACCELERATION, view.body(by).max_acceleration_mps2)
     time_s = view.when(gain)
     return [at_least("acceleration", gain.max(axis=1), limits.ACCELERATION, time_s, bound)]
 
@@ -78,13 +79,11 @@ def delayed_braking(view: View, by: str, to: str) -> list[Part]:
     """
     braking = braking_part(view, by, limits.LATE_BRAKING)
     harsh = -view.acceleration_mps2(by, limits.MEASURED_OVER_S) >= _HARSH_MPS2
-    begins = np.where(harsh.any(axis=1), harsh.argmax(axis=1), 0)
-    rows = np.arange(view.count)
-    speed = view.speed_mps(by)[rows, begins]
-    room = view.room_m(by, to)[rows, begins]
-    needed = np.where(room > 0.0, speed**2 / (2.0 * np.maximum(room, _LEAST_ROOM_M)), np.nan)
-    needed = np.where(harsh.any(axis=1), needed, np.nan)
-    time_s = begins * view.dt_s
+    begins = harsh.argmax(axis=1)
+    speed, room = at(view.speed_mps(by), begins), at(view.room_m(by, to), begins)
+    needed = speed**2 / (2.0 * np.maximum(room, _LEAST_ROOM_M))
+    needed = np.where((room > 0.0) & harsh.any(axis=1), needed, np.nan)
+    time_s = view.time_of(begins)
     return [at_least("needed when it brakes", needed, limits.LATE_BRAKING, time_s), braking]
 
 

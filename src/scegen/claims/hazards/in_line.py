@@ -1,4 +1,4 @@
-"""How who causes a danger stands to who suffers it, of two in one line.
+"""How who causes a danger stands to who suffers it, of two in one line; following too closely.
 
 Amounts that the text gives take the place of thresholds; these conditions hold all the same.
 """
@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, free, offset, same_way, seen
+from scegen.claims.boxes import boxes, free_width_m, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
-from scegen.claims.hazards.predicate import Part, at_least
-from scegen.claims.moments import first
+from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
+from scegen.claims.series import at, first, lasting
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 
@@ -24,8 +24,7 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     the other before.
     """
     frame, box = boxes(view, to), boxes(view, by)
-    clear = free(frame, box)
-    beside = np.maximum(clear.left, clear.right) > 0.0
+    beside = free_width_m(frame, box) > 0.0
     inside = ~beside & (same_way(frame, box) > _SAME_WAY)
     time = np.arange(view.steps) * view.dt_s
     touch = np.nan_to_num(view.of_pair("contact_s", by, to), nan=np.inf)[:, None]
@@ -51,8 +50,7 @@ def _begins(flags: Bools) -> Bools:
 
 def leads(view: View, by: str, to: str, time_s: Floats) -> Part:
     """It does not drive behind the other then."""
-    gap = view.gap_m(by, to)[np.arange(view.count), view.step_of(time_s)]
-    return _not_behind(gap, time_s)
+    return _not_behind(at(view.gap_m(by, to), view.step_of(time_s)), time_s)
 
 
 def leads_once(view: View, by: str, to: str, time_s: Floats) -> Part:
@@ -64,6 +62,13 @@ def _not_behind(gap_m: Floats, time_s: Floats) -> Part:
     """By how much it is behind; open for two who are not in one line."""
     ahead = np.where(np.isnan(gap_m), np.inf, -gap_m)
     return at_least("not behind the other", ahead, limits.AHEAD, time_s)
+
+
+def tailgating(view: View, by: str, to: str) -> list[Part]:
+    """Keeps less than the least gap of adaptive cruise control, for a second."""
+    steps = round(limits.TAILGATING_FOR_S / view.dt_s)
+    held = lasting(view.headway_s(by, to), steps)
+    return [at_most("headway", held.min(axis=1), limits.TAILGATING, view.when(-held))]
 
 
 def faces(view: View, by: str, to: str, time_s: Floats) -> Part:
@@ -80,3 +85,6 @@ def faces(view: View, by: str, to: str, time_s: Floats) -> Part:
     out = np.min([*outs, np.full(view.count, np.inf)], axis=0)
     left = np.where(np.isfinite(out), passes - np.where(np.isfinite(out), out, 0.0), np.nan)
     return at_least("over the line before the other is past", left, limits.IN_TIME, time_s)
+
+
+TAILGATING = Predicate(tailgating)

@@ -5,7 +5,7 @@ A danger happens if everybody who is said to cause it does, to at least one of i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite
 
@@ -13,8 +13,9 @@ import numpy as np
 
 from scegen.claims.hazards.predicate import NEVER, Part
 from scegen.claims.hazards.table import PREDICATES
+from scegen.claims.series import chosen
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.arrays import Floats
 from scegen.scenario.functional import Hazard
 from scegen.scenario.proof import HazardProof, PartProof
 from scegen.scenario.vocabulary import HazardKind
@@ -52,12 +53,13 @@ def both_sides(hazard: Hazard) -> list[tuple[str, str]]:
 def decisive(view: View, hazard: Hazard) -> tuple[Floats, Floats]:
     """Relative margin of a danger in each candidate, and when its weakest condition holds (c,)."""
     best = [
-        _chosen([(c.relative, c.time_s) for c in couples], np.argmax)
+        chosen([(c.relative, c.time_s) for c in couples], np.argmax)
         for couples in _couples(view, hazard)
     ]
-    if not best:
-        return np.full(view.count, NEVER), np.full(view.count, np.nan)
-    return _chosen(best, np.argmax if hazard.kind in _ANY_CULPRIT else np.argmin)
+    never = np.full(view.count, NEVER), np.full(view.count, np.nan)
+    any_one = hazard.kind in _ANY_CULPRIT
+    margin, time_s = chosen(best or [never], np.argmax if any_one else np.argmin)
+    return margin, time_s
 
 
 def in_order(view: View, hazard: Hazard, time_s: Floats) -> Floats:
@@ -71,24 +73,13 @@ def in_order(view: View, hazard: Hazard, time_s: Floats) -> Floats:
     return np.asarray(np.min([*best, np.full(view.count, -NEVER)], axis=0))
 
 
-def _chosen(
-    rows: Sequence[tuple[Floats, Floats]], choose: Callable[..., Ints]
-) -> tuple[Floats, Floats]:
-    """The row of each candidate that has the greatest or the smallest margin, and its time (c,)."""
-    if len(rows) == 1:
-        return rows[0]
-    margins, times = (np.array(values) for values in zip(*rows, strict=True))
-    pick, each = choose(margins, axis=0), np.arange(margins.shape[1])
-    return margins[pick, each], times[pick, each]
-
-
 def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:
     """The danger in one candidate, with who, whom, when and by which margin."""
-    chosen = [
+    worst = [
         max(couples, key=lambda couple: float(couple.relative[candidate]))
         for couples in _couples(view, hazard)
     ]
-    if not chosen:
+    if not worst:
         return HazardProof(
             kind=hazard.kind,
             by=hazard.by,
@@ -97,12 +88,12 @@ def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:
             note="nobody is there to cause or to suffer it",
         )
     pick = max if hazard.kind in _ANY_CULPRIT else min
-    decisive = pick(chosen, key=lambda couple: float(couple.relative[candidate]))
+    decisive = pick(worst, key=lambda couple: float(couple.relative[candidate]))
     weakest = min(decisive.parts, key=lambda part: float(part.relative[candidate]))
     return HazardProof(
         kind=hazard.kind,
-        by=tuple(dict.fromkeys(couple.by for couple in chosen)),
-        to=tuple(dict.fromkeys(couple.to for couple in chosen if couple.to != couple.by)),
+        by=tuple(dict.fromkeys(couple.by for couple in worst)),
+        to=tuple(dict.fromkeys(couple.to for couple in worst if couple.to != couple.by)),
         happened=bool(decisive.relative[candidate] >= 0.0),
         margin=number(weakest.margin[candidate]),
         unit=weakest.unit,
@@ -134,6 +125,6 @@ def _couples(view: View, hazard: Hazard) -> Iterator[list[Couple]]:
         parts = predicate.test(view, by, to)
         if predicate.order is not None and by != to:
             parts = [*parts, predicate.order(view, by, to, parts[0].time_s)]
-        weakest = _chosen([(part.relative, part.time_s) for part in parts], np.argmin)
+        weakest = chosen([(part.relative, part.time_s) for part in parts], np.argmin)
         groups.setdefault(by, []).append(Couple(by, to, parts, *weakest))
     yield from groups.values()

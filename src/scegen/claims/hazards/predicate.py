@@ -58,7 +58,7 @@ def at_least(
 ) -> Part:
     """The value must reach the threshold."""
     bound = limit.value if threshold is None else threshold
-    return _part(name, value, bound, limit, value - bound + _EXACTLY, time_s)
+    return part(name, value, bound, limit, value - bound + _EXACTLY, time_s)
 
 
 def at_most(
@@ -66,11 +66,12 @@ def at_most(
 ) -> Part:
     """The value must not exceed the threshold."""
     bound = limit.value if threshold is None else threshold
-    return _part(name, value, bound, limit, bound - value + _EXACTLY, time_s)
+    return part(name, value, bound, limit, bound - value + _EXACTLY, time_s)
 
 
-def _part(
+def part(
     name: str, value: Floats, bound: float, limit: Threshold, margin: Floats, time_s: Floats
 ) -> Part:
+    """A condition by its margin, whose scale is the limit's."""
     relative = np.nan_to_num(margin / limit.scale, nan=NEVER, posinf=-NEVER, neginf=NEVER)
     return Part(name, value, bound, limit.unit, margin, np.clip(relative, NEVER, -NEVER), time_s)

@@ -8,7 +8,7 @@ from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.view import View
 from scegen.measures.distance import distance_series
-from scegen.motion.batch.arrays import SPEED, Floats
+from scegen.motion.batch.arrays import SPEED, Bools, Floats
 from scegen.motion.model import Path
 
 _SAMPLE_M = 0.25
@@ -34,9 +34,7 @@ def reversing(view: View, by: str, to: str) -> list[Part]:
     return [far, _near(view, by, to, counts)]
 
 
-def _near(
-    view: View, by: str, to: str, counts: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
-) -> Part:
+def _near(view: View, by: str, to: str, counts: Bools) -> Part:
     """How close the two come while it goes back."""
     pair = np.array([[view.index[by], view.index[to]]], dtype=np.int64)
     apart = distance_series(view.traces.tracks, view.scene.bodies, pair)[:, :, 0]
@@ -47,9 +45,7 @@ def _near(
     return at_most("distance meanwhile", apart.min(axis=1), limits.REVERSED_NEAR, view.when(-apart))
 
 
-def _into_the_way(
-    view: View, by: str, to: str, place_m: Floats
-) -> tuple[np.ndarray[tuple[int, ...], np.dtype[np.bool_]], Floats]:
+def _into_the_way(view: View, by: str, to: str, place_m: Floats) -> tuple[Bools, Floats]:
     """Whether its tail is in the other's way or gets nearer to it, and where that one passes it."""
     path, other = view.ways[by].path, view.ways[to].path
     s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))

@@ -7,12 +7,12 @@ import numpy as np
 from scegen.claims.boxes import passes
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.conflict import conflict
-from scegen.claims.hazards.driving import braking_part
+from scegen.claims.hazards.driving import braking_part, possible
 from scegen.claims.hazards.in_line import comes_in_ahead, faces
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
+from scegen.claims.series import chosen
 from scegen.claims.view import View
 from scegen.claims.ways import Sideways
-from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 1.5
@@ -20,13 +20,12 @@ _AFTER_S = 1.5
 
 def _lateral_part(view: View, by: str, changes: list[Sideways]) -> Part:
     """Mean lateral speed of its quickest change of lane."""
-    best, when = np.zeros(view.count), np.zeros(view.count)
+    found = [(np.zeros(view.count), np.zeros(view.count))]
     for change in changes:
         begin, end = view.reaches_s(by, change.start_m), view.reaches_s(by, change.end_m)
         took = np.where(np.isfinite(end), end, np.inf) - np.where(np.isfinite(end), begin, 0.0)
-        speed = change.width_m / np.maximum(took, view.dt_s)
-        when = np.where(speed > best, end, when)
-        best = np.maximum(best, speed)
+        found.append((change.width_m / np.maximum(took, view.dt_s), end))
+    best, when = chosen(found, np.argmax)
     return at_least("lateral speed", best, limits.LATERAL_SPEED, when)
 
 
@@ -102,10 +101,8 @@ def sudden_turn(view: View, by: str, _: str) -> list[Part]:
     way, place = view.ways[by], view.place_m(by)
     inside = (place >= way.turn_start_m - 1.0) & (place <= way.turn_end_m + 1.0)
     lateral = np.where(inside, view.lateral_mps2(by), 0.0)
-    bound = min(
-        limits.LATERAL_ACCELERATION.value, limits.OF_WHAT_IS_POSSIBLE * GRAVITY_MPS2 * view.friction
-    )
     limit = limits.LATERAL_ACCELERATION
+    bound = possible(view, limit)
     return [at_least("lateral acceleration", lateral.max(axis=1), limit, view.when(lateral), bound)]
 
 

@@ -11,7 +11,7 @@ from scegen.claims.hazards.driving import (
     STOPPING,
     SUDDEN_ACCELERATION,
 )
-from scegen.claims.hazards.following import TAILGATING
+from scegen.claims.hazards.in_line import TAILGATING
 from scegen.claims.hazards.predicate import Predicate
 from scegen.claims.hazards.reversing import REVERSING
 from scegen.claims.hazards.sideways import (

@@ -12,13 +12,12 @@ from scegen.claims.moments import (
     ASIDE_MPS,
     act_begins,
     act_run,
-    at,
-    first,
     is_level,
     passed,
     rest,
     straightened,
 )
+from scegen.claims.series import at, first
 from scegen.claims.told import Told
 from scegen.claims.tolerances import STANDS_MPS
 from scegen.claims.view import View
@@ -33,9 +32,9 @@ _TURNS_BACK_S = 1.0
 
 def act_ends(told: Told, act: Act, view: View) -> Ints:
     """The step in which an act has ended; its beginning where it takes no time (c,)."""
-    begins = act_begins(view, told.functional, told.logical, act)
+    begins = act_begins(told, act, view)
     if act.kind in SLOWING | GAINING:
-        run = act_run(view, told.functional, act)
+        run = act_run(told, act, view)
         return np.where(run.happens, run.end, view.steps)
     if act.kind is ActKind.REVERSE:
         back = -view.row(act.participant, SPEED)
@@ -43,7 +42,7 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
         last: Ints = np.where(fast, np.arange(view.steps), begins[:, None]).max(axis=1)
         return last
     if act.kind is ActKind.WAIT:
-        return rest(view, told.functional, act)[1]
+        return rest(told, act, view)[1]
     if act.kind is ActKind.OVERTAKE and _comes_back_by_another(told, act):
         return _is_past(told, act, begins, view)
     return _ends_aside(told, act, begins, view) if act.kind in LEAVING else begins
@@ -59,7 +58,7 @@ def _comes_back_by_another(told: Told, act: Act) -> bool:
 def _is_past(told: Told, act: Act, begins: Ints, view: View) -> Ints:
     """When who has been beside those that it passes is past them all."""
     ends = begins
-    for other in passed(told.functional, act, view):
+    for other in passed(told, act, view):
         level, steps = is_level(view, act.participant, other), np.arange(view.steps)
         ends = np.maximum(ends, first(~level & (steps > first(level)[:, None])))
     return ends

@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes, box_at, course, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
-from scegen.claims.moments import first
+from scegen.claims.series import first
 from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
@@ -20,7 +20,6 @@ from scegen.scenario.vocabulary import (
     ON_FOOT,
     Approach,
     DrivingSide,
-    JunctionKind,
     Maneuver,
 )
 
@@ -72,8 +71,7 @@ def claims(told: Told) -> Iterator[Claim]:
 def _by_other_arms(told: Told, name: str, reference: str) -> bool:
     """Whether two drive and come by different arms of a junction: their courses are their ways'."""
     one, other = told.drive(name), told.drive(reference)
-    plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
-    if one is None or other is None or plain_road or one.maneuver is Maneuver.STAY:
+    if one is None or other is None or told.plain_road or one.maneuver is Maneuver.STAY:
         return False
     return one.entry != other.entry
 
@@ -104,10 +102,7 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
         choices = [_beside(place.y * _SIDES[word]) for word in sides]
     else:
         walks = told.functional.participant(name).kind in ON_FOOT
-        lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
-        if _overlaps(told, name, reference):
-            lane = max(lane, frame.half_width + box.half_width)
-        lane = max(lane, _aside_m(told, name, reference) + _ROUNDING_M)
+        lane = _in_lane_m(told, name, reference, frame.half_width + box.half_width)
         choices = []
         for word in words:
             if word is Approach.ADJACENT:
@@ -133,24 +128,20 @@ def _backs_up(told: Told, name: str) -> bool:
     return drive is not None and drive.reverses is Reverses.BACKS_UP
 
 
-def _overlaps(told: Told, name: str, reference: str) -> bool:
-    """Whether a share of a width is said to overlap: then one is ahead by as little as that."""
-    return any(
-        s.measure is Measure.OVERLAP_PERCENT and {s.participant, s.reference} == {name, reference}
-        for s in told.functional.spacings
-    )
+def _in_lane_m(told: Told, name: str, reference: str, touching_m: float) -> float:
+    """How far to the side one may be at first to be in the other's lane.
 
-
-def _aside_m(told: Told, name: str, reference: str) -> float:
-    """How far to the side one is said to be at first: as far it may be out of the other's lane."""
-    said = (
-        max(-s.value.low, s.value.high)
-        for s in told.functional.spacings
-        if s.measure is Measure.LATERAL_OFFSET_M
-        and s.at == START
-        and {s.participant, s.reference} == {name, reference}
-    )
-    return max(said, default=0.0)
+    As far as it is said to be; where an overlap is said, as long as they share any width.
+    """
+    lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
+    for spacing in told.functional.spacings:
+        if {spacing.participant, spacing.reference} != {name, reference}:
+            continue
+        if spacing.measure is Measure.OVERLAP_PERCENT:
+            lane = max(lane, touching_m)
+        elif spacing.measure is Measure.LATERAL_OFFSET_M and spacing.at == START:
+            lane = max(lane, max(-spacing.value.low, spacing.value.high) + _ROUNDING_M)
+    return lane
 
 
 def _course(view: View, name: str, frame: Boxes) -> Floats:
@@ -161,9 +152,13 @@ def _course(view: View, name: str, frame: Boxes) -> Floats:
     """
     place = view.place_m(name)
     begin, step = box_at(view, name, 0), first(place > place[:, :1] + _SETS_OUT_M)
-    later = box_at(view, name, step)
-    turned = course(frame, begin._replace(cos=later.x - begin.x, sin=later.y - begin.y))
+    turned = _towards(frame, begin, box_at(view, name, step))
     return np.where(step < view.steps, turned, course(frame, begin))
+
+
+def _towards(frame: Boxes, begin: Boxes, end: Boxes) -> Floats:
+    """Direction from one place to another, from the frame's heading, rad."""
+    return course(frame, begin._replace(cos=end.x - begin.x, sin=end.y - begin.y))
 
 
 def _beside(aside_m: Floats) -> Floats:
@@ -188,29 +183,27 @@ def _comes(
     if word is Approach.OPPOSITE:
         keeps_right = told.functional.junction.driving_side is DrivingSide.RIGHT
         side = 1.0 if keeps_right else -1.0
-        facing = np.abs(turned) - _FACING_DEG
+        facing = _by_course(word, turned)
         there = (side * aside - SAME_LANE_M) * _DEG_PER_M
         return np.where(moves, facing, np.maximum(facing, there))
     side = _SIDES[word]
-    across = -side * turned
-    sector = np.minimum(across - _LEAST_DEG, _MOST_DEG - across)
     along = np.cos(np.radians(turned)) > _SAME_WAY
     if any(isinstance(a, Walking) and a.participant == name for a in told.logical.assignments):
         along = np.abs(np.cos(np.radians(turned))) > _SAME_WAY  # beside the road, either way
     place = (side * np.where(moves, start, aside) - _BESIDE_M) * _DEG_PER_M
-    return np.where(moves & ~along, sector, place)
+    return np.where(moves & ~along, _by_course(word, turned), place)
 
 
 def _crosses(view: View, name: str, reference: str, word: Approach) -> Floats:
     """For one who crosses: by its course where the two come nearest."""
     frame = box_at(view, reference, view.step_of(view.of_pair("closest_s", name, reference)))
     begin, end = box_at(view, name, 0), box_at(view, name, view.steps - 1)
-    dx, dy = end.x - begin.x, end.y - begin.y
-    turned = np.degrees(
-        np.arctan2(dy * frame.cos - dx * frame.sin, dx * frame.cos + dy * frame.sin)
-    )
+    return _by_course(word, np.degrees(_towards(frame, begin, end)))
+
+
+def _by_course(word: Approach, turned: Floats) -> Floats:
+    """How well a course fits who comes from a side, or towards one (deg)."""
     if word is Approach.OPPOSITE:
         return np.asarray(np.abs(turned) - _FACING_DEG)
     across = -_SIDES[word] * turned
-    sector: Floats = np.minimum(across - _LEAST_DEG, _MOST_DEG - across)
-    return sector
+    return np.minimum(across - _LEAST_DEG, _MOST_DEG - across)

@@ -8,15 +8,16 @@ from itertools import combinations
 
 import numpy as np
 
-from scegen.claims.arms import arms_of, off_lane_m
-from scegen.claims.boxes import box_at, boxes, same_way, seen
+from scegen.claims.arms import arms_of
+from scegen.claims.boxes import box_at, boxes, same_way, seen, to_side
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always
-from scegen.claims.moments import first
+from scegen.claims.series import at, first
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
 from scegen.measures.conflict_areas import least_gap_m
+from scegen.motion.batch.arrays import Bools
 from scegen.scenario.logical import (
     Assignment,
     ConflictKind,
@@ -108,8 +109,7 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
         test = partial(_comes_in, drive, _off_its_side(told, drive))
         yield _claim(ClaimKind.ENTRY, name, does, drive, "entries", test)
     if person.maneuvers != {Maneuver.STAY}:
-        plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
-        straight = plain_road and drive.turn is Maneuver.STRAIGHT
+        straight = told.plain_road and drive.turn is Maneuver.STRAIGHT
         leaves = "drives on" if straight else _TURNS.get(drive.turn, "drives")
         does = f"{name} {leaves} and leaves by arm {drive.exit}, if nothing holds it up"
         test = partial(_goes_out, told, drive)
@@ -206,23 +206,28 @@ def _goes_out(told: Told, drive: Drive, view: View) -> Judged:
     out = leaving.facing(box) < -_SAME_WAY
     margin = np.where(out & (gone >= 0.0), gone, -np.minimum(away, NEVER))
     on_entry = (along <= entry.length_m) & (entry.facing(box) > _SAME_WAY)
-    plain_road = told.functional.junction.kind is JunctionKind.STRAIGHT
-    speed = view.speed_mps(name)[np.arange(view.count), last]
-    excused = touched(told, view, name) | (speed < STANDS_MPS)
+    excused = _is_held_up(told, name, view)
     wrong = np.zeros(view.count, dtype=np.bool_)
     for number, arm in enumerate(arms):
         if number not in {drive.entry, drive.exit}:
             reached = arm.length_m - arm.place(box)[0]
             wrong |= (arm.facing(box) < -0.95) & (reached > 5.0) & (away > gone + 5.0)
-    excused |= on_entry & plain_road
+    excused |= on_entry & told.plain_road
     margin = np.where(excused & ~wrong, np.maximum(margin, 0.0), margin)
     return Judged(margin, gone, view.time_of(last))
+
+
+def _is_held_up(told: Told, name: str, view: View) -> Bools:
+    """Whether it has been hit as is said, or stands in the end (c,)."""
+    stands = at(view.speed_mps(name), view.last_step) < STANDS_MPS
+    return touched(told, view, name) | stands
 
 
 def _lane(drive: Drive, lanes: tuple[int, ...], view: View) -> Judged:
     arm = arms_of(view)[drive.entry]
     box = box_at(view, drive.participant, 0)
-    off = off_lane_m(arm, box, lanes, inwards=True)
+    offset = arm.place(box)[1]
+    off = np.min([np.abs(offset - arm.lane_in_m(number)) for number in lanes], axis=0)
     return Judged(arm.lane_width_m / 2 - off, off, np.zeros(view.count))
 
 
@@ -237,8 +242,7 @@ def _ahead(ahead: str, behind: str, view: View) -> Judged:
 
 def _in_lane_beside(name: str, other: str, side: Side | None, view: View) -> Judged:
     frame, box = box_at(view, other, 0), box_at(view, name, 0)
-    left = seen(frame, box).y
-    aside = np.abs(left) if side is None else left if side is Side.LEFT else -left
+    aside = to_side(side, seen(frame, box).y)
     inside = np.minimum(aside - _ASIDE_M[0], _ASIDE_M[1] - aside)
     margin = np.where(same_way(frame, box) > _SAME_WAY, inside, -NEVER)
     return Judged(margin, aside, np.zeros(view.count))
@@ -250,16 +254,15 @@ def _start_side(name: str, arm_number: int, side: Side, view: View) -> Judged:
     if arm_number >= len(arms):
         return always(view, holds=False)
     along, offset = arms[arm_number].place(box_at(view, name, 0))
-    margin = offset if side is Side.LEFT else -offset
     beyond_m = _reach_m(view, arm_number) + 2.0 - along
-    margin = np.minimum(margin, np.minimum(along, beyond_m))
+    margin = np.min([to_side(side, offset), along, beyond_m], axis=0)
     return Judged(margin, offset, np.zeros(view.count))
 
 
 def _walks(name: str, arm_number: int, heading: Heading, view: View) -> Judged:
     """How far it has come along the arm in the end, the way that it is to go."""
     along, _ = arms_of(view)[arm_number].place(boxes(view, name))
-    gone = along[np.arange(view.count), view.last_step] - along[:, 0]
+    gone = at(along, view.last_step) - along[:, 0]
     gone = gone if heading is Heading.INWARD else -gone
     return Judged(gone, gone, view.time_of(view.last_step))
 
@@ -276,7 +279,6 @@ def _cross(told: Told, first: str, second: str, view: View) -> Judged:
     margin = reach - apart
     if margin.min() < 0.0:
         for name in (first, second):
-            speed = view.speed_mps(name)[np.arange(view.count), view.last_step]
-            excused = touched(told, view, name) | (speed < STANDS_MPS)
+            excused = _is_held_up(told, name, view)
             margin = np.where(excused, np.maximum(margin, 0.0), margin)
     return Judged(margin, apart, np.zeros(view.count))

@@ -10,6 +10,7 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged
+from scegen.claims.series import greatest
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.scenario.logical import Drive, Reverses
@@ -22,15 +23,9 @@ def claims(told: Told) -> Iterator[Claim]:
     """Of everybody who does."""
     for drive in told.logical.drives:
         if drive.reverses is Reverses.SQUARE:
-            name = drive.participant
-            yield Claim(
-                id=f"square.{name}",
-                kind=ClaimKind.ENTRY,
-                statement=f"{name} backs straight out, square to the road",
-                field=f"participants.{name}.maneuvers",
-                unit="deg",
-                test=partial(_square, drive),
-            )
+            name, test = drive.participant, partial(_square, drive)
+            does, field = "backs straight out, square to the road", f"participants.{name}.maneuvers"
+            yield Claim(f"square.{name}", ClaimKind.ENTRY, f"{name} {does}", field, "deg", test)
 
 
 def _square(drive: Drive, view: View) -> Judged:
@@ -45,6 +40,5 @@ def _square(drive: Drive, view: View) -> Judged:
         away = arm.inward * (box.sin * arm.cos - box.cos * arm.sin)
         out = np.where(off, away, -1.0)
     turned = np.degrees(np.arccos(np.clip(out, -1.0, 1.0)))
-    step = turned.argmax(axis=1)
-    most = turned[np.arange(view.count), step]
+    most, step = greatest(turned)
     return Judged(_MOST_DEG - most, most, view.time_of(step))

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind, Judged, always
+from scegen.claims.series import greatest
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING, Floats, Ints, X, Y
@@ -32,17 +33,10 @@ def claims(told: Told) -> Iterator[Claim]:
     for person in told.people:
         if person.parked and not person.pulls_out:
             continue
-        yield Claim(
-            id=f"body.{person.id}",
-            kind=ClaimKind.BODY,
-            statement=f"{person.id} is {with_article(plain(person.kind))} and moves as one can",
-            field=f"participants.{person.id}.kind",
-            unit="1",
-            test=partial(_possible, person),
-            tolerance=_ROOM,
-            scale=0.5,
-            fixed=True,
-        )
+        does = f"{person.id} is {with_article(plain(person.kind))} and moves as one can"
+        field, test = f"participants.{person.id}.kind", partial(_possible, person)
+        name, kind = f"body.{person.id}", ClaimKind.BODY
+        yield Claim(name, kind, does, field, "1", test, _ROOM, scale=0.5, fixed=True)
 
 
 def _possible(person: Participant, view: View) -> Judged:
@@ -53,18 +47,19 @@ def _possible(person: Participant, view: View) -> Judged:
     speed = view.speed_mps(person.id)
     change = np.diff(speed, axis=1) / view.dt_s
     hardest = max(body.max_deceleration_mps2, HARDEST_MPS2)
+    on_foot = person.kind in ON_FOOT
+    aside = _WALKS_ASIDE_MPS2 if on_foot else _ASIDE * view.friction * GRAVITY_MPS2
     series = [
         speed[:, 1:] / (body.top_speed_mps * (1.0 + _SPEED_ROOM)),
         change / body.max_acceleration_mps2,
         -change / hardest,
-        _aside(view, person.id, speed) / _limit_aside(person, view),
+        _aside(view, person.id, speed) / aside,
         _jumps(view, person.id, speed),
     ]
     inside = np.arange(view.steps - 1) < np.minimum(view.last_step, _crash(person, view))[:, None]
     worst: Floats = np.where(inside, np.max(series, axis=0), 0.0)
-    step = worst.argmax(axis=1)
-    most = worst[np.arange(view.count), step]
-    return Judged(1.0 + _ROOM - most, most, (step + 1) * view.dt_s)
+    most, step = greatest(worst)
+    return Judged(1.0 + _ROOM - most, most, view.time_of(step + 1))
 
 
 def _crash(person: Participant, view: View) -> Ints:
@@ -74,12 +69,6 @@ def _crash(person: Participant, view: View) -> Ints:
         return view.last_step
     time_s = view.of_pair("contact_s", person.id, struck.participant)
     return np.where(np.isfinite(time_s), view.step_of(time_s), view.last_step)
-
-
-def _limit_aside(person: Participant, view: View) -> float:
-    if person.kind in ON_FOOT:
-        return _WALKS_ASIDE_MPS2
-    return _ASIDE * view.friction * GRAVITY_MPS2
 
 
 def _aside(view: View, name: str, speed: Floats) -> Floats:

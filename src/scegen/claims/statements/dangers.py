@@ -16,19 +16,13 @@ from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools
 from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind
 from scegen.scenario.functional import Hazard
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.vocabulary import HazardKind
 
 _CLEARLY = 1.0
 """The margin of what either happens or not: more than a search asks for."""
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
-_CROSSING = frozenset(
-    {
-        HazardKind.CROSSING_PEDESTRIAN,
-        HazardKind.CROSSING_CYCLIST,
-        HazardKind.CROSSING_ANIMAL,
-    }
-)
-MADE_BY: dict[HazardKind, frozenset[ActKind]] = {
+_MADE_BY: dict[HazardKind, frozenset[ActKind]] = {
     HazardKind.HARD_BRAKING: SLOWING,
     HazardKind.DELAYED_BRAKING: SLOWING,
     HazardKind.STOPPING: SLOWING,
@@ -44,14 +38,10 @@ def claims(told: Told) -> Iterator[Claim]:
     for number, hazard in enumerate(told.hazards):
         by = f" by {' and '.join(hazard.by)}" if hazard.by else ""
         to = f" to {' and '.join(hazard.to)}" if hazard.to else ""
-        yield Claim(
-            id=claim_id(number, hazard.kind),
-            kind=ClaimKind.HAZARD,
-            statement=f"{plain(hazard.kind)}{by}{to} happens",
-            field=f"hazards.{hazard.kind}",
-            unit="1",
-            test=partial(_test_of(told, hazard), told, hazard),
-        )
+        statement, field = f"{plain(hazard.kind)}{by}{to} happens", f"hazards.{hazard.kind}"
+        test = partial(_test_of(told, hazard), told, hazard)
+        name = claim_id(number, hazard.kind)
+        yield Claim(name, ClaimKind.HAZARD, statement, field, "1", test)
 
 
 def claim_id(number: int, kind: HazardKind) -> str:
@@ -61,7 +51,7 @@ def claim_id(number: int, kind: HazardKind) -> str:
 
 def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judged]:
     """What decides: the amounts that the text gives, or else the predicate's thresholds."""
-    if measured_out(told, hazard):
+    if _measured_out(told, hazard):
         return _as_said
     paced = {p.id for p in told.functional.participants if p.speed_mps is not None}
     if hazard.kind is HazardKind.SLOW_DRIVING and hazard.by and paced >= {*hazard.by}:
@@ -78,7 +68,7 @@ def _let_go_first(told: Told, hazard: Hazard) -> bool:
     """Whether who crosses meets only those who should let it go first, and do not."""
     breaches = [h for h in told.hazards if h.kind is HazardKind.FAILURE_TO_YIELD]
     return (
-        hazard.kind in _CROSSING
+        ActKind.CROSS in HAZARDS[hazard.kind].acts
         and bool(hazard.to)
         and all(
             any(to in breach.by and {*hazard.by} <= {*breach.to} for breach in breaches)
@@ -92,27 +82,22 @@ def _comes_close(told: Told, hazard: Hazard, view: View) -> Judged:
     return _happens(told, hazard.model_copy(update={"kind": HazardKind.MERGING_CONFLICT}), view)
 
 
-def measured_out(told: Told, hazard: Hazard) -> list[Act]:
+def _measured_out(told: Told, hazard: Hazard) -> list[Act]:
     """Acts that make a danger and of which the text says how strong or how near they are."""
-    acts = [
-        act
-        for name in hazard.by
-        for act in told.acts_of(name)
-        if act.kind in MADE_BY.get(hazard.kind, ())
-    ]
     spaced = {s.at for s in told.functional.spacings if s.since == "begin"}
     return [
         act
-        for act in acts
-        if act.rate_mps2 or act.lateral_m or act.lateral_mps or act.duration_s or act.id in spaced
+        for act in (each for name in hazard.by for each in told.acts_of(name))
+        if act.kind in _MADE_BY.get(hazard.kind, ())
+        and (
+            act.rate_mps2 or act.lateral_m or act.lateral_mps or act.duration_s or act.id in spaced
+        )
     ]
 
 
 def _as_said(told: Told, hazard: Hazard, view: View) -> Judged:
     """What is said of it happens, where it endangers somebody: its amounts are other claims."""
-    begins = [
-        act_begins(view, told.functional, told.logical, act) for act in measured_out(told, hazard)
-    ]
+    begins = [act_begins(told, act, view) for act in _measured_out(told, hazard)]
     step = np.max(begins, axis=0)
     time_s = view.time_of(np.minimum(step, view.steps - 1))
     margin = np.where(step < view.steps, _CLEARLY, -_CLEARLY)

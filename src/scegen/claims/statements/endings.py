@@ -9,6 +9,7 @@ import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind, Judged
 from scegen.claims.hazards.table import PREDICATES
+from scegen.claims.series import chosen
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
@@ -25,22 +26,13 @@ def claims(told: Told) -> Iterator[Claim]:
     """Of those whom it is about."""
     if len(told.people) < 2:
         return
-    yield Claim(
-        id="ending.goes_on",
-        kind=ClaimKind.ENDING,
-        statement=f"it goes on for {GOES_ON_S:g} s after the closest approach",
-        field="outcome",
-        unit="s",
-        test=partial(_goes_on, told),
-    )
-    yield Claim(
-        id="ending.apart",
-        kind=ClaimKind.ENDING,
-        statement="nobody is still closing in when it ends",
-        field="outcome",
-        unit="m/s",
-        test=partial(_no_more_closing, told),
-    )
+    goes_on = f"it goes on for {GOES_ON_S:g} s after the closest approach"
+    apart = "nobody is still closing in when it ends"
+    for name, statement, unit, test in (
+        ("goes_on", goes_on, "s", partial(_goes_on, told)),
+        ("apart", apart, "m/s", partial(_no_more_closing, told)),
+    ):
+        yield Claim(f"ending.{name}", ClaimKind.ENDING, statement, "outcome", unit, test)
 
 
 def pairs_of(told: Told, view: View) -> list[tuple[str, str]]:
@@ -72,14 +64,12 @@ def _ends(told: Told, view: View) -> list[tuple[tuple[str, str], Floats]]:
 
 def _goes_on(told: Told, view: View) -> Judged:
     """Two who keep their distance to the end are past their closest approach all the same."""
-    least = np.full(view.count, np.inf)
-    when, before = np.zeros(view.count), np.full(view.count, np.inf)
+    never, start = np.full(view.count, np.inf), np.zeros(view.count)
+    found = [(never, start, never)]
     for pair, ends in _ends(told, view):
-        away = view.of_pair("distance_m", *pair)
-        chosen = away < least
-        when = np.where(chosen, view.of_pair("closest_s", *pair), when)
-        before = np.where(chosen, ends[:, 2], before)
-        least = np.where(chosen, away, least)
+        away = np.nan_to_num(view.of_pair("distance_m", *pair), nan=np.inf)
+        found.append((away, view.of_pair("closest_s", *pair), ends[:, 2]))
+    least, when, before = chosen(found, np.argmin)
     left = view.time_of(view.last_step) - when - GOES_ON_S
     left = np.where(np.abs(left) < view.dt_s / 2, 0.0, left)
     keeps = before < np.where(np.isfinite(least), least + _STEADY_M, np.inf)
@@ -89,13 +79,11 @@ def _goes_on(told: Told, view: View) -> Judged:
 
 
 def _no_more_closing(told: Told, view: View) -> Judged:
-    margin = np.full(view.count, _CLOSING_MPS)
-    worst = np.zeros(view.count)
+    found = [(np.full(view.count, _CLOSING_MPS), np.zeros(view.count))]
     for pair, ends in _ends(told, view):
         closing = (ends[:, 1] - ends[:, 0]) / _OVER_S
         # Those who have touched go through one another: what counts comes before.
         over = (ends[:, 0] > _FAR_M) | ~np.isnan(view.of_pair("contact_s", *pair))
-        value = np.where(over, _CLOSING_MPS, _CLOSING_MPS - closing)
-        worst = np.where(value < margin, closing, worst)
-        margin = np.minimum(margin, value)
+        found.append((np.where(over, _CLOSING_MPS, _CLOSING_MPS - closing), closing))
+    margin, worst = chosen(found, np.argmin)
     return Judged(margin, worst, view.time_of(view.last_step))

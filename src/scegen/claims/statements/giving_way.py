@@ -10,7 +10,8 @@ import numpy as np
 
 from scegen.claims.boxes import boxes, offset, same_way
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
-from scegen.claims.moments import at, first
+from scegen.claims.series import at, chosen, first
+from scegen.claims.statements.rules import rests_at_line
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View, reaches_s
@@ -18,9 +19,7 @@ from scegen.measures.grounds import Ground, grounds
 from scegen.motion.batch.arrays import Floats, S
 from scegen.motion.batch.kernels import kernel
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
-from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS
 from scegen.scenario.acts import LETS_BY, Act
-from scegen.scenario.vocabulary import JunctionKind
 
 _ENOUGH_S, _ENOUGH_M = 10.0, 10.0
 _ALONG = 0.5
@@ -44,22 +43,18 @@ def said(told: Told) -> Iterator[Claim]:
     """One for everybody who is said to let another go first."""
     for act in told.functional.acts:
         if act.kind in LETS_BY and act.into is not None:
-            pair = act.participant, act.into
-            yield Claim(
-                id=f"act.{act.id}.into",
-                kind=ClaimKind.ACT,
-                statement=f"{act.participant} lets {act.into} go first",
-                field=f"acts.{act.id}.into",
-                unit="s",
-                test=partial(_lets_by if _meet(told, act) else _gets_past, *pair),
-                tolerance=TIME_S,
-            )
+            name, kind = f"{act.id}.into", ClaimKind.ACT
+            does = f"{act.participant} lets {act.into} go first"
+            test = partial(_lets_by if _meet(told, act) else _gets_past, act.participant, act.into)
+            yield Claim(f"act.{name}", kind, does, f"acts.{name}", "s", test, TIME_S)
 
 
 def _lets_by(name: str, other: str, view: View) -> Judged:
     """How long after the other has left their ground it comes onto it, or that it gets past."""
-    margin, time_s = np.full(view.count, _ENOUGH_S), np.zeros(view.count)
     shared = _grounds(view, name, other)
+    if not shared:
+        return _gets_past(name, other, view)
+    found = [(np.full(view.count, _ENOUGH_S), np.zeros(view.count))]
     for ground in shared:
         left_m = ground.other_leaves_m
         if not left_m < inf:
@@ -69,15 +64,14 @@ def _lets_by(name: str, other: str, view: View) -> Judged:
         with np.errstate(invalid="ignore"):
             own = np.where(np.isfinite(comes), comes - they_go, _ENOUGH_S)
         own = np.clip(np.where(np.isfinite(they_go), own, -NEVER), -NEVER, _ENOUGH_S) + TIME_S
-        time_s = np.where(own < margin, np.where(np.isfinite(they_go), they_go, 0.0), time_s)
-        margin = np.minimum(margin, own)
-    return Judged(margin, margin, time_s) if shared else _gets_past(name, other, view)
+        found.append((own, np.where(np.isfinite(they_go), they_go, 0.0)))
+    margin, time_s = chosen(found, np.argmin)
+    return Judged(margin, margin, time_s)
 
 
 def _meet(told: Told, act: Act) -> bool:
     """Whether the ways of the two cross; along a plain road one gets past the other."""
-    along = told.functional.junction.kind is JunctionKind.STRAIGHT
-    return not along or told.drive(act.into or "") is None
+    return not told.plain_road or told.drive(act.into or "") is None
 
 
 def _gets_past(name: str, other: str, view: View) -> Judged:
@@ -110,9 +104,7 @@ def _in_order(duty: Duty, view: View) -> Judged:
 
 def _stands_s(view: View, name: str) -> Floats:
     """When somebody first stands at its line; the end if it never does (c,)."""
-    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
-    rests = view.speed_mps(name) < STOPPED_MPS
-    return view.time_of(first(rests & (front > -AT_LINE_M) & (front < OVER_LINE_M)))
+    return view.time_of(first(rests_at_line(view, name)))
 
 
 def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:

@@ -8,16 +8,16 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, passes
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
+from scegen.claims.boxes import boxes, passes, to_side
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, as_wanted, best_of, way_claim
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import at, first
+from scegen.claims.series import at, first, greatest
 from scegen.claims.statements.ramps import by_ramp
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import KPH, Told, amount, either
 from scegen.claims.tolerances import GAP_M, SAME_LANE_M, STANDS_MPS, TIME_S
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import HEADING
+from scegen.motion.batch.arrays import HEADING, Floats
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
 from scegen.scenario.acts import LEAVING, LETS_BY, ActKind
 from scegen.scenario.functional import Participant
@@ -27,12 +27,10 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import (
     ON_FOOT,
     HazardKind,
-    JunctionKind,
     Maneuver,
     Side,
 )
 
-STRAIGHT = JunctionKind.STRAIGHT
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BEGUN_DEG, _BACK_DEG = 15.0, 5.0, 140.0
@@ -52,27 +50,18 @@ def claims(told: Told) -> Iterator[Claim]:
             yield from _driven(told, drive, field)
             yield from by_ramp(person, drive, field)
         if drive is not None and _keeps_lane(told, drive):
-            does = f"{person.id} keeps its lane" + (
-                "" if told.functional.junction.kind is STRAIGHT else " up to the junction"
-            )
-            test = partial(_stays_in_lane, drive)
-            yield _claim(f"lane.{person.id}", does, field, "m", test)
-        crosses = crossing is not None and Maneuver.CROSS in person.maneuvers
-        if crossing is not None and crosses and not _stops(told, person.id):
-            yield _claim(
-                f"cross.{person.id}",
-                f"{person.id} crosses from one side of the road to the other",
-                field,
-                "m",
-                partial(_crosses, told, crossing),
-            )
-            yield from _in_its_time(told, crossing)
-        if crossing is not None:
-            yield from _as_far(told, crossing)
-        if crossing is not None and crossing.arm in told.functional.junction.crosswalks:
-            does = f"{person.id} crosses on the crosswalk"
-            test = partial(_on_crosswalk, crossing)
-            yield _claim(f"crosswalk.{person.id}", does, "junction.crosswalks", "m", test)
+            does = f"{person.id} keeps its lane{'' if told.plain_road else ' up to the junction'}"
+            yield way_claim(f"lane.{person.id}", does, field, partial(_stays_in_lane, drive))
+        if crossing is None:
+            continue
+        goes_over = Maneuver.CROSS in person.maneuvers and not _stops(told, person.id)
+        if goes_over:
+            does = f"{person.id} crosses from one side of the road to the other"
+            yield way_claim(f"cross.{person.id}", does, field, partial(_crosses, told, crossing))
+        yield from _by_numbers(told, crossing, goes_over=goes_over)
+        if crossing.arm in told.functional.junction.crosswalks:
+            does, test = f"{person.id} crosses on the crosswalk", partial(_on_crosswalk, crossing)
+            yield way_claim(f"crosswalk.{person.id}", does, "junction.crosswalks", test)
 
 
 def _keeps_lane(told: Told, drive: Drive) -> bool:
@@ -82,8 +71,7 @@ def _keeps_lane(told: Told, drive: Drive) -> bool:
     moves = drive.changes_to or drive.reverses or drive.maneuver is not drive.turn
     if moves or drive.circulating or person.pulls_out or drive.turn is Maneuver.U_TURN:
         return False
-    plain_road = told.functional.junction.kind is STRAIGHT
-    beside = [h for h in told.hazards if plain_road and h.kind in FROM_BESIDE]
+    beside = [h for h in told.hazards if told.plain_road and h.kind in FROM_BESIDE]
     beside += [h for h in told.hazards if LEAVING & {*HAZARDS[h.kind].acts}]
     beside += [h for h in told.hazards if h.kind is HazardKind.SUDDEN_TURN]
     led_around = any(
@@ -101,8 +89,7 @@ def _stays_in_lane(drive: Drive, view: View) -> Judged:
     # Beyond the junction it may come beside its own arm again.
     there = np.maximum.accumulate(arm.place(boxes(view, name))[0] > arm.straight_m, axis=1)
     aside = np.where(there, 0.0, np.abs(lateral_m(view, name, drive)))
-    step = aside.argmax(axis=1)
-    most = at(aside, step)
+    most, step = greatest(aside)
     return Judged(SAME_LANE_M - most, most, view.time_of(step))
 
 
@@ -114,41 +101,24 @@ def _stops(told: Told, name: str) -> bool:
     return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 
 
-def _claim(
-    name: str, statement: str, field: str, unit: str, test: Test, *, fixed: bool = True
-) -> Claim:
-    return Claim(
-        id=f"maneuver.{name}",
-        kind=ClaimKind.MANEUVER,
-        statement=statement,
-        field=field,
-        unit=unit,
-        test=test,
-        scale=2.0,
-        fixed=fixed,
-    )
-
-
 def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     name = drive.participant
     if drive.maneuver is Maneuver.LANE_CHANGE and not _is_an_act(told, drive):
         to = f" to the {drive.changes_to}" if drive.changes_to else ""
-        test: Test = partial(_changes_lane, drive)
-        yield _claim(f"lane_change.{name}", f"{name} changes lane{to}", field, "m", test)
+        does, test = f"{name} changes lane{to}", partial(_changes_lane, drive)
+        yield way_claim(f"lane_change.{name}", does, field, test)
     elif drive.maneuver is Maneuver.OVERTAKE and not _ended_from_beside(told, name):
         passed = [*told.functional.overtaken(name)]
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
         others = [p.id for p in told.people if p.id != name]
-        test = partial(_overtakes, name, passed or [*others, *things])
-        does = f"{name} passes {whom}"
-        yield _claim(f"overtake.{name}", does, field, "m", test, fixed=False)
+        over = partial(_overtakes, name, passed or [*others, *things])
+        yield way_claim(f"overtake.{name}", f"{name} passes {whom}", field, over, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         held_up = not any(act.kind in LETS_BY for act in told.acts_of(name))
-        yield _claim(
-            f"turn.{name}", f"{name} {does}", field, "deg", partial(_turns, drive, held_up)
-        )
+        bends = partial(_turns, drive, held_up)
+        yield way_claim(f"turn.{name}", f"{name} {does}", field, bends, unit="deg")
 
 
 def _is_an_act(told: Told, drive: Drive) -> bool:
@@ -183,89 +153,62 @@ def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
 
 
 def _changes_lane(drive: Drive, view: View) -> Judged:
-    aside = lateral_m(view, drive.participant, drive)
-    sense = {Side.LEFT: 1.0, Side.RIGHT: -1.0, None: 0.0}[drive.changes_to]
-    aside = sense * aside if sense else np.abs(aside)
-    step = aside.argmax(axis=1)
-    most = at(aside, step)
+    most, step = greatest(to_side(drive.changes_to, lateral_m(view, drive.participant, drive)))
     return Judged(most - LANE_M, most, view.time_of(step))
 
 
 def _overtakes(name: str, others: list[str], view: View) -> Judged:
     """From wholly behind somebody to wholly ahead, side by side on one road."""
-    best = np.full(view.count, -NEVER)
-    when = np.zeros(view.count)
-    for other in others:
-        margin, time_s = passes(view, name, other)
-        when = np.where(margin > best, time_s, when)
-        best = np.maximum(best, margin)
-    return Judged(best, best, when)
+    found = [passes(view, name, other) for other in others]
+    return best_of(view, [Judged(margin, margin, time_s) for margin, time_s in found])
 
 
 def _crosses(told: Told, crossing: Crossing, view: View) -> Judged:
     """Beyond the far kerb in the end, unless it has been hit as is said."""
+    place, _, far_kerb = _across(crossing, view)
+    end = at(place, view.last_step)
+    hit = touched(told, view, crossing.participant)
+    margin = np.where(hit, np.maximum(end - far_kerb, 0.0), end - far_kerb)
+    offset = -end if crossing.start is Side.LEFT else end
+    return Judged(margin, offset, view.time_of(view.last_step))
+
+
+def _across(crossing: Crossing, view: View) -> tuple[Floats, float, float]:
+    """How far its middle is across an arm (c, t), the way it goes, and where the kerbs are (m)."""
     arm = arms_of(view)[crossing.arm]
     _, offset = arm.place(boxes(view, crossing.participant))
-    last = view.last_step
-    end = at(offset, last)
     right, left = arm.edges_m
-    beyond = right - end if crossing.start is Side.LEFT else end - left
-    hit = touched(told, view, crossing.participant)
-    margin = np.where(hit & (beyond < 0.0), 0.0, beyond)
-    return Judged(margin, end, view.time_of(last))
+    return (-offset, -left, -right) if crossing.start is Side.LEFT else (offset, right, left)
 
 
-def _in_its_time(told: Told, crossing: Crossing) -> Iterator[Claim]:
-    """How long it takes from kerb to kerb, where that is said."""
-    for act in told.acts_of(crossing.participant):
-        if act.kind is ActKind.CROSS and act.duration_s is not None:
-            yield _claim(
-                f"cross.{act.participant}.takes",
-                f"{act.participant} takes {amount(act.duration_s)} s from kerb to kerb",
-                f"acts.{act.id}.duration_s",
-                "s",
-                partial(_takes, crossing, act.duration_s),
-                fixed=False,
-            )
-
-
-def _as_far(told: Told, crossing: Crossing) -> Iterator[Claim]:
-    """How far from the kerb it stops, where that is said."""
-    for act in told.acts_of(crossing.participant):
-        if act.kind is ActKind.CROSS and act.distance_m is not None:
-            yield _claim(
-                f"cross.{act.participant}.stops",
-                f"{act.participant} stops {amount(act.distance_m)} m from the kerb",
-                f"acts.{act.id}.distance_m",
-                "m",
-                partial(_stops_at, crossing, act.distance_m),
-                fixed=False,
-            )
+def _by_numbers(told: Told, crossing: Crossing, *, goes_over: bool) -> Iterator[Claim]:
+    """How long it takes from kerb to kerb, how far from the kerb it stops: where that is said."""
+    name = crossing.participant
+    for act in [a for a in told.acts_of(name) if a.kind is ActKind.CROSS]:
+        if goes_over and act.duration_s is not None:
+            does = f"{name} takes {amount(act.duration_s)} s from kerb to kerb"
+            field, test = f"acts.{act.id}.duration_s", partial(_takes, crossing, act.duration_s)
+            yield way_claim(f"cross.{name}.takes", does, field, test, unit="s", fixed=False)
+        if act.distance_m is not None:
+            does = f"{name} stops {amount(act.distance_m)} m from the kerb"
+            field, test = f"acts.{act.id}.distance_m", partial(_stops_at, crossing, act.distance_m)
+            yield way_claim(f"cross.{name}.stops", does, field, test, fixed=False)
 
 
 def _stops_at(crossing: Crossing, wanted: Interval, view: View) -> Judged:
     """Where its middle is in the end, from the kerb that it has left; unless it has been hit."""
-    arm = arms_of(view)[crossing.arm]
-    _, offset = arm.place(boxes(view, crossing.participant))
-    right, left = arm.edges_m
-    end = at(offset, view.last_step)
-    far = left - end if crossing.start is Side.LEFT else end - right
-    stands = at(view.speed_mps(crossing.participant), view.last_step) <= STANDS_MPS
-    margin = np.where(stands, within(far, wanted, GAP_M), np.nan)
-    return Judged(margin, far, view.time_of(view.last_step))
+    place, near_kerb, _ = _across(crossing, view)
+    far, last = at(place, view.last_step) - near_kerb, view.last_step
+    stands = at(view.speed_mps(crossing.participant), last) <= STANDS_MPS
+    return as_wanted(far, wanted, GAP_M, view.time_of(last), there=stands)
 
 
 def _takes(crossing: Crossing, wanted: Interval, view: View) -> Judged:
     """From when its middle is over one kerb until it is over the other."""
-    arm = arms_of(view)[crossing.arm]
-    _, offset = arm.place(boxes(view, crossing.participant))
-    right, left = arm.edges_m
-    from_left = crossing.start is Side.LEFT
-    on, off = (offset < left, offset < right) if from_left else (offset > right, offset > left)
-    begins, ends = first(on), first(off)
-    took = view.time_of(ends - begins)
-    margin = within(took, wanted, 2 * TIME_S)
-    return Judged(np.where(ends < view.steps, margin, np.nan), took, view.time_of(ends))
+    place, near_kerb, far_kerb = _across(crossing, view)
+    begins, ends = first(place > near_kerb), first(place > far_kerb)
+    took, there = view.time_of(ends - begins), ends < view.steps
+    return as_wanted(took, wanted, 2 * TIME_S, view.time_of(ends), there=there)
 
 
 def _on_crosswalk(crossing: Crossing, view: View) -> Judged:
@@ -274,8 +217,7 @@ def _on_crosswalk(crossing: Crossing, view: View) -> Judged:
     box = boxes(view, crossing.participant)
     middle = NEVER if arm.crosswalk_m is None else arm.crosswalk_m
     off = np.where(arm.on_it(box), np.abs(arm.place(box)[0] - middle), 0.0)
-    step = off.argmax(axis=1)
-    most = at(off, step)
+    most, step = greatest(off)
     return Judged(CROSSWALK_WIDTH_M / 2 - most, most, view.time_of(step))
 
 
@@ -285,20 +227,13 @@ def _stands(told: Told, person: Participant, *, pulls_out: bool) -> Claim:
     where = "is parked" if person.parked else "stands"
     field = "parked" if person.parked else "maneuvers"
     walks = person.kind in ON_FOOT and told.crossing(name) is not None
-    return Claim(
-        id=f"stands.{name}",
-        kind=ClaimKind.STANDS,
-        statement=f"{name} {where}{until}",
-        field=f"participants.{name}.{field}",
-        unit="km/h",
-        test=partial(_pulls_out if pulls_out or walks else _still, name),
-    )
+    test = partial(_pulls_out if pulls_out or walks else _still, name)
+    statement, field = f"{name} {where}{until}", f"participants.{name}.{field}"
+    return Claim(f"stands.{name}", ClaimKind.STANDS, statement, field, "km/h", test)
 
 
 def _still(name: str, view: View) -> Judged:
-    speed = view.speed_mps(name)
-    step = speed.argmax(axis=1)
-    fastest = at(speed, step)
+    fastest, step = greatest(view.speed_mps(name))
     return Judged((STANDS_MPS - fastest) * KPH, fastest * KPH, view.time_of(step))
 
 

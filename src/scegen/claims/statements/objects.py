@@ -7,8 +7,8 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.boxes import box_at, seen
-from scegen.claims.claim import Claim, ClaimKind, Judged, Test, always
+from scegen.claims.boxes import box_at, seen, to_side
+from scegen.claims.claim import Claim, ClaimKind, Judged, Test, always, best_of
 from scegen.claims.hazards.thresholds import IN_SIGHT, OCCLUDED
 from scegen.claims.hidden import hidden
 from scegen.claims.told import Told, plain
@@ -37,32 +37,22 @@ def claims(told: Told) -> Iterator[Claim]:
 
 
 def _claim(thing: Thing, part: str, statement: str, test: Test, unit: str = "m") -> Claim:
-    return Claim(
-        id=f"object.{thing.id}.{part}",
-        kind=ClaimKind.OBJECT,
-        statement=statement,
-        field=f"objects.{thing.id}.{part}",
-        unit=unit,
-        test=test,
-    )
+    name, kind = f"{thing.id}.{part}", ClaimKind.OBJECT
+    return Claim(f"object.{name}", kind, statement, f"objects.{name}", unit, test)
 
 
 def _in_way(thing: Thing, name: str, view: View) -> Judged:
     """Ahead on its line at the start, or in what it sweeps where it comes nearest."""
     if thing.id not in view.index:
         return always(view, holds=False)
-    margins, times = [], []
-    nearest = np.nan_to_num(view.of_pair("closest_s", name, thing.id))
-    for time_s in (np.zeros(view.count), nearest):
-        step = np.rint(time_s / view.dt_s).astype(np.int64)
+    found = []
+    for time_s in (np.zeros(view.count), np.nan_to_num(view.of_pair("closest_s", name, thing.id))):
+        step = view.step_of(time_s)
         place = seen(box_at(view, name, step), box_at(view, thing.id, step))
-        reach = np.maximum(SAME_LANE_M, (place.left - place.right) / 2.0 + SAME_LANE_M)
-        margins.append(np.minimum(reach - np.abs(place.y), place.front))
-        times.append(time_s)
-    chosen = np.argmax(margins, axis=0)
-    rows = np.arange(view.count)
-    margin = np.array(margins)[chosen, rows]
-    return Judged(margin, margin, np.array(times)[chosen, rows])
+        reach = (place.left - place.right) / 2.0 + SAME_LANE_M
+        margin = np.minimum(reach - np.abs(place.y), place.front)
+        found.append(Judged(margin, margin, time_s))
+    return best_of(view, found)
 
 
 def _on_side(thing: Thing, ego: str, side: Side, view: View) -> Judged:
@@ -70,10 +60,9 @@ def _on_side(thing: Thing, ego: str, side: Side, view: View) -> Judged:
     if thing.id not in view.index:
         return always(view, holds=False)
     nearest = np.nan_to_num(view.of_pair("closest_s", ego, thing.id))
-    step = np.rint(nearest / view.dt_s).astype(np.int64)
+    step = view.step_of(nearest)
     aside = seen(box_at(view, ego, step), box_at(view, thing.id, step)).y
-    margin = aside if side is Side.LEFT else -aside
-    return Judged(margin, aside, nearest)
+    return Judged(to_side(side, aside), aside, nearest)
 
 
 def _hides(hider: str, ego: str, name: str, view: View) -> Judged:

@@ -11,6 +11,7 @@ from scegen.claims import tolerances
 from scegen.claims.claim import Claim, ClaimKind, Judged
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import CHANGES_MPS2, LEAVES_M
+from scegen.claims.series import first
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.scenario.acts import ActKind, AfterDistance, AfterStart, WhenMeasure
@@ -30,15 +31,10 @@ def claims(told: Told) -> Iterator[Claim]:
         backs = drive is not None and drive.reverses is not None
         if name not in causes or backs or _begins_as_said(told, name):
             continue
-        yield Claim(
-            id=f"opening.{name}",
-            kind=ClaimKind.OPENING,
-            statement=f"{name} goes on undisturbed for {LEAD_IN_S:g} s at first",
-            field=f"participants.{name}",
-            unit="s",
-            test=partial(_undisturbed, told, name),
-            tolerance=tolerances.TIME_S,
-        )
+        does = f"{name} goes on undisturbed for {LEAD_IN_S:g} s at first"
+        field, test = f"participants.{name}", partial(_undisturbed, told, name)
+        kind, tolerance = ClaimKind.OPENING, tolerances.TIME_S
+        yield Claim(f"opening.{name}", kind, does, field, "s", test, tolerance)
 
 
 def _begins_as_said(told: Told, name: str) -> bool:
@@ -74,7 +70,5 @@ def _undisturbed(told: Told, name: str, view: View) -> Judged:
     changes = np.abs(np.diff(speed, axis=1, append=speed[:, -1:])) > CHANGES_MPS2 * view.dt_s
     changes[:, -1] = False
     aside = np.abs(lateral_m(view, name, told.drive(name), upto + 1)) > LEAVES_M
-    disturbed = changes | aside
-    step = np.where(disturbed.any(axis=1), disturbed.argmax(axis=1), upto)
-    time_s = view.time_of(step)
+    time_s = view.time_of(np.minimum(first(changes | aside), upto))
     return Judged(time_s - LEAD_IN_S + tolerances.TIME_S, time_s, time_s)

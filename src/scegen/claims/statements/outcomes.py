@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from scegen.claims.boxes import contact, free, seen
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, within
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, best_of, within
 from scegen.claims.near_miss import near_miss
 from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import PERCENT
@@ -29,14 +29,8 @@ def claims(told: Told) -> Iterator[Claim]:
     outcome = told.functional.outcome
     if outcome is not None:
         yield from _said(told, outcome)
-    yield Claim(
-        id="contacts",
-        kind=ClaimKind.CONTACT,
-        statement=_else(told),
-        field="outcome",
-        unit="m",
-        test=partial(_nobody_else, told),
-    )
+    test = partial(_nobody_else, told)
+    yield Claim("contacts", ClaimKind.CONTACT, _else(told), "outcome", "m", test)
 
 
 def _else(told: Told) -> str:
@@ -68,16 +62,8 @@ def _said(told: Told, outcome: Outcome) -> Iterator[Claim]:
 def _claim(
     part: str, statement: str, unit: str, test: Test, scale: float, tolerance: float = 0.0
 ) -> Claim:
-    return Claim(
-        id=f"outcome.{part}",
-        kind=ClaimKind.OUTCOME,
-        statement=statement,
-        field=f"outcome.{part}",
-        unit=unit,
-        test=test,
-        scale=scale,
-        tolerance=tolerance,
-    )
+    name, kind = f"outcome.{part}", ClaimKind.OUTCOME
+    return Claim(name, kind, statement, name, unit, test, tolerance, scale)
 
 
 def pairs_of(told: Told, outcome: Outcome, view: View) -> list[tuple[str, str]]:
@@ -148,13 +134,9 @@ def _struck(told: Told, outcome: Outcome, side: BodySide, view: View) -> Judged:
 
 
 def _nearly(told: Told, outcome: Outcome, view: View) -> Judged:
-    best = np.full(view.count, -NEVER)
-    when = np.full(view.count, np.nan)
-    for pair in pairs_of(told, outcome, view):
-        margin = near_miss(view, pair)
-        when = np.where(margin > best, view.of_pair("closest_s", *pair), when)
-        best = np.maximum(best, margin)
-    return Judged(best, best, when)
+    pairs = pairs_of(told, outcome, view)
+    found = [(near_miss(view, pair), view.of_pair("closest_s", *pair)) for pair in pairs]
+    return best_of(view, [Judged(margin, margin, time_s) for margin, time_s in found])
 
 
 def _apart(told: Told, outcome: Outcome, view: View) -> Judged:

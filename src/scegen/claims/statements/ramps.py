@@ -9,8 +9,8 @@ import numpy as np
 
 from scegen.claims.arms import Arm, arms_of
 from scegen.claims.boxes import boxes
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always
-from scegen.claims.moments import at
+from scegen.claims.claim import NEVER, Claim, Judged, always, way_claim
+from scegen.claims.series import at
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
 from scegen.road.ramps import gore_m
@@ -26,23 +26,10 @@ def by_ramp(person: Participant, drive: Drive, field: str) -> Iterator[Claim]:
     name = person.id
     if person.maneuvers == {Maneuver.MERGE}:
         does = f"{name} leaves the lane that ends before its end, and is in it at first"
-        yield _claim(f"merge.{name}", does, field, partial(_merges, drive))
+        yield way_claim(f"merge.{name}", does, field, partial(_merges, drive))
     if person.maneuvers == {Maneuver.EXIT}:
         does = f"{name} changes into the exit lane and leaves by the ramp"
-        yield _claim(f"exit.{name}", does, field, partial(_exits, drive))
-
-
-def _claim(name: str, statement: str, field: str, test: partial[Judged]) -> Claim:
-    return Claim(
-        id=f"maneuver.{name}",
-        kind=ClaimKind.MANEUVER,
-        statement=statement,
-        field=field,
-        unit="m",
-        test=test,
-        scale=2.0,
-        fixed=True,
-    )
+        yield way_claim(f"exit.{name}", does, field, partial(_exits, drive))
 
 
 def _beyond(view: View, drive: Drive) -> tuple[Arm, Auxiliary, Floats, Floats] | None:
@@ -52,7 +39,7 @@ def _beyond(view: View, drive: Drive) -> tuple[Arm, Auxiliary, Floats, Floats] |
         return None
     arm = arms_of(view)[0]
     along, offset = arm.place(boxes(view, drive.participant))
-    border = arm.inward * arm.lane_offset_m(view.concrete.road.arms[0].lanes_in, inwards=True)
+    border = arm.inward * arm.lane_in_m(view.concrete.road.arms[0].lanes_in)
     outside = arm.inward * offset - border - arm.lane_width_m / 2
     return arm, auxiliary, along - arm.length_m, outside
 

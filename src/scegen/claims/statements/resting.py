@@ -8,7 +8,8 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
-from scegen.claims.moments import STANDS_MPS, first
+from scegen.claims.moments import STANDS_MPS
+from scegen.claims.series import first
 from scegen.claims.statements.spacings import judge_spacing
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
-from scegen.claims.claim import Claim, ClaimKind, Judged, always
+from scegen.claims.claim import Claim, ClaimKind, Judged, Test, always
 from scegen.claims.told import KPH, Told, plain
 from scegen.claims.view import View
 from scegen.road.straight import curve_of
 from scegen.scenario.bends import Bend
 from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import controlled_arms, has_crosswalk
-from scegen.scenario.functional import Junction
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Side
 from scegen.scenario.wording import counted
@@ -30,107 +29,79 @@ Agrees = Callable[[RoadParameters], bool]
 
 
 def claims(told: Told) -> Iterator[Claim]:
-    """Of the junction and the environment."""
+    """Of the junction, who takes part, and the environment."""
+    for part, says, agrees in _junction(told):
+        yield _claim(part, says, f"junction.{part}", partial(_built, agrees))
+    names = {person.id for person in told.people}
+    there = f"there {'is' if len(names) == 1 else 'are'} {counted(len(names), 'participant')}"
+    test = partial(_those, names | told.doors.keys())
+    yield _claim("participants", f"{there} and no others", "participants", test)
+    said = told.functional.environment.model_dump(mode="json", exclude_none=True)
+    for name, value in said.items():
+        field, test = f"environment.{name}", partial(_conditions, name, str(value))
+        yield _claim(field, f"{plain(name)}: {plain(str(value))}", field, test)
+
+
+def _claim(name: str, statement: str, field: str, test: Test) -> Claim:
+    return Claim(f"road.{name}", ClaimKind.ROAD, statement, field, "1", test, fixed=True)
+
+
+def _junction(told: Told) -> Iterator[tuple[str, str, Agrees]]:
+    """What the road must have: the field that says it, how it is told, how it is looked up."""
     junction = told.functional.junction
     kind, control, limit = junction.kind, junction.control, junction.speed_limit_mps
-    yield _road("kind", f"the road is {plain(kind)}", lambda road: road.kind is kind)
+    yield "kind", f"the road is {plain(kind)}", lambda road: road.kind is kind
     arms = junction.arms
-    yield _road("arms", f"it has {counted(arms, 'arm')}", lambda road: len(road.arms) == arms)
+    yield "arms", f"it has {counted(arms, 'arm')}", lambda road: len(road.arms) == arms
     signs = controlled_arms(junction)
-    where = f", at arms {', '.join(map(str, sorted(signs)))}" if signs else ""
-    yield _road(
-        "control",
-        f"control: {plain(control)}{where}",
-        lambda road: road.control is control and road.controlled_arms == signs,
-    )
+    where = f", at arms {_listed(signs)}" if signs else ""
+    ruled: Agrees = lambda road: road.control is control and road.controlled_arms == signs  # noqa: E731
+    yield "control", f"control: {plain(control)}{where}", ruled
     side = junction.driving_side
-    yield _road("driving_side", f"traffic keeps {side}", lambda road: road.driving_side is side)
+    yield "driving_side", f"traffic keeps {side}", lambda road: road.driving_side is side
     if limit is not None:
-        statement = f"the limit is {limit * KPH:.4g} km/h"
-        yield _road("speed_limit_mps", statement, partial(_limited, limit))
-    yield from _lanes(junction)
+        yield "speed_limit_mps", f"the limit is {limit * KPH:.4g} km/h", partial(_limited, limit)
+    lanes, width = junction.lanes, junction.lane_width_m
+    if lanes:
+        statement = f"lanes per direction: {', '.join(map(str, lanes))}"
+        yield "lanes", statement, lambda road: _enough(road, lanes)
+    if width is not None:
+        yield "lane_width_m", f"its lanes are {width:g} m wide", partial(_as_wide, width)
     carriageway, strips = junction.carriageway, junction.strips
     if carriageway is not Carriageway.UNDIVIDED:
         statement = f"its carriageway is {plain(carriageway)}"
-        yield _road("carriageway", statement, lambda road: road.carriageway is carriageway)
+        yield "carriageway", statement, lambda road: road.carriageway is carriageway
     if junction.bend is not None:
         bend, ego = junction.bend, told.drive(told.ego)
         entry = 0 if ego is None else ego.entry
         course = "a bend" if bend.side is None else f"a bend to the {bend.side}"
         size = "" if bend.radius_m is None else f" of {bend.radius_m:g} m radius"
-        yield _road("bend", f"the ego drives {course}{size}", partial(_bends, bend, entry))
+        yield "bend", f"the ego drives {course}{size}", partial(_bends, bend, entry)
     if strips:
         statement = f"beside its lanes: {', '.join(plain(x) for x in Strip if x in strips)}"
-        yield _road("strips", statement, lambda road: road.strips >= strips)
-    if junction.auxiliary is not None:
-        auxiliary = junction.auxiliary
-        yield _road("auxiliary", _AUXILIARY[auxiliary], partial(_has_auxiliary, auxiliary))
-    if junction.auxiliary_length_m is not None:
-        length = junction.auxiliary_length_m
+        yield "strips", statement, lambda road: road.strips >= strips
+    auxiliary, length, angles = (
+        junction.auxiliary, junction.auxiliary_length_m, junction.arm_angles_deg
+    )  # fmt: skip
+    if auxiliary is not None:
+        yield "auxiliary", _AUXILIARY[auxiliary], partial(_has_auxiliary, auxiliary)
+    if length is not None:
         statement = f"its lane beside the others is {length:g} m long"
-        yield _road("auxiliary_length_m", statement, partial(_as_long, length))
-    if junction.arm_angles_deg:
-        angles = junction.arm_angles_deg
+        yield "auxiliary_length_m", statement, partial(_as_long, length)
+    if angles:
         statement = f"its arms lie at {', '.join(f'{angle:g}' for angle in angles)} degrees"
-        yield _road("arm_angles_deg", statement, partial(_at_angles, angles))
-    if junction.ring_lanes is not None:
-        ring = junction.ring_lanes
-        yield _road(
-            "ring_lanes", f"lanes in the ring: {ring}", lambda road: road.ring_lanes == ring
-        )
-    walks = junction.crosswalks | {
-        c.arm for c in told.logical.crossings if has_crosswalk(junction, c.arm)
-    }
+        yield "arm_angles_deg", statement, partial(_at_angles, angles)
+    ring, crossed = junction.ring_lanes, {c.arm for c in told.logical.crossings}
+    if ring is not None:
+        yield "ring_lanes", f"lanes in the ring: {ring}", lambda road: road.ring_lanes == ring
+    walks = junction.crosswalks | {arm for arm in crossed if has_crosswalk(junction, arm)}
     if walks:
-        statement = f"crosswalks over arms {', '.join(map(str, sorted(walks)))}"
-        yield _road("crosswalks", statement, lambda road: road.crosswalks >= walks)
-    names = {person.id for person in told.people}
-    yield Claim(
-        id="road.participants",
-        kind=ClaimKind.ROAD,
-        statement=f"{_there_are(len(names))} and no others",
-        field="participants",
-        unit="1",
-        test=partial(_those, names | told.doors.keys()),
-        fixed=True,
-    )
-    said = told.functional.environment.model_dump(mode="json", exclude_none=True)
-    for name, value in said.items():
-        yield Claim(
-            id=f"road.environment.{name}",
-            kind=ClaimKind.ROAD,
-            statement=f"{plain(name)}: {plain(str(value))}",
-            field=f"environment.{name}",
-            unit="1",
-            test=partial(_conditions, name, str(value)),
-            fixed=True,
-        )
+        statement = f"crosswalks over arms {_listed(walks)}"
+        yield "crosswalks", statement, lambda road: road.crosswalks >= walks
 
 
-def _lanes(junction: Junction) -> Iterator[Claim]:
-    if junction.lanes:
-        lanes = junction.lanes
-        statement = f"lanes per direction: {', '.join(map(str, lanes))}"
-        yield _road("lanes", statement, lambda road: _enough(road, lanes))
-    if junction.lane_width_m is not None:
-        width = junction.lane_width_m
-        yield _road("lane_width_m", f"its lanes are {width:g} m wide", partial(_as_wide, width))
-
-
-def _there_are(number: int) -> str:
-    return f"there {'is' if number == 1 else 'are'} {counted(number, 'participant')}"
-
-
-def _road(part: str, statement: str, agrees: Agrees) -> Claim:
-    return Claim(
-        id=f"road.{part}",
-        kind=ClaimKind.ROAD,
-        statement=statement,
-        field=f"junction.{part}",
-        unit="1",
-        test=partial(_built, agrees),
-        fixed=True,
-    )
+def _listed(arms: Iterable[int]) -> str:
+    return ", ".join(map(str, sorted(arms)))
 
 
 def _built(agrees: Agrees, view: View) -> Judged:

@@ -8,11 +8,12 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.claim import NEVER, Claim, Judged, always, rule_claim, within, yes_or_no
-from scegen.claims.moments import STANDS_MPS, first
+from scegen.claims.moments import STANDS_MPS
+from scegen.claims.series import first, longest_run
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import TIME_S
-from scegen.claims.view import View, longest_run
+from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.rules.lights import (
     RED_FOR_S,
@@ -31,7 +32,7 @@ from scegen.motion.rules.stopping import (
 from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
-from scegen.scenario.signals import SignalState
+from scegen.scenario.signals import SignalGroup, SignalPlan, SignalState
 from scegen.scenario.vocabulary import AtLight
 
 
@@ -97,13 +98,12 @@ def _shown(
 
     With nothing wanted it is all but red.
     """
-    plan = view.concrete.signals
-    group = None if plan is None else plan.group_of(arm, afoot=afoot)
     rested = OVER_LINE_M if wanted is AtLight.WAITS else 0.0
     step = _off_kerb(name, view) if afoot else _over_line(name, view, rested)
-    time_s = view.time_of(step)
-    if plan is None or group is None or not plan.working:
+    time_s, light = view.time_of(step), _light(view, arm, afoot=afoot)
+    if light is None:
         return Judged(np.full(view.count, -NEVER), np.full(view.count, np.nan), time_s)
+    plan, group = light
     begins, ends = plan.window_s(group, wanted)
     early = {None: TIME_S, AtLight.RED: -RED_FOR_S}.get(wanted, 0.0)
     since = (time_s - group.green_from_s - begins + early) % plan.cycle_s
@@ -123,18 +123,29 @@ def _off_kerb(name: str, view: View) -> Ints:
     return first(view.place_m(name) > setback_m - view.body(name).front_m)
 
 
+def _light(view: View, arm: int, *, afoot: bool = False) -> tuple[SignalPlan, SignalGroup] | None:
+    """The light on an arm and the plan that it belongs to, None where none works."""
+    plan = view.concrete.signals
+    group = None if plan is None else plan.group_of(arm, afoot=afoot)
+    return None if plan is None or group is None or not plan.working else (plan, group)
+
+
+def rests_at_line(view: View, name: str) -> Bools:
+    """Whether somebody stands at the stop line of the arm by which it comes (c, t)."""
+    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
+    return (front < OVER_LINE_M) & (front > -AT_LINE_M) & (view.speed_mps(name) < STOPPED_MPS)
+
+
 def _rest_at_line(drive: Drive, view: View) -> tuple[Bools, Floats]:
     """Whether it has come to rest before its line, and for how long its light is not green then.
 
     Below 0: how long its light has been green (c,).
     """
-    name, plan = drive.participant, view.concrete.signals
-    group = None if plan is None else plan.group_of(drive.entry)
-    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
-    rests = (front < OVER_LINE_M) & (front > -AT_LINE_M) & (view.speed_mps(name) < STOPPED_MPS)
+    rests, light = rests_at_line(view, drive.participant), _light(view, drive.entry)
     at_all = np.asarray(rests.any(axis=1))
-    if plan is None or group is None or not plan.working:
+    if light is None:
         return at_all, np.full(view.count, -NEVER)
+    plan, group = light
     since = (view.time_of(first(rests)) - group.green_from_s) % plan.cycle_s
     stopped = np.where(since < group.green_s, -since - TIME_S, since - group.green_s)
     return at_all, stopped
@@ -150,14 +161,14 @@ def _waits(drive: Drive, view: View) -> Judged:
 
 def _sets_off(drive: Drive, delay_s: Interval, view: View) -> Judged:
     """How long after green it moves off from where it has rested at its line."""
-    name, plan = drive.participant, view.concrete.signals
-    group = None if plan is None else plan.group_of(drive.entry)
+    name, light = drive.participant, _light(view, drive.entry)
     rests, _ = _rest_at_line(drive, view)
     before = np.arange(view.steps) < _over_line(name, view, OVER_LINE_M)[:, None]
     stood = before & (view.speed_mps(name) <= STANDS_MPS)
     time_s = view.time_of(view.steps - 1 - stood[:, ::-1].argmax(axis=1))
-    if plan is None or group is None or not plan.working:
+    if light is None:
         return Judged(np.full(view.count, -NEVER), np.full(view.count, np.nan), time_s)
+    plan, group = light
     half = plan.cycle_s / 2
     since = (time_s - group.green_from_s + half) % plan.cycle_s - half
     margin = within(since, delay_s, TIME_S)
@@ -166,9 +177,8 @@ def _sets_off(drive: Drive, delay_s: Interval, view: View) -> Judged:
 
 def _comes_to_rest(drive: Drive, view: View) -> Judged:
     """It rests at its line after its light has gone from green, since the start; and stays."""
-    rests, stopped = _rest_at_line(drive, view)
-    gone = _over_line(drive.participant, view, OVER_LINE_M) <= view.last_step
-    name = drive.participant
+    (rests, stopped), name = _rest_at_line(drive, view), drive.participant
+    gone = _over_line(name, view, OVER_LINE_M) <= view.last_step
     at_rest = view.time_of(first(view.speed_mps(name) < STOPPED_MPS))
     margin = np.where(rests & ~gone, np.minimum(stopped, at_rest - stopped), -NEVER)
     return Judged(margin, stopped, at_rest)
@@ -176,18 +186,12 @@ def _comes_to_rest(drive: Drive, view: View) -> Judged:
 
 def _stops(name: str, view: View) -> Judged:
     """The longest rest at the line before it is passed; at the end there is none to be missed."""
-    front = view.place_m(name) + view.body(name).front_m - view.ways[name].line_m
-    before = np.arange(view.steps) < first(front > OVER_LINE_M)[:, None]
-    at_line = before & (front > -AT_LINE_M) & (view.speed_mps(name) < STOPPED_MPS)
-    steps, begins = longest_run(at_line)
-    rest = np.where(steps > 0, (steps - 1) * view.dt_s, 0.0)
-    margin = np.where(_goes_over(front > OVER_LINE_M, view), rest - STOPPED_S + TIME_S, 0.0)
+    over = _over_line(name, view, OVER_LINE_M)
+    before = np.arange(view.steps) < over[:, None]
+    steps, begins = longest_run(before & rests_at_line(view, name))
+    rest = np.maximum(steps - 1, 0) * view.dt_s
+    margin = np.where(over <= view.last_step, rest - STOPPED_S + TIME_S, 0.0)
     return Judged(margin, rest, np.asarray(begins * view.dt_s))
-
-
-def _goes_over(over: Bools, view: View) -> Bools:
-    """Whether it passes before the scenario is over (c,)."""
-    return first(over) <= view.last_step
 
 
 def _obeys(told: Told, drive: Drive, view: View) -> Judged:

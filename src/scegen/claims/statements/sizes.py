@@ -35,17 +35,10 @@ def _of(
 ) -> Iterator[Claim]:
     if said is None:
         return
-    field = "length_m" if how == "long" else "width_m"
-    yield Claim(
-        id=f"size.{name}.{field}",
-        kind=ClaimKind.BODY,
-        statement=f"{what} is {amount(said)} m {how}",
-        field=f"{group}.{name}.{field}",
-        unit="m",
-        test=partial(_sized, name, said, side),
-        tolerance=SAME_M,
-        fixed=True,
-    )
+    part = "length_m" if how == "long" else "width_m"
+    statement, field = f"{what} is {amount(said)} m {how}", f"{group}.{name}.{part}"
+    test, kind = partial(_sized, name, said, side), ClaimKind.BODY
+    yield Claim(f"size.{name}.{part}", kind, statement, field, "m", test, SAME_M, fixed=True)
 
 
 def _sized(name: str, said: Interval, side: Side, view: View) -> Judged:

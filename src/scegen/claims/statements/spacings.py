@@ -9,9 +9,20 @@ import numpy as np
 
 from scegen.claims import tolerances
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import Boxes, Free, box_at, boxes, contact, free, gap_m, same_way, seen
-from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import act_begins, at, comes_to_rest
+from scegen.claims.boxes import (
+    Boxes,
+    box_at,
+    boxes,
+    contact,
+    free,
+    free_width_m,
+    gap_m,
+    same_way,
+    seen,
+)
+from scegen.claims.claim import Claim, ClaimKind, Judged, as_wanted, within
+from scegen.claims.moments import act_begins, comes_to_rest
+from scegen.claims.series import at, first
 from scegen.claims.statements.act_ends import act_ends
 from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
@@ -24,15 +35,6 @@ from scegen.scenario.vocabulary import Side
 
 _COVERED_M = 0.02
 _LEAST_MPS = 0.1
-_NAMES = {
-    Measure.GAP_M: "the gap",
-    Measure.HEADWAY_S: "the headway",
-    Measure.TTC_S: "the time to collision",
-    Measure.LATERAL_GAP_M: "the free width",
-    Measure.LATERAL_OFFSET_M: "the lateral offset",
-    Measure.OVERLAP_PERCENT: "the overlap",
-}
-
 _FADES_S = 0.3
 """So long a move aside goes on, slower than anybody sees, when it has ended."""
 
@@ -41,7 +43,7 @@ def claims(told: Told) -> Iterator[Claim]:
     """One for every spacing."""
     acts = {act.id: act for act in told.functional.acts}
     for number, spacing in enumerate(told.functional.spacings):
-        unit = tolerances.UNITS[spacing.measure]
+        called, unit, tolerance, scale = tolerances.OF_MEASURE[spacing.measure]
         beside = spacing.measure is Measure.LATERAL_GAP_M
         first = "as they are first level" if beside else "at the start"
         when = {START: first, CONTACT: "at the contact"}.get(spacing.at)
@@ -54,17 +56,11 @@ def claims(told: Told) -> Iterator[Claim]:
                 when = f"when {act.participant} has {does}"
         on = f" on the {spacing.side}" if spacing.side else ""
         ahead = _is_ahead(told, spacing)
-        yield Claim(
-            id=f"spacing.{number}",
-            kind=ClaimKind.SPACING,
-            statement=f"{_NAMES[spacing.measure]} of {spacing.participant} {_to(spacing, ahead)} "
-            f"is {amount(spacing.value)} {unit}{on} {when}",
-            field=f"spacings.{number}",
-            unit=unit,
-            test=partial(judge_spacing, told, spacing, ahead=ahead),
-            tolerance=tolerances.OF_MEASURE[spacing.measure],
-            scale=20.0 if unit == "%" else 2.0 if unit == "m" else 0.5,
-        )
+        who = f"the {called} of {spacing.participant} {_to(spacing, ahead)}"
+        statement = f"{who} is {amount(spacing.value)} {unit}{on} {when}"
+        test, name = partial(judge_spacing, told, spacing, ahead=ahead), f"spacing.{number}"
+        kind, field = ClaimKind.SPACING, f"spacings.{number}"
+        yield Claim(name, kind, statement, field, unit, test, tolerance, scale)
 
 
 def _is_ahead(told: Told, spacing: Spacing) -> bool | None:
@@ -103,7 +99,7 @@ def _off_its_lane(told: Told, name: str, view: View, step: Ints) -> Floats:
 def judge_spacing(told: Told, spacing: Spacing, view: View, *, ahead: bool | None = None) -> Judged:
     """How far apart two are at the moment that is meant; ``ahead``: which way round, if told."""
     who, reference = spacing.participant, spacing.reference
-    tolerance = tolerances.OF_MEASURE[spacing.measure]
+    tolerance = tolerances.OF_MEASURE[spacing.measure].tolerance
     if spacing.at == CONTACT or _where_it_stands(told, spacing):
         # Where no contact is said, what counts is when they are nearest.
         met = contact(view, reference, who)
@@ -113,24 +109,23 @@ def judge_spacing(told: Told, spacing: Spacing, view: View, *, ahead: bool | Non
         touching = measured(spacing.measure, met.first, met.second, spacing.side)
         value = measured(spacing.measure, frame, box, spacing.side)
         value = np.where(met.happens, touching, value)
-        said = np.where(met.happens | (not told.may_touch(reference, who)), value, np.nan)
+        there = met.happens | (not told.may_touch(reference, who))
         when = np.where(met.happens, met.time_s, nearest)
-        return Judged(within(said, spacing.value, tolerance), value, when)
+        return as_wanted(value, spacing.value, tolerance, when, there=there)
     if spacing.at == START:
         step = np.zeros(view.count, dtype=np.int64)
     else:
         act = next(act for act in told.functional.acts if act.id == spacing.at)
-        step = act_begins(view, told.functional, told.logical, act)
+        step = act_begins(told, act, view)
         if spacing.since == "end" and act.kind not in SLOWING:
             step = act_ends(told, act, view)
         elif spacing.since == "end":
             other = reference if who == act.participant else who
             other = act.participant if told.crossing(act.participant) else other
-            step = comes_to_rest(view, told.functional, told.logical, act, other)
+            step = comes_to_rest(told, act, other, view)
     if who == reference:
-        value = _off_its_lane(told, who, view, step)
-        margin = within(value, spacing.value, tolerance)
-        return Judged(np.where(step < view.steps, margin, np.nan), value, view.time_of(step))
+        value, there = _off_its_lane(told, who, view, step), step < view.steps
+        return as_wanted(value, spacing.value, tolerance, view.time_of(step), there=there)
     value = measure_at(view, spacing.measure, who, reference, step, spacing.side, ahead)
     margin = within(value, spacing.value, tolerance)
     if spacing.at != START and spacing.measure is not Measure.LATERAL_GAP_M:
@@ -178,7 +173,7 @@ def measure_at(
     own, other = (who, reference) if who == view.concrete.ego.id else (reference, who)
     frame, box = box_at(view, own, step), box_at(view, other, step)
     clear = free(frame, box)
-    gap, along = np.maximum(clear.front, clear.rear), same_way(frame, box)
+    gap, along = gap_m(frame, box), same_way(frame, box)
     if ahead is not None:
         there = clear.front if ahead == (other == who) else clear.rear
         gap = np.where(along > 0.0, there, gap)
@@ -199,7 +194,7 @@ def measured(measure: Measure, frame: Boxes, box: Boxes, side: Side | None) -> F
     if measure is Measure.LATERAL_OFFSET_M:
         return seen(frame, box).y
     if measure is Measure.LATERAL_GAP_M:
-        return _aside(free(frame, box))
+        return free_width_m(frame, box)
     return gap_m(frame, box)
 
 
@@ -221,14 +216,8 @@ def overlap_percent(frame: Boxes, box: Boxes, side: Side | None) -> Floats:
     return np.where(there, share, -share)
 
 
-def _aside(clear: Free) -> Floats:
-    return np.maximum(clear.left, clear.right)
-
-
 def _alongside(view: View, who: str, reference: str, since: Ints) -> Floats:
     """Free width when the two are first level from a moment on; if never, at that moment."""
-    clear = free(boxes(view, reference), boxes(view, who))
-    level = np.maximum(clear.front, clear.rear) < 0.0
-    level &= np.arange(view.steps) >= since[:, None]
-    step = np.where(level.any(axis=1), level.argmax(axis=1), since)
-    return at(_aside(clear), step)
+    frame, box = boxes(view, reference), boxes(view, who)
+    level = first((gap_m(frame, box) < 0.0) & (np.arange(view.steps) >= since[:, None]))
+    return at(free_width_m(frame, box), np.where(level < view.steps, level, since))

@@ -9,8 +9,9 @@ import numpy as np
 
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
-from scegen.claims.claim import Claim, ClaimKind, Judged, within
-from scegen.claims.moments import act_begins, at, first, speed_runs
+from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
+from scegen.claims.moments import act_begins, speed_runs
+from scegen.claims.series import at, chosen, first, greatest
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, speed_words
 from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
@@ -21,7 +22,6 @@ from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Crossing
 from scegen.scenario.model import Interval
-from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.verbs import does, goes
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
@@ -66,16 +66,14 @@ def claims(told: Told) -> Iterator[Claim]:
         if crossing is not None:
             test = partial(_walks, crossing, person.speed_mps)
             verb, until = "goes over the road at", ""
-        yield Claim(
-            id=f"speed.{person.id}",
-            kind=ClaimKind.SPEED,
-            statement=f"{person.id} {verb} {speed_words(person.speed_mps)}{until}",
-            field=f"participants.{person.id}.speed_mps",
-            unit="km/h",
-            test=test,
-            tolerance=SPEED_MPS * KPH,
-            scale=5.0,
-        )
+        does = f"{person.id} {verb} {speed_words(person.speed_mps)}{until}"
+        yield speed_claim(f"speed.{person.id}", does, f"participants.{person.id}.speed_mps", test)
+
+
+def speed_claim(name: str, statement: str, field: str, test: Test) -> Claim:
+    """A statement of how fast somebody is; see Claim."""
+    tolerance = SPEED_MPS * KPH
+    return Claim(name, ClaimKind.SPEED, statement, field, "km/h", test, tolerance, scale=5.0)
 
 
 def _until(told: Told, person: Participant) -> str:
@@ -98,9 +96,12 @@ def _reverses(told: Told, name: str) -> bool:
 def _fastest(told: Told, name: str, wanted: Interval, sense: int, view: View) -> Judged:
     """The greatest speed forwards or (``sense`` -1) backwards, up to a contact that is said."""
     before = np.arange(view.steps) * view.dt_s <= hit_s(told, view, name)[:, None]
-    speed = np.where(before, sense * view.row(name, SPEED), 0.0)
-    step = speed.argmax(axis=1)
-    fastest = at(speed, step)
+    return _at_most(view, np.where(before, sense * view.row(name, SPEED), 0.0), wanted)
+
+
+def _at_most(view: View, speed: Floats, wanted: Interval) -> Judged:
+    """Whether the greatest speed is as is said."""
+    fastest, step = greatest(speed)
     return Judged(within(fastest, wanted, SPEED_MPS) * KPH, fastest * KPH, view.time_of(step))
 
 
@@ -113,11 +114,7 @@ def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
     walked = view.speed_mps(crossing.participant)
     pace = np.where(there, walked, 0.0)
     never = pace.max(axis=1, keepdims=True) <= STANDS_MPS
-    speed = np.where(never, walked, pace)
-    step = speed.argmax(axis=1)
-    fastest = speed.max(axis=1)
-    margin = within(fastest, wanted, SPEED_MPS)
-    return Judged(margin * KPH, fastest * KPH, view.time_of(step))
+    return _at_most(view, np.where(never, walked, pace), wanted)
 
 
 def _holds(told: Told, person: Participant, wanted: Interval, view: View) -> Judged:
@@ -134,54 +131,45 @@ def _holds(told: Told, person: Participant, wanted: Interval, view: View) -> Jud
 def _held_until(told: Told, person: Participant, view: View) -> Ints:
     """The last step in which the stated speed must be held (c,)."""
     name = person.id
-    ends = [np.minimum(_own_change(told, person, view), view.last_step)]
     closest = _closest(told, view, name)
-    ends.append(closest)
+    ends = [_own_change(told, person, view), view.last_step, closest]
     if _turns(told, name):
         ends.append(_before_turn(told, name, view))
-    outcome = told.functional.outcome
-    collides = outcome is not None and outcome.kind is OutcomeKind.COLLISION
-    between = outcome.between if outcome is not None else ()
-    if not (collides and (not between or name in between)) and _may_react(told, name):
+    between = told.functional.outcome.between if told.functional.outcome else ()
+    hits = told.collides and (not between or name in between)
+    if not hits and _may_react(told, name):
         ends.append(_others_begin(told, name, view, closest))
     return np.asarray(np.min(ends, axis=0))
 
 
 def _own_change(told: Told, person: Participant, view: View) -> Ints:
     """When its own first act or danger that changes its speed begins."""
-    begins = [np.full(view.count, view.steps)]
     acts = [a for a in told.acts_of(person.id) if a.kind in SLOWING | GAINING | {ActKind.WAIT}]
-    begins += [act_begins(view, told.functional, told.logical, act) for act in acts]
-    if not acts:
-        for hazard in told.hazards:
-            if person.id in hazard.by and hazard.kind in SPEED_CHANGES:
-                run = speed_runs(view, person.id, SPEED_CHANGES[hazard.kind])[0]
-                begins.append(np.where(run.happens, run.begin, view.steps))
-    return np.asarray(np.min(begins, axis=0))
+    begins = [act_begins(told, act, view) for act in acts]
+    own = [h.kind for h in told.hazards if person.id in h.by and h.kind in SPEED_CHANGES]
+    for kind in own if not acts else ():
+        run = speed_runs(view, person.id, SPEED_CHANGES[kind])[0]
+        begins.append(np.where(run.happens, run.begin, view.steps))
+    return np.asarray(np.min([*begins, np.full(view.count, view.steps)], axis=0))
 
 
 def _closest(told: Told, view: View, name: str) -> Ints:
     """When those who concern it (or else all, or things) come nearest to it; the end if none."""
-    nearest = np.full(view.count, np.inf)
-    best = np.full(view.count, np.inf)
     others = [other.id for other in told.people if other.id != name]
     things = [other for other in view.index if other != name]
-    concerned = told.concerned_by(name)
-    for other in sorted(concerned) or others or things:
-        apart = view.of_pair("distance_m", name, other)
-        better = apart < best
-        nearest = np.where(better, view.of_pair("closest_s", name, other), nearest)
-        best = np.fmin(best, apart)
-    return np.where(np.isfinite(nearest), np.rint(nearest / view.dt_s), view.last_step).astype(
-        np.int64
-    )
+    found = [(np.full(view.count, np.inf), np.full(view.count, np.nan))]
+    for other in sorted(told.concerned_by(name)) or others or things:
+        apart = np.nan_to_num(view.of_pair("distance_m", name, other), nan=np.inf)
+        found.append((apart, view.of_pair("closest_s", name, other)))
+    _, nearest = chosen(found, np.argmin)
+    return np.where(np.isfinite(nearest), view.step_of(nearest), view.last_step)
 
 
 def _turns(told: Told, name: str) -> bool:
     """Whether its way or the rules at the junction make it slow down."""
     drive = told.drive(name)
     junction = told.functional.junction
-    if drive is None or junction.kind is JunctionKind.STRAIGHT:
+    if drive is None or told.plain_road:
         exits = told.functional.participant(name).maneuvers == {Maneuver.EXIT}
         return drive is not None and (drive.turn is Maneuver.U_TURN or exits)
     return (
@@ -222,5 +210,5 @@ def _others_begin(told: Told, name: str, view: View, closest: Ints) -> Ints:
     soon = np.where(braking.happens & (braking.end > soon), np.minimum(soon, braking.begin), soon)
     if not others:
         return soon
-    begins = [act_begins(view, told.functional, told.logical, act) for act in others]
+    begins = [act_begins(told, act, view) for act in others]
     return np.asarray(np.maximum(np.min(begins, axis=0), soon))

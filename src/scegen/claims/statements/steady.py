@@ -11,9 +11,10 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import Claim, ClaimKind, Judged
-from scegen.claims.moments import STANDS_MPS, at
-from scegen.claims.statements.speeds import SPEED_CHANGES
+from scegen.claims.claim import Claim, Judged
+from scegen.claims.moments import STANDS_MPS
+from scegen.claims.series import greatest
+from scegen.claims.statements.speeds import SPEED_CHANGES, speed_claim
 from scegen.claims.told import KPH, Told
 from scegen.claims.tolerances import SPEED_MPS
 from scegen.claims.view import View
@@ -35,16 +36,9 @@ def claims(told: Told) -> Iterator[Claim]:
         drive = told.drive(person.id)
         if drive is None or person.parked or _has_reason(told, person, drive):
             continue
-        yield Claim(
-            id=f"steady.{person.id}",
-            kind=ClaimKind.SPEED,
-            statement=f"{person.id} is never faster than at first",
-            field=f"participants.{person.id}",
-            unit="km/h",
-            test=partial(_never_faster, person.id),
-            tolerance=SPEED_MPS * KPH,
-            scale=5.0,
-        )
+        name, test = f"steady.{person.id}", partial(_never_faster, person.id)
+        does = f"{person.id} is never faster than at first"
+        yield speed_claim(name, does, f"participants.{person.id}", test)
 
 
 def _has_reason(told: Told, person: Participant, drive: Drive) -> bool:
@@ -62,6 +56,6 @@ def _has_reason(told: Told, person: Participant, drive: Drive) -> bool:
 def _never_faster(name: str, view: View) -> Judged:
     """Who stands at first is not judged."""
     speed = view.speed_mps(name)
-    step = speed.argmax(axis=1)
-    gained = np.where(speed[:, 0] > STANDS_MPS, at(speed, step) - speed[:, 0], 0.0)
+    fastest, step = greatest(speed)
+    gained = np.where(speed[:, 0] > STANDS_MPS, fastest - speed[:, 0], 0.0)
     return Judged((SPEED_MPS - gained) * KPH, gained * KPH, view.time_of(step))

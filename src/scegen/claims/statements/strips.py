@@ -10,6 +10,7 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always
+from scegen.claims.series import at, least
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
@@ -31,15 +32,11 @@ def claims(told: Told) -> Iterator[Claim]:
             continue
         stays = _stays(told, person)
         when = "" if stays else " at first"
-        yield Claim(
-            id=f"strip.{person.id}",
-            kind=ClaimKind.ENTRY,
-            statement=f"{person.id} is on the strip beside the lanes ({plain(person.strip)}){when}",
-            field=f"participants.{person.id}.strip",
-            unit="m",
-            test=partial(_on_it, told, person.id, person.strip, stays=stays),
-            fixed=person.parked,
-        )
+        statement = f"{person.id} is on the strip beside the lanes ({plain(person.strip)}){when}"
+        test = partial(_on_it, told, person.id, person.strip, stays=stays)
+        name, field = f"strip.{person.id}", f"participants.{person.id}.strip"
+        fixed = person.parked
+        yield Claim(name, ClaimKind.ENTRY, statement, field, "m", test, fixed=fixed)
 
 
 def _stays(told: Told, person: Participant) -> bool:
@@ -53,21 +50,18 @@ def _stays(told: Told, person: Participant) -> bool:
 def _on_it(told: Told, name: str, strip: Strip, view: View, *, stays: bool) -> Judged:
     """How far inside the strip its middle is, at worst; beyond its edges it is negative."""
     assignment = told.logical.assignment(name)
-    entry = isinstance(assignment, Drive)
-    number = assignment.entry if isinstance(assignment, Drive) else assignment.arm
-    arm = arms_of(view)[number]
+    drives = isinstance(assignment, Drive)
+    arm = arms_of(view)[assignment.entry if isinstance(assignment, Drive) else assignment.arm]
     band = arm.strips.get(LANE_TYPES[strip])
     if band is None:
         return always(view, holds=False)
     side = getattr(assignment, "side", None)
-    sign = arm.inward if entry or side is None else (1 if side is Side.LEFT else -1)
+    sign = arm.inward if drives or side is None else (1 if side is Side.LEFT else -1)
     _, offset = arm.place(boxes(view, name))
     out: Floats = sign * offset
     inside = np.minimum(out - band[0], band[1] - out)
     if isinstance(assignment, Drive) and assignment.reverses is Reverses.SQUARE:
         inside = out - band[0]  # a bay square to the road is as deep as that takes
     later: Bools = np.arange(view.steps) > (view.last_step[:, None] if stays else 0)
-    worst = np.where(later, NEVER, inside)
-    step = worst.argmin(axis=1)
-    rows = np.arange(view.count)
-    return Judged(worst[rows, step], out[rows, step], view.time_of(step))
+    worst, step = least(np.where(later, NEVER, inside))
+    return Judged(worst, at(out, step), view.time_of(step))

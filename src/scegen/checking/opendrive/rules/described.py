@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from scegen.checking.opendrive.arms import Arm, match_arms
 from scegen.checking.opendrive.lanes import lane_width, section_at
 from scegen.checking.opendrive.network import START, Network
-from scegen.checking.opendrive.routing import lane_graph, outer_node
+from scegen.checking.opendrive.routing import lane_graph, outer_node, reach
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
 from scegen.scenario.concrete import ArmRoad, ConcreteScenario, RoadParameters
@@ -132,7 +132,7 @@ def _drives(
         if entry not in arms or leave not in arms:
             continue
         starts = [outer_node(arms[entry], lane) for lane in arms[entry].inward]
-        reached = {node for start in starts for node in graph.reach(start)}
+        reached = reach(graph, starts)
         if not any(outer_node(arms[leave], lane) in reached for lane in arms[leave].outward):
             message = f"no way leads from arm {entry} to arm {leave}, as the scenario needs"
             yield error("xodr.drive", f"arm {entry}", message)

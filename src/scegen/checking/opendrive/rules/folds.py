@@ -10,9 +10,8 @@ from shapely import unary_union
 from shapely.geometry import Polygon
 
 from scegen.checking.opendrive.curves import Arc
-from scegen.checking.opendrive.lanes import driving, lane_borders, reference, section_at
+from scegen.checking.opendrive.lanes import driving, lane_borders, reference, section_at, stations
 from scegen.checking.opendrive.network import LaneSection, Network, Road, lane_place
-from scegen.checking.opendrive.sampling import stations
 from scegen.checking.results import Finding, error
 
 MARGIN = 0.05

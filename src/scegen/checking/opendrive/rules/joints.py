@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees, pi
 
-from scegen.checking.opendrive.lanes import LaneJoint, lane_end, lane_joints
+from scegen.checking.opendrive.lanes import LaneJoint, lane_joints
 from scegen.checking.opendrive.network import Network
 from scegen.checking.opendrive.tolerances import GAP_M, KINK_DEG, heading_step
 from scegen.checking.results import Finding, error
@@ -19,29 +19,28 @@ def check_joints(network: Network) -> Iterator[Finding]:
     """
     seen = set()
     for joint in lane_joints(network):
-        first = (joint.first_road.id, joint.first_contact, joint.first_lane)
-        second = (joint.second_road.id, joint.second_contact, joint.second_lane)
-        ends = frozenset({first, second})
-        if ends in seen or not (joint.first_road.measurable and joint.second_road.measurable):
+        ends = frozenset({joint.first.place, joint.second.place})
+        if ends in seen or not (joint.first.road.measurable and joint.second.road.measurable):
             continue
         seen.add(ends)
         yield from _meet(joint)
 
 
 def _meet(joint: LaneJoint) -> Iterator[Finding]:
-    first = lane_end(joint.first_road, joint.first_contact, joint.first_lane)
-    second = lane_end(joint.second_road, joint.second_contact, joint.second_lane)
+    first, second = joint.first.pose, joint.second.pose
+    place = f"{joint.first.place} – {joint.second.place}"
     gap = abs(first.centre - second.centre)
     if gap > GAP_M:
-        yield error("xodr.lane_gap", joint.place, f"linked lanes end {gap:.3f} m apart")
-    turned = pi if joint.turned else 0.0
+        yield error("xodr.lane_gap", place, f"linked lanes end {gap:.3f} m apart")
+    # Where two ends of the same kind meet, the roads' s run against each other.
+    turned = pi if joint.first.contact == joint.second.contact else 0.0
     kink = degrees(heading_step(first.heading + turned, second.heading))
     if abs(kink) > KINK_DEG:
-        yield error("xodr.lane_kink", joint.place, f"linked lanes bend by {kink:.2f}°")
+        yield error("xodr.lane_kink", place, f"linked lanes bend by {kink:.2f}°")
     width = second.width - first.width
     if abs(width) > GAP_M:
         message = f"the width jumps from {first.width:.3f} m to {second.width:.3f} m"
-        yield error("xodr.lane_step", joint.place, message)
+        yield error("xodr.lane_step", place, message)
     height = second.height - first.height
     if abs(height) > GAP_M:
-        yield error("xodr.lane_step", joint.place, f"the height jumps by {height:+.3f} m")
+        yield error("xodr.lane_step", place, f"the height jumps by {height:+.3f} m")

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from scegen.checking.opendrive.lanes import end_at_junction, junction_joints
+from scegen.checking.opendrive.lanes import LaneEnd, end_at_junction, junction_joints
 from scegen.checking.opendrive.network import (
     END,
     START,
     Connection,
     Junction,
     Network,
-    Road,
     lane_place,
     road_place,
 )
@@ -76,16 +75,15 @@ def _roads(
     to_road = link is not None and (link.id, link.contact) == (incoming.id, contact)
     to_junction = link is not None and (link.element, link.id) == ("junction", junction.id)
     if not (to_junction if junction.direct else to_road):
-        said = f"{link.element} {link.id} {link.contact or ''}".rstrip() if link else "nothing"
         goes_on = f"junction {junction.id}" if junction.direct else f"road {incoming.id} {contact}"
-        message = (
-            f"road {connecting.id} {connection.contact} is linked to {said} instead of {goes_on}"
-        )
+        said = f"is linked to {link or 'nothing'} instead of {goes_on}"
+        message = f"road {connecting.id} {connection.contact} {said}"
         yield error(RULE, place, message)
     if not connection.lanes:
         yield error(RULE, place, "links no lanes")
     for lane_from, lane_to in connection.lanes:
-        start, goal = (incoming, contact, lane_from), (connecting, connection.contact, lane_to)
+        start = LaneEnd(incoming, contact, lane_from)
+        goal = LaneEnd(connecting, connection.contact, lane_to)
         yield from _lanes(start, goal, place, linked=not junction.direct)
 
 
@@ -93,19 +91,14 @@ def check_connected_types(network: Network) -> Iterator[Finding]:
     """``xodr.connection``: connections join driving lanes only."""
     for junction in network.junctions.values():
         for joint in junction_joints(network, junction):
-            for road, contact, number in (
-                (joint.first_road, joint.first_contact, joint.first_lane),
-                (joint.second_road, joint.second_contact, joint.second_lane),
-            ):
+            for road, contact, number in (joint.first, joint.second):
                 kind = road.section(contact).lanes[number].type
                 if kind != "driving":
                     message = f"links {lane_place(road.id, number)}, which is of type {kind}"
                     yield error(RULE, joint.by, message)
 
 
-def _lanes(
-    start: tuple[Road, str, int], goal: tuple[Road, str, int], place: str, *, linked: bool
-) -> Iterator[Finding]:
+def _lanes(start: LaneEnd, goal: LaneEnd, place: str, *, linked: bool) -> Iterator[Finding]:
     for road, contact, number in (start, goal):
         lane = road.section(contact).lanes.get(number)
         if lane is None or number == 0:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from scegen.checking.opendrive.arms import open_ends
 from scegen.checking.opendrive.network import Network, lane_place
-from scegen.checking.opendrive.routing import lane_graph, outer_node
+from scegen.checking.opendrive.routing import lane_graph, outer_node, reach
 from scegen.checking.results import Finding, error
 
 RULE = "xodr.reachable"
@@ -16,7 +16,7 @@ def check_dead_ends(network: Network) -> Iterator[Finding]:
     """``xodr.dead_end``: a driving lane ends only where the network does."""
     graph = lane_graph(network)
     leaving = {outer_node(arm, lane) for arm in open_ends(network) for lane in arm.outward}
-    for node, following in graph.after.items():
+    for node, following in graph.items():
         if not following and node not in leaving:
             road, _, lane = node
             yield error("xodr.dead_end", lane_place(road, lane), "leads nowhere")
@@ -34,7 +34,7 @@ def check_reachability(network: Network) -> Iterator[Finding]:
     }
     reached_lanes: set[tuple[int, int]] = set()
     for i, arm in enumerate(arms):
-        reached = {node for lane in arm.inward for node in graph.reach(outer_node(arm, lane))}
+        reached = reach(graph, [outer_node(arm, lane) for lane in arm.inward])
         lanes = {key for key, node in leaving.items() if node in reached}
         reached_lanes |= {key for key in lanes if key[0] != i}
         two_way = arm.inward and arm.outward

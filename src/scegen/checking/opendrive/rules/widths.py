@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 
-from scegen.checking.opendrive.lanes import lane_width
+from scegen.checking.opendrive.lanes import lane_width, stations
 from scegen.checking.opendrive.network import (
     END,
     START,
@@ -15,7 +15,6 @@ from scegen.checking.opendrive.network import (
     lane_place,
     road_place,
 )
-from scegen.checking.opendrive.sampling import stations
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
 

@@ -56,7 +56,7 @@ def _as_large(name: str, body: Body, entity: Entity) -> Iterator[Finding]:
 
 
 def _placed(situation: Situation, thing: StaticObject, *, blocks: bool) -> Iterator[Finding]:
-    start = situation.storyboard.start(thing.id)
+    start = situation.storyboard.starts.get(thing.id)
     if not isinstance(start, WorldPoint):
         yield error(RULE, thing.id, "has no place in the world")
         return

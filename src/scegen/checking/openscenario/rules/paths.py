@@ -7,13 +7,18 @@ from itertools import islice
 
 import numpy as np
 
-from scegen.checking.opendrive.arms import STRIPS, Arm
-from scegen.checking.opendrive.locate import OnLane
+from scegen.checking.opendrive.arms import STRIPS
+from scegen.checking.opendrive.locate import OnLane, in_words
 from scegen.checking.openscenario.rules.trajectories import backwards_m
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.openscenario.storyboard import Trajectory
 from scegen.checking.results import Finding, error
-from scegen.scenario.concrete import CrossingMotion, DriveMotion, StandingMotion
+from scegen.scenario.concrete import (
+    ConcreteParticipant,
+    CrossingMotion,
+    DriveMotion,
+    StandingMotion,
+)
 from scegen.scenario.reversing import BacksOut
 from scegen.scenario.vocabulary import ON_FOOT
 
@@ -40,9 +45,8 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
         elif trajectory is None or not situation.arms or not len(trajectory.points):
             continue
         elif isinstance(motion, DriveMotion):
-            on_foot = participant.kind in ON_FOOT
             lanes = under[participant.id]
-            yield from _drive(situation, participant.id, motion, trajectory, lanes, on_foot=on_foot)
+            yield from _drive(situation, participant, motion, trajectory, lanes)
         elif isinstance(motion, CrossingMotion):
             yield from _crossing(situation, participant.id, motion, trajectory)
 
@@ -57,13 +61,12 @@ def _under(situation: Situation, names: Sequence[str]) -> dict[str, list[list[On
 
 def _drive(
     situation: Situation,
-    name: str,
+    participant: ConcreteParticipant,
     motion: DriveMotion,
     trajectory: Trajectory,
     under: Sequence[list[OnLane]],
-    *,
-    on_foot: bool,
 ) -> Iterator[Finding]:
+    name, on_foot = participant.id, participant.kind in ON_FOOT
     inward = situation.arms[motion.entry].inward
     numbers = [motion.entry_lane, *(change.lane_after for change in motion.lane_changes)]
     on_a_strip = max(numbers) > len(inward)
@@ -83,15 +86,10 @@ def _drive(
     number = motion.exit_lane
     if situation.ramp is not None and number > len(arm.outward):
         arm, number = situation.ramp, 1
-    reached = _on(under[-1], arm)
     # Lane 0 is that of the oncoming: it stays there.
-    wanted = (
-        {*arm.inward[:1]}
-        if number == 0
-        else {*[*arm.outward, *arm.strips_out][number - 1 : number]}
-    )
-    if not reached & wanted:
-        said = ", ".join(f"road {x.road} lane {x.lane}" for x in under[-1]) or "no lane"
+    wanted = arm.numbered_out(number) if number else {*arm.inward[:1]}
+    if not arm.under(under[-1]) & wanted:
+        said = in_words(under[-1])
         message = f"ends on {said} instead of arm {motion.exit} ({arm.place}) lane {sorted(wanted)}"
         yield error("xosc.exit", name, message)
 
@@ -127,12 +125,8 @@ def _crossing(
     # Sampled finely: the vertices of a walk straight across may all lie beside the lanes.
     count = max(2, int(abs(last - first) / 0.5))
     line = [first + (last - first) * i / count for i in range(count + 1)]
-    crossed = set().union(*(_on(lanes, arm) for lanes in situation.lanes_at(line)))
+    crossed = set().union(*(arm.under(lanes) for lanes in situation.lanes_at(line)))
     missing = {*arm.inward, *arm.outward} - crossed
     if missing and (motion.stops_after_m is None or not crossed):
         message = f"does not cross lanes {sorted(missing)} of arm {motion.arm} ({arm.place})"
         yield error("xosc.crossing", name, message)
-
-
-def _on(lanes: list[OnLane], arm: Arm) -> set[int]:
-    return {lane.lane for lane in lanes if lane.road == arm.road.id}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.arms import Arm
-from scegen.checking.opendrive.locate import OnLane
+from scegen.checking.opendrive.locate import OnLane, in_words
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.results import Finding, error, unchecked
 from scegen.scenario.concrete import (
@@ -28,7 +28,7 @@ def check_starts(situation: Situation) -> Iterator[Finding]:
     The numbers beyond the driving lanes are those of the strips beside them.
     """
     starts = {
-        entity.name: situation.in_world(situation.storyboard.start(entity.name))
+        entity.name: situation.in_world(situation.storyboard.starts.get(entity.name))
         for entity in situation.storyboard.entities
     }
     placed = [(name, position) for name, position in starts.items() if position is not None]
@@ -90,14 +90,12 @@ def _where_asked(
     if not here and isinstance(motion, DriveMotion) and _further_on(motion, arms, lanes):
         return
     if not here:
-        said = ", ".join(f"road {lane.road} lane {lane.lane}" for lane in lanes) or "no lane"
-        message = f"starts on {said} instead of arm {number} ({arm.place})"
+        message = f"starts on {in_words(lanes)} instead of arm {number} ({arm.place})"
         yield error(RULE, participant.id, message)
         return
     if isinstance(motion, DriveMotion):
-        number = motion.entry_lane
-        wanted = {*[*arm.inward, *arm.strips][number - 1 : number]}
-        wanted = set(arm.outward) if isinstance(reversal, BacksOut) else wanted
+        out = isinstance(reversal, BacksOut)
+        wanted = {*arm.outward} if out else arm.numbered_in(motion.entry_lane)
         if not wanted & {lane.lane for lane in here}:
             message = f"starts on lane {here[0].lane} of {arm.place}, not on {sorted(wanted)}"
             yield error(RULE, participant.id, message)
@@ -111,6 +109,4 @@ def _further_on(motion: DriveMotion, arms: dict[int, Arm], lanes: list[OnLane]) 
     if len(arms) != _ENDS or isinstance(motion.reversal, BacksOut):
         return False
     beyond = arms[motion.exit]
-    lanes_out = [*beyond.outward, *beyond.strips_out]
-    lane = {*lanes_out[motion.entry_lane - 1 : motion.entry_lane]}
-    return any(each.road == beyond.road.id and each.lane in lane for each in lanes)
+    return bool(beyond.under(lanes) & beyond.numbered_out(motion.entry_lane))

@@ -36,21 +36,21 @@ START_M = 0.05
 def check_trajectories(situation: Situation) -> Iterator[Finding]:
     """``xosc.trajectory``: times rise; ``xosc.reversing``: backwards only where that is asked."""
     for trajectory in situation.storyboard.trajectories:
-        yield from _times(trajectory, _place(trajectory))
-        yield from _backwards(situation, trajectory, _place(trajectory))
+        yield from _times(trajectory)
+        yield from _backwards(situation, trajectory)
 
 
 def check_trajectory_shapes(situation: Situation) -> Iterator[Finding]:
     """``xosc.trajectory``: steps, turns and headings of every polyline."""
     for trajectory in situation.storyboard.trajectories:
-        yield from _shape(trajectory, _place(trajectory))
+        yield from _shape(trajectory)
 
 
 def check_trajectory_starts(situation: Situation) -> Iterator[Finding]:
     """``xosc.trajectory_start``: an entity stands where it begins to follow its trajectory."""
     for entity in situation.storyboard.entities:
         trajectory = situation.storyboard.trajectory(entity.name)
-        start = situation.in_world(situation.storyboard.start(entity.name))
+        start = situation.in_world(situation.storyboard.starts.get(entity.name))
         if trajectory and len(trajectory.points) and start is not None:
             begins = trajectory.at(trajectory.begins_m)
             if begins is None:
@@ -61,20 +61,18 @@ def check_trajectory_starts(situation: Situation) -> Iterator[Finding]:
                 yield error("xosc.trajectory_start", entity.name, message)
 
 
-def _place(trajectory: Trajectory) -> str:
-    return ", ".join(trajectory.actors) or trajectory.name
-
-
-def _times(trajectory: Trajectory, place: str) -> Iterator[Finding]:
+def _times(trajectory: Trajectory) -> Iterator[Finding]:
     stated = trajectory.times[~np.isnan(trajectory.times)]
     if (np.diff(stated) < 0.0).any():
-        yield error("xosc.trajectory", place, "the times of its vertices do not rise")
+        yield error("xosc.trajectory", trajectory.place, "the times of its vertices do not rise")
 
 
-def _shape(trajectory: Trajectory, place: str) -> Iterator[Finding]:
+def _shape(trajectory: Trajectory) -> Iterator[Finding]:
     points = trajectory.points
     if len(points) < 2:
-        yield error("xosc.trajectory", place, "its trajectory has fewer than two vertices")
+        yield error(
+            "xosc.trajectory", trajectory.place, "its trajectory has fewer than two vertices"
+        )
         return
     chords = np.diff(points)
     ways = np.where(_backwards_at(trajectory), -chords, chords)
@@ -95,7 +93,7 @@ def _shape(trajectory: Trajectory, place: str) -> Iterator[Finding]:
         message = f"turns by {turns[number]:.1f}° at vertex {number}"
     else:
         message = f"the heading of vertex {number} is {offs[number]:.1f}° off its way"
-    yield error("xosc.trajectory", place, message)
+    yield error("xosc.trajectory", trajectory.place, message)
 
 
 def _turn_deg(before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -117,7 +115,7 @@ def backwards_m(trajectory: Trajectory) -> list[tuple[float, float]]:
     return [(along[begins], along[ends]) for begins, ends in edges.reshape(-1, 2)]
 
 
-def _backwards(situation: Situation, trajectory: Trajectory, place: str) -> Iterator[Finding]:
+def _backwards(situation: Situation, trajectory: Trajectory) -> Iterator[Finding]:
     """``xosc.reversing``: it goes backwards where the concrete scenario says, and only there."""
     if situation.concrete is None or len(trajectory.points) < 2:
         return
@@ -137,4 +135,4 @@ def _backwards(situation: Situation, trajectory: Trajectory, place: str) -> Iter
             message = f"should come out backwards, but first goes {parts[0][0]:.1f} m forwards"
         else:
             continue
-        yield error("xosc.reversing", place, message)
+        yield error("xosc.reversing", trajectory.place, message)
