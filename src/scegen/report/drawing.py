@@ -52,8 +52,7 @@ def outline(points: Line, *, closed: bool = False) -> str:
 
 def line(points: Line, colour: str, width: float, **style: Style) -> str:
     """A line through points."""
-    drawn: dict[str, Style] = {"fill": "none", "stroke": colour, "stroke_width": width}
-    return element("path", d=outline(points), **(drawn | style))
+    return lines([points], colour, width, **style)
 
 
 def lines(many: Iterable[Line], colour: str, width: float, **style: Style) -> str:

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from scegen.criticality.encounter import Encounter, closest_encounter
 from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
-from scegen.report.bodies import braking, corners_at
+from scegen.report.bodies import braking
 from scegen.report.camera import camera_views
+from scegen.report.corners import corners_at
 from scegen.report.drawing import box, circle, document, letters, line
 from scegen.report.moving_labels import MovingLabels
 from scegen.report.stage import (

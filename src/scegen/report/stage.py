@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter
 from scegen.motion.model import Array, Path, Trace
-from scegen.report.bodies import body, braking, corners_at, ghost, standing_at, swept
-from scegen.report.corners import thing_corners
+from scegen.report.bodies import body, braking, ghost, standing_at, swept
+from scegen.report.corners import corners_at, thing_corners
 from scegen.report.drawing import area, areas, box, letters, line, lines
 from scegen.report.labels import WAY_STEP_PX, Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
@@ -169,8 +169,7 @@ def on_ways(stage: Stage, view: View) -> Array:
     for name, path in stage.paths.items():
         if stage.traces[name].s_m[-1] > 0.0:
             s = np.arange(path.s_m[0], path.s_m[-1], WAY_STEP_PX / view.scale)
-            places = [np.interp(s, path.s_m, along) for along in (path.x_m, path.y_m)]
-            found.append(np.column_stack(places))
+            found.append(np.column_stack(path.places(s)[:2]))
     points = np.concatenate([np.empty((0, 2)), *found])
     near = np.abs(points - (view.x_m, view.y_m)) < (view.width_m / 2, view.height_m / 2)
     return view.seen(points[near.all(axis=1)])
@@ -203,9 +202,7 @@ def _way(stage: Stage, participant: ConcreteParticipant, view: View) -> str:
     for begins, ends in path.backwards:
         if travelled > begins:
             s = np.linspace(begins, min(ends, travelled), 24)
-            stretch = np.column_stack(
-                (np.interp(s, path.s_m, path.x_m), np.interp(s, path.s_m, path.y_m))
-            )
+            stretch = np.column_stack(path.places(s)[:2])
             dots = f"{width:.3f} {1.6 * width:.3f}"
             back += lines(view.cut([stretch]), stage.theme.mark, width * 0.6, stroke_dasharray=dots)
     head = ""

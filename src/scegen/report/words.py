@@ -18,6 +18,7 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Conflict, Reverses, Rule
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import BacksUp, Reversal
+from scegen.scenario.vocabulary import Role
 
 KMH = 3.6
 _RULES: dict[Rule, str] = {
@@ -63,6 +64,12 @@ def hazard_words(hazard: Hazard) -> str:
     if hazard.to:
         text += f", endangering {' and '.join(hazard.to)}"
     return text
+
+
+def name_words(participant: ConcreteParticipant) -> str:
+    """Its name; of the ego that it is the ego, if it is called otherwise."""
+    is_ego = participant.role is Role.EGO and participant.id != "ego"
+    return f"{participant.id} (ego)" if is_ego else participant.id
 
 
 def participant_words(participant: ConcreteParticipant) -> str:

@@ -151,12 +151,9 @@ class Meetings:
         high_m = min(high_m, path.length_m)
         low_m = min(max(low_m, 0.0), high_m)
         s = np.linspace(low_m, high_m, 2 + ceil((high_m - low_m) / _ALONG_M))
-        x, y, heading = (
-            np.interp(s, path.s_m, series) for series in (path.x_m, path.y_m, path.heading_rad)
-        )
         if who is None:
-            return shapely.Point(x[0], y[0])
-        return shapely.union_all(shapely.polygons(box_corners(who.body, x, y, heading)))
+            return shapely.Point(path.x_m[0], path.y_m[0])
+        return shapely.union_all(shapely.polygons(box_corners(who.body, *path.places(s))))
 
     def _spell(self, one: int, enter_m: float, leave_m: float) -> list[float] | None:
         """From when to when somebody is on common ground; None: never."""
