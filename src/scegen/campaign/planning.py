@@ -19,7 +19,7 @@ import pyarrow.parquet as pq
 from scegen import __version__
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.parameters import at_point, points
-from scegen.campaign.rows import cells
+from scegen.campaign.rows import Row, cells
 from scegen.campaign.store import Store
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import NoScenarioError, ScegenError
@@ -65,6 +65,18 @@ class Item:
     seed: int
     stage: str | None
     reason: str | None
+
+    @property
+    def row(self) -> Row:
+        """What its row says whatever comes of it."""
+        return {
+            "key": self.key,
+            "description": self.description,
+            "functional": self.functional,
+            "sweep": self.point,
+            "concretization": self.concretization,
+            "seed": self.seed,
+        }
 
 
 def content_of(described: Described) -> str:
@@ -221,9 +233,5 @@ def _table(path: Path) -> pa.Table:
 def items(path: Path, numbers: list[int]) -> Iterator[Item]:
     """The items of a plan in these rows."""
     for row in _table(path).take(numbers).to_pylist():
-        yield Item(
-            **{
-                name: row[name] for name in Item.__slots__ if name != "point"
-            },  # the plan has these columns, and a cost
-            point=dict(row["point"] or []),
-        )
+        del row["cost"]
+        yield Item(**row | {"point": dict(row["point"] or [])})

@@ -108,9 +108,8 @@ def careful_driver_verdict(
     """
     grip = friction_of(concrete.environment) if friction is None else friction
     own = concrete.ego.model_copy(update={"on_contact": None})  # its own crash is no braking
-    people = tuple(own if p.id == own.id else p for p in concrete.participants)
-    free = concrete.model_copy(update={"participants": people})
-    return _Trial(free, {**paths, **object_paths(concrete)}, grip).verdict()
+    ways = {**paths, **object_paths(concrete)}
+    return _Trial(concrete.with_participant(own), ways, grip).verdict()
 
 
 @dataclass(frozen=True, slots=True)
@@ -279,8 +278,7 @@ class _Trial:
             for share, level in stages
         )
         driver = ego.model_copy(update={"speed_program": ego.speed_program[:kept] + phases})
-        people = tuple(driver if p is ego else p for p in self.concrete.participants)
-        return self.concrete.model_copy(update={"participants": people})
+        return self.concrete.with_participant(driver)
 
     def spare_s(self, brakes_s: float, deciding: set[str], *, avoided: bool) -> float | None:
         """The shift of the braking at which the outcome changes, see :class:`Verdict`."""

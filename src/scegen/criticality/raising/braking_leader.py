@@ -183,13 +183,9 @@ def _with_phases(
         )
     ]
     later_s = closing_m / speed + 1.0
-    return concrete.model_copy(
-        update={
-            "participants": tuple(braking if p.id == leader else p for p in concrete.participants),
-            "duration_s": round((concrete.duration_s + later_s) * 20) / 20,
-            "provenance": (*concrete.provenance, *changes),
-        }
-    )
+    people = concrete.with_participant(braking).participants
+    ends_s = round((concrete.duration_s + later_s) * 20) / 20
+    return concrete.changed(people, changes, duration_s=ends_s)
 
 
 def _slows_by(closing_m: float, speed: float, rate: float, resuming: float) -> tuple[float, float]:

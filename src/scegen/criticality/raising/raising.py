@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims.hazards.scenes import Pair
 from scegen.claims.ways import paths_of, ways_of
-from scegen.criticality.proposals.advising import Advised
+from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.braking_leader import braking_leaders
 from scegen.criticality.raising.giving_up import blocking, give_up, out_of_reach
@@ -101,7 +101,7 @@ def raise_criticality(
     else:
         give_up(stage, problem, out_of_reach(problem, before, rng))
         if proposer is not None:
-            advice = stage.ask(proposer, problem, before, seed)
+            advice = advised(proposer, problem, concrete, stage.ways, before.hazards, seed=seed)
     blocked = _fill(found, solutions, stage, problem, before, rng, advice)
     if not found and problem.never:
         give_up(stage, problem, problem.never)

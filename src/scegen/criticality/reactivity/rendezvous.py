@@ -135,8 +135,9 @@ def held_back(
             "speed_program": (go, *participant.speed_program[join.phase :]),
         }
     )
-    people = [_since(waiting if p.id == who else p, who, nearer_m) for p in concrete.participants]
-    if any(p is None for p in people):
+    since = [_since(waiting if p.id == who else p, who, nearer_m) for p in concrete.participants]
+    people = [person for person in since if person is not None]
+    if len(people) < len(since):
         return None
     reason = f"waits for the ego: goes when it is {waits[1]:.2f} s short of where they meet"
     noted = (
@@ -148,9 +149,7 @@ def held_back(
         Change(parameter=name, by="reactivity", before=before, after=after, reason=reason)
         for name, before, after in noted
     )
-    return concrete.model_copy(
-        update={"participants": tuple(people), "provenance": (*concrete.provenance, *changes)}
-    )
+    return concrete.changed(people, changes)
 
 
 def waits_until(

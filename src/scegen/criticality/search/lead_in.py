@@ -72,8 +72,7 @@ def second_enters_s(view: View, pair: tuple[str, str]) -> Floats:
     if found is None:
         return first
     areas = view.scene.areas
-    names = [view.concrete.entities[i].id for i in view.scene.pairs[found[0]]]
-    places = [view.place_m(name) for name in names]
+    places = [view.place_m(name) for name in view.names_of(found[0])]
     for n in range(areas.first[found[0]], areas.first[found[0] + 1]):
         enters = [
             (place < areas.enter_m[n, k]).sum(axis=1) * view.dt_s for k, place in enumerate(places)

@@ -17,7 +17,7 @@ from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Target
 from scegen.measures.registry import measure_named
 from scegen.measures.tables import Tables
-from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
+from scegen.motion.batch.arrays import Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import STANDING_MPS
@@ -117,12 +117,16 @@ class Problem:
     home: Floats | None = None
     progress: Callable[[str], None] = lambda _: None
 
+    def view(self, made: Candidates) -> View:
+        """The movements of candidates, as claims look at them."""
+        traces = simulate_batch(self.program, made, duration_s=self.duration_s, dt_s=self.dt_s)
+        return view_of(self.concrete, self.ways, self.scene, traces, self.friction)
+
     def evaluate(self, x: Floats) -> Outcome:
         """Everything about candidates with these values of the variables (c, n)."""
         made = self.space.candidates(x)
-        traces = self._movements(made)
+        view = self.view(made)
         self.evaluations += x.shape[0]
-        view = view_of(self.concrete, self.ways, self.scene, traces, self.friction)
         finish, duration = finishing(view, self.pair)
         missing: dict[str, Floats] = {}
         if not self.untargeted:
@@ -173,9 +177,6 @@ class Problem:
             if float(values.max()) < 0.0 and float(np.ptp(values)) < _SAME
         )
 
-    def _movements(self, made: Candidates) -> BatchTraces:
-        return simulate_batch(self.program, made, duration_s=self.duration_s, dt_s=self.dt_s)
-
     def _lateral(self, view: View) -> Floats:
         """How far bends and lane changes are taken too fast, in shares of the limit."""
         worst = np.zeros(view.count)
@@ -185,7 +186,7 @@ class Problem:
 
     def _sameness(self, x: Floats) -> Floats:
         """Whether a candidate is too much like a solution that is known already."""
-        span = np.maximum(self.space.high - self.space.low, 1e-9)
+        span = np.maximum(self.space.span, 1e-9)
         worst = np.zeros(x.shape[0])
         for other in self.known:
             apart = np.sqrt(np.mean(((x - other) / span) ** 2, axis=1))

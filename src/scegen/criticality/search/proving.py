@@ -78,15 +78,13 @@ class Evidence:
 
     def unwanted(self, target: Target, pair: Pair) -> tuple[Pair, ...]:
         """Pairs that touch although they should not."""
-        people = [entity.id for entity in self.concrete.entities]
-        wanted = self.view.pair(*pair) if pair else None
-        found = []
-        for p, (a, b) in enumerate(self.view.scene.pairs):
-            allowed = wanted is not None and p == wanted[0] and target.contact is not False
-            allowed = allowed or bool(follows_from(self.view, target, pair, p)[0])
-            if not allowed and not np.isnan(self.view.summary.contact_s[0, p]):
-                found.append((people[int(a)], people[int(b)]))
-        return tuple(found)
+        view = self.view
+        wanted = view.pair(*pair) if pair and target.contact is not False else None
+        return tuple(
+            view.names_of(p)
+            for p in view.touching()
+            if (wanted is None or p != wanted[0]) and not follows_from(view, target, pair, p)[0]
+        )
 
     def meets(self, target: Target, pair: Pair) -> bool:
         """Whether the target is met, with no unwanted contact."""

@@ -55,13 +55,7 @@ def rebuilt(
         people.append(fresh)
     if not changes:
         return concrete
-    return concrete.model_copy(
-        update={
-            "participants": tuple(people),
-            "duration_s": round(duration_s * 20) / 20,
-            "provenance": (*concrete.provenance, *changes),
-        }
-    )
+    return concrete.changed(people, changes, duration_s=round(duration_s * 20) / 20)
 
 
 def _moved_m(participant: ConcreteParticipant, way: Way, start_m: float) -> float:
