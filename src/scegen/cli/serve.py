@@ -9,13 +9,7 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result, say
-from scegen.cli.llm import (
-    BudgetOption,
-    ModelOption,
-    TimeoutOption,
-    UrlOption,
-    llm_settings,
-)
+from scegen.cli.llm import Asked, BudgetOption, ModelOption, TimeoutOption, UrlOption
 from scegen.errors import InputError, MissingToolError
 
 
@@ -34,7 +28,7 @@ def serve(
     llm_timeout: TimeoutOption = None,
 ) -> None:
     """Open the page: describe, choose, make dangerous, watch, take away."""
-    models = llm_settings(llm, llm_url, llm_budget, llm_timeout, None, None)
+    models = Asked(llm, llm_url, llm_budget, llm_timeout).settings()
     if project.exists() and not project.is_dir():
         raise InputError("is a file, not a folder", where=str(project))
     try:

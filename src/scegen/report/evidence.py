@@ -12,6 +12,7 @@ from scegen.scenario.paths import NOWHERE, value_at
 from scegen.scenario.proof import ClaimProof
 from scegen.understanding import STANDINGS, Finding, Standing, passages, report_on
 from scegen.understanding.report.disagreement import Disagreement
+from scegen.units import parted
 
 LONGEST_SHOWN = 20_000
 """Characters of a description that are shown."""
@@ -23,9 +24,6 @@ STANDS_FOR = {
     Standing.UNSUPPORTED: "understood, but not expressible",
 }
 """What the standings of words and fields mean."""
-_UNITS = {
-    "_mps2": "m/s²", "_mps": "m/s", "_deg": "°", "_m": "m", "_s": "s", "_percent": "%",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,10 +149,8 @@ def field_words(field: str) -> str:
 
 
 def _quantity_words(name: str) -> str:
-    for ending, unit in _UNITS.items():
-        if name.endswith(ending):
-            return f"{plain(name.removesuffix(ending))} ({unit})"
-    return plain(name)
+    quantity, unit = parted(name)
+    return f"{plain(quantity)} ({unit})" if unit else plain(quantity)
 
 
 def _value(functional: FunctionalScenario, field: str) -> str:

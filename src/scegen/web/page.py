@@ -15,7 +15,7 @@ from scegen.errors import ScegenError
 from scegen.report.player.bundle import player_css
 from scegen.report.theme import css
 from scegen.scenario.wording import counted
-from scegen.web.elements import button, mark, node
+from scegen.web.elements import button, clickable, mark, node
 from scegen.web.steps.choose import Choose
 from scegen.web.steps.danger import Danger
 from scegen.web.steps.describe import Describe
@@ -108,9 +108,7 @@ class Page:
         self._show_marks()
 
     def _build_mark(self, number: int, step: _StepKind) -> None:
-        made = node("button", "stepmark", type="button")
-        made.on("click", lambda _: self.go(step.name), [])
-        with made:
+        with clickable("stepmark", lambda: self.go(step.name)) as made:
             node("span", "stepmark-number", str(number))
             node("span", "stepmark-label", step.label)
             self._marks[step.name] = (made, node("span", "stepmark-note"))

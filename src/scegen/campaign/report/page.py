@@ -25,6 +25,7 @@ from scegen.campaign.report.unmet import unmet
 from scegen.campaign.rows import MADE, MEASURES, SECONDS, Row
 from scegen.report.one_file import as_json, asset, page
 from scegen.report.theme import css
+from scegen.units import parted
 
 MOST_GROUPS = 10
 _LISTED = (
@@ -211,10 +212,8 @@ def _name(row: Row) -> str:
 
 def _measured(row: Row) -> str:
     """The measures that a row has, in words."""
-    units = {column: column.rpartition("_")[2].replace("mps2", "m/s²").replace("mps", "m/s")
-             for column in MEASURES.values()}  # fmt: skip
     return ", ".join(
-        f"{name.replace('_', ' ')} {row[column]:.2f} {units[column]}"
+        f"{name.replace('_', ' ')} {row[column]:.2f} {parted(column)[1]}"
         for name, column in MEASURES.items()
         if row[column] is not None
     )

@@ -69,8 +69,7 @@ def _print_table(rows: list[Row], caption: str) -> None:
             str(row.files) if row.problem is None else f"none: {row.problem}",
             *(marks[row.checks.get(name, "")] for name in checkers),
         )
-    console = Console()
-    console.print(table)
+    Console().print(table)
 
 
 def _print_danger(rows: list[Row], caption: str) -> None:

@@ -31,13 +31,32 @@ def node(tag: str, classes: str = "", text: str = "", **attributes: object) -> T
     return element
 
 
+def clickable(
+    classes: str, done: Callable[[], object], text: str = "", **attributes: object
+) -> TextElement:
+    """Something to be clicked; ``done`` is called every time."""
+    made = node("button", classes, text, type="button", **attributes)
+    made.on("click", lambda _: done(), [])
+    return made
+
+
 def button(
     text: str, done: Callable[[], object], classes: str = "", **attributes: object
 ) -> TextElement:
-    """A button; ``done`` is called on every click."""
-    made = node("button", f"button {classes}", text, type="button", **attributes)
-    made.on("click", lambda _: done(), [])
-    return made
+    """A button that looks like one."""
+    return clickable(f"button {classes}", done, text, **attributes)
+
+
+def dotted(state: str, text: str) -> None:
+    """Words behind a dot whose colour tells a state or a standing."""
+    node("span", f"dot {state}")
+    node("span", "", text)
+
+
+def tell(element: TextElement, text: str | None) -> None:
+    """Show words in an element, or hide it where there are none."""
+    element.set_visibility(text is not None)
+    element.text = text or ""
 
 
 def mark(element: Element, name: str, *, on: bool) -> Element:
@@ -208,7 +227,10 @@ __all__ = [
     "Rules",
     "button",
     "choice",
+    "clickable",
+    "dotted",
     "drawn",
     "mark",
     "node",
+    "tell",
 ]

@@ -7,7 +7,7 @@ from scegen.report.judgement import verdict_words
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 from scegen.scenario.wording import figure
-from scegen.web.elements import drawn, node
+from scegen.web.elements import dotted, drawn, node
 from scegen.web.made import MadeScenario
 from scegen.web.pictures import tile_picture
 from scegen.web.work import Work
@@ -23,16 +23,14 @@ def outcome_cards(work: Work) -> None:
         outcome_card(made, work.made.functional)
     for name, reason in work.made.skipped.items():
         with node("div", "remark"):
-            node("span", "dot open")
-            node("span", "", f"{name}: {reason}")
+            dotted("open", f"{name}: {reason}")
 
 
 def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> None:
     """One scenario: whether it is what was asked for, in figures."""
     with node("article", "card"):
         with node("h3", ""):
-            node("span", f"dot {made.state}")
-            node("span", "", made.name)
+            dotted(made.state, made.name)
         with node("div", "card-body"):
             if functional is not None:
                 drawn(tile_picture(made.concrete.logical, functional), "paper")
@@ -87,6 +85,5 @@ def _proof(proof: Proof) -> None:
         node("p", "", proof.held)
     for claim in proof.missed:
         with node("div", "remark"):
-            node("span", "dot failed")
             words = f" (“{claim.words}”)" if claim.words else ""
-            node("span", "", f"{claim.statement}{words}: {claim.found}")
+            dotted("failed", f"{claim.statement}{words}: {claim.found}")

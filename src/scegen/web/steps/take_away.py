@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from urllib.parse import quote
 
 from scegen.checking.environment import esmini
@@ -81,7 +82,7 @@ class TakeAway(StepView):
                     if esmini() is not None:
                         button(
                             "Play in esmini",
-                            lambda name=made.name: work.play(name),  # type: ignore[misc]
+                            partial(work.play, made.name),
                             "small",
                             data_tip=None if has_screen() else "No screen here: without a window",
                         )
