@@ -36,16 +36,11 @@ LEFT_OUT = b"left_out"
 """Metadata of a plan: what scenarios show that the campaign leaves out, with how many do."""
 _PLAN = pa.schema(
     [
-        ("key", pa.string()),
-        ("description", pa.string()),
-        ("functional", pa.string()),
-        ("logical", pa.string()),
+        *((name, pa.string()) for name in ("key", "description", "functional", "logical")),
         ("point", pa.map_(pa.string(), pa.float64())),
-        ("concretization", pa.int64()),
-        ("seed", pa.int64()),
+        *((name, pa.int64()) for name in ("concretization", "seed")),
         ("cost", pa.float64()),
-        ("stage", pa.string()),
-        ("reason", pa.string()),
+        *((name, pa.string()) for name in ("stage", "reason")),
     ]
 )
 _SEED_DIGITS = 13

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from scegen.cli.console import result, result_json, say, working
+from scegen.cli.console import result, say, working
 from scegen.cli.danger import proof_lines
 from scegen.cli.llm import Asked, Listener, asks_models, tell, tell_proposals
 from scegen.cli.options import (
@@ -109,9 +109,7 @@ def generate(
             )
             tell_proposals(listener.session, made.proofs.values())
     if json:
-        import json as json_module
-
-        result_json(json_module.loads((output / "summary.json").read_text(encoding="utf-8")))
+        result((output / "summary.json").read_text(encoding="utf-8"))
     else:
         _tell(made)
     if not made.ok:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from scegen.errors import MissingToolError
+from scegen.errors import of_extra
 from scegen.report.film import Film
 from scegen.report.raster import png_of
 from scegen.report.theme import Theme
@@ -60,12 +60,8 @@ def write_mp4(film: Film, path: Path, fps: float, watch: Watch = iter) -> None:
     Raises:
         MissingToolError: imageio-ffmpeg is not installed.
     """
-    try:
+    with of_extra("video", "a video", "imageio_ffmpeg"):
         ffmpeg = import_module("imageio_ffmpeg")
-    except ImportError as error:
-        raise MissingToolError(
-            "video needs imageio-ffmpeg", hint=f"{VIDEO_HINT}, or use --gif"
-        ) from error
     writer = ffmpeg.write_frames(
         str(path),
         film.size,

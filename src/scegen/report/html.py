@@ -46,8 +46,8 @@ def report_html(report: ReportInput) -> str:
         "skipped": report.skipped,
         "voice": report.voice,
     }
-    style = css() + player_css() + asset(__package__, "report.css")
-    script = player_js() + asset(__package__, "report.js")
+    style = css() + player_css() + asset(__package__, "templates/report.css")
+    script = player_js() + asset(__package__, "templates/report.js")
     return page(__package__, "report.html.j2", style, script, content)
 
 

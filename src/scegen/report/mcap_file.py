@@ -14,7 +14,7 @@ from io import BytesIO
 from math import cos, sin
 from typing import Any
 
-from scegen.errors import MissingToolError
+from scegen.errors import of_extra
 from scegen.motion.model import Trace
 from scegen.motion.standing import object_paths
 from scegen.report.lane_shapes import road_shapes
@@ -23,7 +23,7 @@ from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
-INSTALL_EXCHANGE = "pip install 'ml-scegen[exchange]'"
+_LIBRARIES = ("mcap", "mcap_protobuf", "foxglove_schemas_protobuf", "google")
 _LIBRARY = "ML-SceGen"
 _MAP = "map"
 _EGO, _OTHER, _THING, _MARK = (
@@ -48,17 +48,11 @@ def mcap_of(concrete: ConcreteScenario, network: RoadNetwork, traces: Mapping[st
     Raises:
         MissingToolError: the extra ``exchange`` is not installed.
     """
-    try:
+    with of_extra("exchange", "MCAP", *_LIBRARIES, where="--mcap"):
         register = import_module("mcap_protobuf.schema").register_schema
         update, transforms = _message("SceneUpdate"), _message("FrameTransforms")
         stream = BytesIO()
         writer = import_module("mcap.writer").Writer(stream)
-    except ImportError as error:
-        raise MissingToolError(
-            f"MCAP needs the library {error.name}, which is not installed",
-            where="--mcap",
-            hint=f"run: {INSTALL_EXCHANGE}",
-        ) from error
     writer.start(library=_LIBRARY)
     scene, road, frames = (
         writer.register_channel(

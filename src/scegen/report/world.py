@@ -132,13 +132,9 @@ class Surroundings:
     ) -> None:
         self._theme = theme
         self._shapes: RoadShapes = road_shapes(network, bays(concrete, paths))
-        self._control = concrete.road.control
         self._concrete = concrete
-        self._entries = [
-            (*entry_of(network, arm), arm) for arm in sorted(concrete.road.controlled_arms)
-        ]
+        self._entries = [entry_of(network, arm) for arm in sorted(concrete.road.controlled_arms)]
         self._lights = lights_of(concrete, network)
-        self._things = concrete.objects
 
     def across(self, west_m: float, east_m: float) -> tuple[float, float]:
         """How far south and north the roads reach between two places."""
@@ -183,12 +179,12 @@ class Surroundings:
         layers.append(areas(shapes.stripes, theme.mark))
         layers += [
             self._entry_marks(pose, half_m, view)
-            for pose, half_m, _ in self._entries
+            for pose, half_m in self._entries
             if not cut or view.shows(pose.x_m, pose.y_m)
         ]
         layers += [
             self._thing(thing, view)
-            for thing in self._things
+            for thing in self._concrete.objects
             if not cut or view.shows(thing.x_m, thing.y_m)
         ]
         return "".join(layers)
@@ -229,13 +225,14 @@ class Surroundings:
     def _entry_marks(self, pose: Pose, half_m: float, view: View) -> str:
         """The line to stop at and what stands beside it, for traffic that enters."""
         theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
+        control = self._concrete.road.control
         ends = [_beside(pose, t) for t in (0.2 * half_m / abs(half_m), half_m)]
-        dashes = None if self._control in _STOPPING else "0.5 0.35"
+        dashes = None if control in _STOPPING else "0.5 0.35"
         stop = line(ends, theme.mark, view.at_least(0.4, 1.2), stroke_dasharray=dashes)
         x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
-        if self._control in LIGHTS:
+        if control in LIGHTS:
             return stop
-        if self._control is Control.YIELD:
+        if control is Control.YIELD:
             drawn = area(
                 _regular(3, size * 1.25, -pi / 2),
                 theme.mark,

@@ -21,29 +21,10 @@ import numpy as np
 from scegen.campaign.rows import Row
 from scegen.motion.batch.arrays import Floats, Ints
 
-WORDS = (
-    "junction",
-    "arms",
-    "control",
-    "kinds",
-    "movements",
-    "seen",
-    "conflict",
-    "right_of_way",
-    "hazards",
-    "avoidable",
-)
-NUMBERS = (
-    "participants",
-    "ego_speed_mps",
-    "other_speed_mps",
-    "pet_s",
-    "distance_m",
-    "ttc_s",
-    "headway_s",
-    "drac_mps2",
-    "impact_mps",
-)
+WORDS = ("junction", "arms", "control", "kinds", "movements", "seen", "conflict", "right_of_way",
+         "hazards", "avoidable")  # fmt: skip
+NUMBERS = ("participants", "ego_speed_mps", "other_speed_mps",
+           "pet_s", "distance_m", "ttc_s", "headway_s", "drac_mps2", "impact_mps")  # fmt: skip
 CRITICAL_TTC_S, CRITICAL_PET_S, CRITICAL_DISTANCE_M, CRITICAL_DRAC_MPS2 = 1.5, 1.0, 1.0, 3.4
 NEARLY_THE_SAME = 0.005
 """Scenarios with the same words and numbers that differ by less, on the mean, are one."""

@@ -28,21 +28,9 @@ from scegen.report.theme import css
 from scegen.units import parted
 
 MOST_GROUPS = 10
-_LISTED = (
-    "description",
-    "logical_name",
-    "sweep",
-    "junction",
-    "movements",
-    "conflict",
-    "right_of_way",
-    "ego_speed_mps",
-    "pet_s",
-    "distance_m",
-    "ttc_s",
-    "drac_mps2",
-    "avoidable",
-)
+_LISTED = ("description", "logical_name", "sweep", "junction", "movements", "conflict",
+           "right_of_way", "ego_speed_mps", "pet_s", "distance_m", "ttc_s", "drac_mps2",
+           "avoidable")  # fmt: skip
 _DISTRIBUTIONS = (
     ("Post-encroachment time", "s", "pet_s", CRITICAL_PET_S),
     ("Smallest distance", "m", "distance_m", CRITICAL_DISTANCE_M),
@@ -135,8 +123,10 @@ def campaign_page(
         "manifest": manifest,
         "data": _data(rows, links),
     }
-    style = css() + asset("scegen.report", "report.css") + asset(__package__, "campaign.css")
-    return page(__package__, "campaign.html.j2", style, asset(__package__, "campaign.js"), content)
+    style = css() + asset("scegen.report", "templates/report.css")
+    style += asset(__package__, "templates/campaign.css")
+    script = asset(__package__, "templates/campaign.js")
+    return page(__package__, "campaign.html.j2", style, script, content)
 
 
 def _facts(rows: Sequence[Row], covered: Coverage, found: Outlook) -> list[tuple[str, str]]:

@@ -18,9 +18,9 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-from scegen.cli.campaign.extra import of_extra
 from scegen.cli.console import INTERRUPTED, result, say, stderr
-from scegen.errors import InputError
+from scegen.cli.options import CAMPAIGN
+from scegen.errors import InputError, of_extra
 
 if TYPE_CHECKING:
     from scegen.campaign.claiming import Finished
@@ -90,7 +90,7 @@ def run(
         "pictures": pictures or None,
     }
     changes = {name: value for name, value in given.items() if value is not None}
-    with of_extra():
+    with of_extra(*CAMPAIGN):
         finished = _run(source, output, changes, engine, workers, address)
     counted = finished.counted
     result(f"{counted.rows} scenarios, {counted.failed} of them failed")
@@ -137,7 +137,7 @@ def _run(
 def _verify(folder: Path | None) -> None:
     if folder is None:
         raise InputError("names no folder", where="--verify", hint="scegen campaign DIR --verify")
-    with of_extra():
+    with of_extra(*CAMPAIGN):
         from scegen.campaign.verifying import verify
 
         found, problems = verify(folder)

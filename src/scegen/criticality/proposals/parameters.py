@@ -45,6 +45,10 @@ class Parameter:
     meaning: str
     column: int
 
+    def inside(self, value: float) -> float:
+        """A value as files show it, within the bounds."""
+        return min(max(round(value, 3), self.low), self.high)
+
 
 def parameters_of(concrete: ConcreteScenario, space: Space) -> tuple[Parameter, ...]:
     """All parameters of a scenario; a name that would come twice gets a number."""

@@ -213,17 +213,6 @@ class Stage:
         self, before: Evidence, after: Evidence, evaluations: int, blocked_by: str | None
     ) -> Proof:
         """The proof of the stage's search."""
-        if not self.pair:
-            return Proof(
-                target=self.target.text,
-                in_band=False,
-                in_band_before=False,
-                hazards=after.dangers,
-                hazards_before=before.dangers,
-                claims=after.claims,
-                evaluations=evaluations,
-                blocked_by=blocked_by,
-            )
         return proof_of(
             self.target, self.pair, before, after, evaluations=evaluations, blocked_by=blocked_by
         )

@@ -125,14 +125,16 @@ def proof_of(
     evaluations: int,
     blocked_by: str | None,
 ) -> Proof:
-    """The proof of one search, for files."""
-    deciding = None if target.contact else _deciding(after.view, target, pair)
+    """The proof of one search, for files; without a pair that of dangers and claims alone."""
+    deciding = None if target.contact or not pair else _deciding(after.view, target, pair)
     measure = "contact_time" if target.contact else "distance"
+    if deciding is not None:
+        measure = deciding.measure
     return Proof(
         target=target.text,
-        in_band=after.meets(target, pair),
-        in_band_before=before.meets(target, pair),
-        measure=measure if deciding is None else deciding.measure,
+        in_band=bool(pair) and after.meets(target, pair),
+        in_band_before=bool(pair) and before.meets(target, pair),
+        measure=measure if pair else None,
         band=None if deciding is None else (deciding.low, deciding.high),
         pair=pair,
         measures=tuple(
@@ -143,11 +145,12 @@ def proof_of(
                 after=number(after.view.of_pair(proved.field, *pair)[0]),
             )
             for proved in PROVED
+            if pair
         ),
         hazards=after.dangers,
         hazards_before=before.dangers,
         claims=after.claims,
-        unwanted_contacts=after.unwanted(target, pair),
+        unwanted_contacts=after.unwanted(target, pair) if pair else (),
         evaluations=evaluations,
         dt_s=PROOF_DT_S,
         changed=after.concrete != before.concrete,

@@ -16,18 +16,8 @@ from scegen.web.steps.opening import entry_row
 from scegen.web.steps.step import Activity, StepView, show_form
 from scegen.web.work import Work
 
-_SECTIONS = (
-    "participants",
-    "acts",
-    "spacings",
-    "hazards",
-    "outcome",
-    "objects",
-    "junction",
-    "environment",
-    "relations",
-    "groups",
-)
+_SECTIONS = ("participants", "acts", "spacings", "hazards", "outcome", "objects", "junction",
+             "environment", "relations", "groups")  # fmt: skip
 EXAMPLES = {
     "Left turn": "The ego turns left at a four-way intersection while an oncoming truck goes "
     "straight and a pedestrian crosses the road it turns into.",
