@@ -104,21 +104,15 @@ def _brake_lights(rear_m: float, width_m: float, theme: Theme, scale: float) -> 
 
 def ghost(trace: Trace, step: int, colour: str, width_m: float) -> str:
     """Where somebody is at one step, as a dashed box that one can see through."""
+    rim: dict[str, Style] = {"stroke": colour, "stroke_width": width_m}
     dashes = f"{4 * width_m:.3f} {2.5 * width_m:.3f}"
-    return area(
-        corners_at(trace, step),
-        colour,
-        fill_opacity=0.45,
-        stroke=colour,
-        stroke_width=width_m,
-        stroke_dasharray=dashes,
-    )
+    at = corners_at(trace, step)
+    return area(at, colour, fill_opacity=0.45, **rim, stroke_dasharray=dashes)
 
 
 def standing_at(trace: Trace, step: int, drawn: str) -> str:
     """A body where its trace has it at one step."""
-    place = (trace.x_m[step], trace.y_m[step], trace.heading_rad[step])
-    return placed(drawn, *(float(value) for value in place))
+    return placed(drawn, trace.x_m[step], trace.y_m[step], trace.heading_rad[step])
 
 
 def swept(trace: Trace, first: int = 0, last: int | None = None) -> list[Array]:

@@ -95,25 +95,12 @@ def letters(
     **style: Style,
 ) -> str:
     """Words on a base line, with a rim of the colour ``halo`` where they lie on a picture."""
-    rim: dict[str, Style] = {}
-    if halo is not None:
-        rim = {
-            "paint_order": "stroke",
-            "stroke": halo,
-            "stroke_width": size / 4,
-            "stroke_linejoin": "round",
-        }
-    return element(
-        "text",
-        told(words, quote=False),
-        x=x,
-        y=y,
-        font_size=size,
-        font_weight="bold" if bold else None,
-        fill=fill,
-        **rim,
-        **style,
-    )
+    rim: dict[str, Style] = {"paint_order": "stroke", "stroke": halo, "stroke_width": size / 4,
+                             "stroke_linejoin": "round"}  # fmt: skip
+    weight = "bold" if bold else None
+    look = ({} if halo is None else rim) | style
+    shown = told(words, quote=False)
+    return element("text", shown, x=x, y=y, font_size=size, font_weight=weight, fill=fill, **look)
 
 
 def group(content: str, **style: Style) -> str:

@@ -93,15 +93,11 @@ def spans(
 
 def _rests(claim: ClaimProof, finding: Finding) -> bool:
     """Whether a statement rests on a finding's words: by its field, or by them and its subject."""
-    if finding.field is None:
-        return False
-    if claim.field == finding.field:
-        return True
+    if finding.field is None or claim.field == finding.field:
+        return finding.field is not None
     subject, other = (field.split(".")[:2] for field in (claim.field, finding.field))
-    of_road = subject[0] == other[0] == "junction"
-    return (
-        claim.words is not None and claim.words == finding.words and (subject == other or of_road)
-    )
+    alike = subject == other or subject[0] == other[0] == "junction"
+    return alike and claim.words is not None and claim.words == finding.words
 
 
 def field_rows(functional: FunctionalScenario) -> list[FieldRow]:
@@ -144,8 +140,8 @@ def field_words(field: str) -> str:
     """
     group, *rest = field.split(".")
     if group == "participants" and rest:
-        return " › ".join([rest[0], *(_quantity_words(part) for part in rest[1:])])
-    return " › ".join(_quantity_words(part) for part in (group, *rest))
+        return " › ".join([rest[0], *map(_quantity_words, rest[1:])])
+    return " › ".join(map(_quantity_words, (group, *rest)))
 
 
 def _quantity_words(name: str) -> str:

@@ -15,13 +15,11 @@ def verdict_words(verdict: Verdict) -> str:
 
 
 def _outcome(verdict: Verdict) -> list[str]:
-    driven = " and ".join(verdict.contact_as_driven)
     if verdict.outcome is Outcome.UNAVOIDABLE:
-        others = " and ".join(verdict.contact)
-        at = verdict.contact_speed_mps
+        others, at = " and ".join(verdict.contact), verdict.contact_speed_mps
         speed = "" if at is None else f" (ego at {at:.1f} m/s)"
         return [f"A careful driver would touch {others} all the same{speed}."]
-    if driven:
+    if driven := " and ".join(verdict.contact_as_driven):
         return [f"A careful driver would not touch {driven}."]
     return ["Nobody is touched as it is, and nobody with a careful driver."]
 
@@ -41,11 +39,9 @@ def _margin(verdict: Verdict) -> list[str]:
     if verdict.outcome is Outcome.AVOIDABLE and verdict.distance_m != float("inf"):
         parts.append(f"Remaining distance {verdict.distance_m:.2f} m.")
     if verdict.spare_s is not None:
-        amount = f"{abs(verdict.spare_s):.1f} s"
-        if verdict.outcome is Outcome.AVOIDABLE:
-            parts.append(f"The brakes could act {amount} later.")
-        else:
-            parts.append(f"The brakes would have to act {amount} earlier.")
+        amount, could = f"{abs(verdict.spare_s):.1f} s", verdict.outcome is Outcome.AVOIDABLE
+        when = f"could act {amount} later" if could else f"would have to act {amount} earlier"
+        parts.append(f"The brakes {when}.")
     if verdict.secondary:
         names = " and ".join(verdict.secondary)
         does = "does" if len(verdict.secondary) == 1 else "do"

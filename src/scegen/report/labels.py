@@ -81,17 +81,9 @@ def draw_labels(placed: Iterable[Placed], theme: Theme) -> str:
             middle = ((x0 + x1) / 2, (y0 + y1) / 2)
             end = (min(max(middle[0], left), right), min(max(middle[1], top), bottom))
             leaders.append(line([end, middle], theme.text_soft, 0.9))
-        words.append(
-            letters(
-                item.label.words,
-                left,
-                bottom - 0.28 * (bottom - top),
-                _SIZE,
-                item.label.colour or theme.text,
-                bold=item.label.bold,
-                halo=theme.halo,
-            )
-        )
+        label, base = item.label, bottom - 0.28 * (bottom - top)
+        ink = label.colour or theme.text
+        words.append(letters(label.words, left, base, _SIZE, ink, bold=label.bold, halo=theme.halo))
     return "".join(leaders + words)
 
 
@@ -117,18 +109,10 @@ def _cost(where: Rectangle, apart: float, bodies: Iterable[Rectangle], ways: Arr
 
 
 def _overlap(a: Rectangle, b: Rectangle) -> bool:
-    return (
-        a[0] < b[2] + _MARGIN
-        and b[0] < a[2] + _MARGIN
-        and a[1] < b[3] + _MARGIN
-        and b[1] < a[3] + _MARGIN
-    )
+    pairs = ((a[0], b[2]), (b[0], a[2]), (a[1], b[3]), (b[1], a[3]))
+    return all(low < high + _MARGIN for low, high in pairs)
 
 
 def _contains(outer: Rectangle, inner: Rectangle) -> bool:
-    return (
-        inner[0] >= outer[0] + _MARGIN
-        and inner[1] >= outer[1] + _MARGIN
-        and inner[2] <= outer[2] - _MARGIN
-        and inner[3] <= outer[3] - _MARGIN
-    )
+    begins = all(inner[side] >= outer[side] + _MARGIN for side in (0, 1))
+    return begins and all(inner[side] <= outer[side] - _MARGIN for side in (2, 3))

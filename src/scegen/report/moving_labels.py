@@ -66,22 +66,14 @@ class MovingLabels:
 
     def drawn(self, number: int, words: Mapping[str, str], theme: Theme) -> str:
         """The labels of one picture."""
-        parts = []
+        parts, ink, rim = [], theme.text, theme.halo
         for name, rectangles in self.where.items():
             if not self.shown[name][number]:
                 continue
             left, _, right, bottom = rectangles[number].tolist()
+            x, y, bold = (left + right) / 2, bottom - 4.5, name == self.ego
             parts.append(
-                letters(
-                    words[name],
-                    (left + right) / 2,
-                    bottom - 4.5,
-                    _SIZE,
-                    theme.text,
-                    bold=name == self.ego,
-                    halo=theme.halo,
-                    text_anchor="middle",
-                )
+                letters(words[name], x, y, _SIZE, ink, bold=bold, halo=rim, text_anchor="middle")
             )
         return "".join(parts)
 

@@ -186,9 +186,7 @@ def _notes(
             at += _LINE * len(rows)
         lowest = max(lowest, at)
     y = lowest
-    lines: list[tuple[str, str]] = [
-        (f"{thing.id}: {thing_words(thing)}", theme.text) for thing in concrete.objects
-    ]
+    lines = [(f"{thing.id}: {thing_words(thing)}", theme.text) for thing in concrete.objects]
     lines += [(note, theme.text_soft) for note in _remarks(concrete, encounter)]
     for words, ink in lines:
         rows = wrapped(words, _SIZE, width, 4)
@@ -208,11 +206,8 @@ def _remarks(concrete: ConcreteScenario, encounter: Encounter | None) -> list[st
         kinds = {h.kind for h in concrete.hazards}
         remarks.append(f"{said} (dotted: backwards)" if HazardKind.REVERSING in kinds else said)
     if encounter is not None:
-        if encounter.distance_m > 0:
-            how = f"is {encounter.distance_m:.1f} m from {encounter.other}"
-        else:
-            how = f"touches {encounter.other}"
-        remarks.append(
-            f"Closest approach (dashed boxes): at {encounter.time_s:.1f} s the ego {how}"
-        )
+        apart = encounter.distance_m > 0
+        how = f"is {encounter.distance_m:.1f} m from" if apart else "touches"
+        when = f"at {encounter.time_s:.1f} s the ego {how} {encounter.other}"
+        remarks.append(f"Closest approach (dashed boxes): {when}")
     return remarks

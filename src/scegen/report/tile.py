@@ -134,12 +134,10 @@ def tile_body(
         is_ego = name == functional.ego.id
         if isinstance(assignment, Drive):
             behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
-            square = assignment.reverses is Reverses.SQUARE
-            way_ = lines[name] = (
-                square_line(plan, assignment)
-                if square
-                else drive_line(plan, assignment, spreads[name], behind)
-            )
+            way_ = drive_line(plan, assignment, spreads[name], behind)
+            if assignment.reverses is Reverses.SQUARE:
+                way_ = square_line(plan, assignment)
+            lines[name] = way_
             drawing = arrow(way_, colour[name], theme, ego=is_ego)
             if assignment.reverses is not None:
                 badges.append(reverse_badge(way_, colour[name], theme))

@@ -81,10 +81,8 @@ def participant_words(participant: ConcreteParticipant) -> str:
             f"arm {motion.entry} → arm {motion.exit}{reversal_words(motion.reversal)}"
         )
     if isinstance(motion, CrossingMotion):
-        if participant.speed_mps > 0:
-            start = f"starts at {speed_words(participant.speed_mps)}"
-        else:
-            start = "waits at first"
+        goes = participant.speed_mps > 0
+        start = f"starts at {speed_words(participant.speed_mps)}" if goes else "waits at first"
         return f"{kind}, {start}, crosses arm {motion.arm} from the {motion.start_side}"
     if isinstance(motion, SwingingMotion):
         return f"{kind} of {motion.vehicle}, closed at first"
