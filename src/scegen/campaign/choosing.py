@@ -42,14 +42,15 @@ class Selected:
             "not_in_the_campaign": self.covered.left_out,
             "scenarios": [
                 {
-                    "key": self.rows[chosen.row]["key"],
-                    "description": self.rows[chosen.row]["description"],
-                    "logical": self.rows[chosen.row]["logical_name"],
+                    "key": row["key"],
+                    "description": row["description"],
+                    "logical": row["logical_name"],
                     "folder": self.folder(chosen.row),
                     "reason": chosen.reason,
                     "brings": list(chosen.brings),
                 }
                 for chosen in self.suite.chosen
+                for row in [self.rows[chosen.row]]
             ],
         }
 

@@ -7,6 +7,7 @@ key: neither order nor number of descriptions, batches or workers changes anythi
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -173,15 +174,8 @@ def _rules(campaign: Campaign) -> RuleFile | None:
 
 
 def _key(campaign: Campaign, *parts: object) -> str:
-    decides = [
-        __version__,
-        campaign.seed,
-        campaign.target,
-        campaign.concretizations,
-        str(campaign.osc),
-        *parts,
-    ]
-    return digest(json.dumps(decides, sort_keys=True).encode())
+    order = (campaign.seed, campaign.target, campaign.concretizations, str(campaign.osc))
+    return digest(json.dumps([__version__, *order, *parts], sort_keys=True).encode())
 
 
 def _left_out(logical: LogicalSet, picked: tuple[LogicalScenario, ...]) -> dict[str, int]:
@@ -190,12 +184,8 @@ def _left_out(logical: LogicalSet, picked: tuple[LogicalScenario, ...]) -> dict[
         return {}
     functional = logical.functional
     held = {cell for scenario in picked for cell in cells(functional, scenario)}
-    found: dict[str, int] = {}
-    for scenario in logical.scenarios:
-        for cell in cells(functional, scenario):
-            if cell not in held:
-                found[cell] = found.get(cell, 0) + 1
-    return dict(sorted(found.items()))
+    shown = Counter(cell for scenario in logical.scenarios for cell in cells(functional, scenario))
+    return {cell: times for cell, times in sorted(shown.items()) if cell not in held}
 
 
 def _failure(

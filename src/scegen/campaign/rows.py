@@ -196,11 +196,10 @@ def _parameters(concrete: ConcreteScenario) -> dict[str, float]:
             found[f"{participant.id}.start_m"] = participant.motion.start_m
         for number, phase in enumerate(participant.speed_program):
             name = f"{participant.id}.phase_{number}"
+            value = getattr(phase.trigger, phase.trigger.measured)
             found[f"{name}.target_speed_mps"] = phase.target_speed_mps
             found[f"{name}.rate_mps2"] = phase.rate_mps2
-            found[f"{name}.{phase.trigger.measured}"] = getattr(
-                phase.trigger, phase.trigger.measured
-            )
+            found[f"{name}.{phase.trigger.measured}"] = value
     return found
 
 
@@ -229,15 +228,9 @@ def _proved(functional: FunctionalScenario, concrete: ConcreteScenario, proof: P
     hazards = concrete.logical.hazards or functional.hazards
     happened = [told.happened for told in proof.hazards]
     missing = [h for h, there in zip(hazards, happened, strict=True) if not there]
-    present, absent = (
-        {
-            cell
-            for hazard, there in zip(hazards, happened, strict=True)
-            if there is wanted
-            for cell in _dangers(functional, concrete.logical, hazard)
-        }
-        for wanted in (True, False)
-    )
+    dangers: dict[bool, set[str]] = {True: set(), False: set()}
+    for hazard, there in zip(hazards, happened, strict=True):
+        dangers[there] |= _dangers(functional, concrete.logical, hazard)
     return {
         "hazards_missing": [_hazard(hazard) for hazard in missing],
         "target": proof.target,
@@ -250,7 +243,9 @@ def _proved(functional: FunctionalScenario, concrete: ConcreteScenario, proof: P
         "claims": len(proof.claims),
         "claims_held": len(proof.claims) - len(proof.missed),
         "claims_missed": [f"{claim.statement}: {claim.found}" for claim in proof.missed],
-        "covered": sorted({*cells(functional, concrete.logical)} - (absent - present)),
+        "covered": sorted(
+            {*cells(functional, concrete.logical)} - (dangers[False] - dangers[True])
+        ),
     }
 
 

@@ -121,8 +121,7 @@ class _Run:
 
     @property
     def tracks(self) -> Floats:
-        tracks: Floats = self.traces.tracks[0]
-        return tracks
+        return np.asarray(self.traces.tracks[0])
 
 
 @dataclass(frozen=True)
@@ -181,12 +180,10 @@ class _Trial:
         touched = self.touched(run)
         contact = touched & deciding
         danger, perceived_s, brakes_s = reaction or (None, None, None)
-        columns = [n for n, name in enumerate(self.others) if name in deciding]
-        near = run.distance_m[:, columns]
-        spare = None
+        near = run.distance_m[:, [name in deciding for name in self.others]]
+        spare = speed = None
         if brakes_s is not None and driven:
             spare = self.spare_s(brakes_s, deciding, avoided=not contact)
-        speed = None
         if contact:
             step = int((near <= 0.0).any(axis=1).argmax())
             speed = float(run.tracks[self.ego, SPEED, step])
@@ -207,10 +204,8 @@ class _Trial:
         return tuple(name for name in self.others if name in names)
 
     def run(self, concrete: ConcreteScenario) -> _Run:
-        program, candidate = compile_program(concrete, self.paths)
-        traces = simulate_batch(
-            program, candidate, duration_s=self.concrete.duration_s, dt_s=STEP_S
-        )
+        program, own = compile_program(concrete, self.paths)
+        traces = simulate_batch(program, own, duration_s=self.concrete.duration_s, dt_s=STEP_S)
         pairs = [(self.ego, n) for n in range(len(self.names)) if n != self.ego]
         table = np.array(pairs, dtype=np.int64).reshape(-1, 2)
         return _Run(traces, distance_series(traces.tracks, self.bodies, table)[0])
@@ -233,14 +228,13 @@ class _Trial:
         flags = self.until_contact(self.as_driven)
         step_s = STEP_S * _LOOK_EVERY
         needed = round(RISK_EVALUATION_S / step_s) + 1
-        best: tuple[int, str] | None = None
-        for name, row in zip(self.names, flags, strict=True):
-            if row.size < needed:
-                continue
-            lasting = np.lib.stride_tricks.sliding_window_view(row, needed).all(axis=1)
-            if lasting.any() and (best is None or int(lasting.argmax()) < best[0]):
-                best = int(lasting.argmax()), name
-        return (None, None) if best is None else (best[1], best[0] * step_s)
+        if flags.shape[1] < needed:
+            return None, None
+        windows = np.lib.stride_tricks.sliding_window_view(flags, needed, axis=1)
+        lasting: Bools = np.all(windows, axis=2)
+        first = np.where(lasting.any(axis=1), lasting.argmax(axis=1), lasting.shape[1])
+        who = int(first.argmin())
+        return (self.names[who], int(first[who]) * step_s) if lasting[who].any() else (None, None)
 
     def seen(self, run: _Run) -> set[str]:
         """Those who ever are a perceivable danger in a run, before they touch the ego."""
@@ -257,10 +251,8 @@ class _Trial:
 
     def braking(self, brakes_s: float) -> ConcreteScenario:
         """The scenario with an ego that brakes to a standstill from a time on."""
-        ego = self.concrete.ego
-        before = sum(
-            len(p.speed_program) for p in self.concrete.participants[: self.names.index(ego.id)]
-        )
+        ego, people = self.concrete.ego, self.concrete.participants
+        before = sum(len(p.speed_program) for p in people[: self.ego])
         fired = self.as_driven.traces.fired_step[0, before : before + len(ego.speed_program)]
         kept = int(((fired >= 0) & (fired * STEP_S < brakes_s)).sum())
         rise_s = self.deceleration_mps2 / JERK_MPS3

@@ -183,6 +183,16 @@ class SpeedPhase(FrozenModel):
     hazard: HazardKind | None = None
     act: Identifier | None = None
 
+    @property
+    def numbers(self) -> dict[str, float]:
+        """Its numbers by their places in it."""
+        measured = self.trigger.measured
+        return {
+            f"trigger.{measured}": float(getattr(self.trigger, measured)),
+            "target_speed_mps": self.target_speed_mps,
+            "rate_mps2": self.rate_mps2,
+        }
+
 
 class OnContact(FrozenModel):
     """What a collision does to one who takes part in it.

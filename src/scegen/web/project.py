@@ -101,15 +101,12 @@ def changed_outside(folder: Path, kept: str | None) -> bool:
     functional = folder / FUNCTIONAL_FILE
     if kept is not None and functional.is_file() and digest(functional.read_bytes()) != kept:
         return True
+    own = {FUNCTIONAL_FILE, SUMMARY_FILE}
     made = made_files(folder)
-    others = [p for p in folder.rglob("*") if p.is_file()]
-    for path in others:
-        name = path.relative_to(folder).as_posix()
-        if name in {FUNCTIONAL_FILE, SUMMARY_FILE}:
-            continue
-        if made.get(name) != digest(path.read_bytes()):
-            return True
-    return False
+    others = {p.relative_to(folder).as_posix(): p for p in folder.rglob("*") if p.is_file()}
+    return any(
+        made.get(name) != digest(p.read_bytes()) for name, p in others.items() if name not in own
+    )
 
 
 def zipped(folder: Path, readme: str) -> bytes:

@@ -75,13 +75,8 @@ class Work(Choice):
         if new is None:
             return
         if old is not None:
-            new = new.model_copy(
-                update={
-                    "description": old.description,
-                    "evidence": carried_over(old, new),
-                    "unsupported": old.unsupported,
-                }
-            )
+            kept = {"description": old.description, "unsupported": old.unsupported}
+            new = new.model_copy(update=kept | {"evidence": carried_over(old, new)})
         self.take(new)
 
     def forget(self, name: str) -> None:
@@ -160,14 +155,8 @@ class Work(Choice):
         self.cancel("listing")
         self.given = logical
         scenarios = list(logical.scenarios)
-        self.listing = Listing(
-            logical.functional,
-            logical.reduction,
-            logical.arms,
-            logical.certificate,
-            logical.notes,
-            whole=True,
-        )
+        about = (logical.functional, logical.reduction, logical.arms)
+        self.listing = Listing(*about, logical.certificate, logical.notes, whole=True)
         self.listing.add(scenarios)
         self.shown = [s.index for s in scenarios]
         self.picked = [pick(logical, None)[0].index] if scenarios else []

@@ -136,6 +136,7 @@ def _facts(rows: Sequence[Row], covered: Coverage, found: Outlook) -> list[tuple
     played = Counter(row["confirmed"] for row in made if row["confirmed"])
     cells = len(covered.counts) + len(covered.why_not)
     doubled = sum(len(group) - 1 for group in found.alike)
+    parts = sum(ranged.covered for ranged in covered.ranges)
     facts = [
         ("descriptions", f"{len({row['description'] for row in rows}):,}"),
         ("scenarios made", f"{len(made):,} of {len(rows):,}"),
@@ -143,13 +144,7 @@ def _facts(rows: Sequence[Row], covered: Coverage, found: Outlook) -> list[tuple
         ("danger reached", _share(reached, len(made))),
         ("good (said, and no check fails)", _share(sum(map(good, made)), len(made))),
         ("covered", f"{len(covered.counts):,} of {cells:,} cells"),
-        (
-            "parts of parameters' ranges",
-            _share(
-                sum(ranged.covered for ranged in covered.ranges),
-                sum(ranged.parts for ranged in covered.ranges),
-            ),
-        ),
+        ("parts of parameters' ranges", _share(parts, sum(r.parts for r in covered.ranges))),
         ("nearly the same as another", _share(doubled, len(made))),
         ("computing time", f"{sum(row[SECONDS] or 0.0 for row in rows):,.0f} s"),
     ]

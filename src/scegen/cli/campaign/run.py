@@ -94,10 +94,8 @@ def run(
         finished = _run(source, output, changes, engine, workers, address)
     counted = finished.counted
     result(f"{counted.rows} scenarios, {counted.failed} of them failed")
-    say(
-        f"{finished.fresh} made now in {finished.seconds:.1f} s; all rows together: "
-        f"{finished.digest[:16]}"
-    )
+    took = f"{finished.fresh} made now in {finished.seconds:.1f} s"
+    say(f"{took}; all rows together: {finished.digest[:16]}")
     if counted.unheld:
         say(f"a statement does not hold in {counted.unheld}")
     if counted.unsound:
@@ -194,15 +192,8 @@ def _watching() -> Iterator[_Bars]:
     if not stderr.is_terminal:
         yield _Bars(None)
         return
-    columns = (
-        SpinnerColumn(),
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[more]}"),
-        TimeElapsedColumn(),
-        TextColumn("left"),
-        TimeRemainingColumn(),
-    )
+    done = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    left = (TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn())
+    columns = (*done, TextColumn("{task.fields[more]}"), *left)
     with Progress(*columns, console=stderr, transient=True, redirect_stdout=False) as progress:
         yield _Bars(progress)

@@ -141,13 +141,13 @@ def held_back(
         return None
     reason = f"waits for the ego: goes when it is {waits[1]:.2f} s short of where they meet"
     noted = (
-        (f"{who}.start_m", motion.start_m, station),
-        (f"{who}.speed_mps", participant.speed_mps, slow),
-        (f"{who}.speed_program.0.trigger.time_s", None, waits[1]),
+        ("start_m", motion.start_m, station),
+        ("speed_mps", participant.speed_mps, slow),
+        ("speed_program.0.trigger.time_s", None, waits[1]),
     )
     changes = (
-        Change(parameter=name, by="reactivity", before=before, after=after, reason=reason)
-        for name, before, after in noted
+        Change(parameter=f"{who}.{name}", by="reactivity", before=was, after=now, reason=reason)
+        for name, was, now in noted
     )
     return concrete.changed(people, changes)
 

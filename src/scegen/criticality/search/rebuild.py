@@ -135,17 +135,8 @@ def _changes(
         values.append((f"{name}.start_m", before.motion.start_m, after.motion.start_m))
     pairs = zip(before.speed_program, after.speed_program, strict=True)
     for n, (old, new) in enumerate(pairs):
-        place = f"{name}.speed_program.{n}"
-        field = old.trigger.measured
-        values += [
-            (
-                f"{place}.trigger.{field}",
-                getattr(old.trigger, field),
-                getattr(new.trigger, field),
-            ),
-            (f"{place}.target_speed_mps", old.target_speed_mps, new.target_speed_mps),
-            (f"{place}.rate_mps2", old.rate_mps2, new.rate_mps2),
-        ]
+        for field, was in old.numbers.items():
+            values.append((f"{name}.speed_program.{n}.{field}", was, new.numbers[field]))
     return [
         Change(parameter=parameter, by=by, before=old, after=new, reason=why)
         for parameter, old, new in values

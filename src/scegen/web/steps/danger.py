@@ -120,13 +120,8 @@ class Danger(StepView):
                 options=choice([(name, name.upper() if len(name) < 5 else name) for name in BANDS]),
             )
             least, most = BANDS[measure]
-            ends = {
-                "kind": "number",
-                "unit": measure_named(measure).unit.replace("s2", "s²"),
-                "min": least,
-                "max": most,
-                "step": "any",
-            }
+            unit = measure_named(measure).unit.replace("s2", "s²")
+            ends = {"kind": "number", "unit": unit, "min": least, "max": most, "step": "any"}
             Entry(low, lambda v: self._set_band(measure, v, high), label="from", **ends)
             Entry(high, lambda v: self._set_band(measure, low, v), label="to", **ends)
 
@@ -180,10 +175,8 @@ class Danger(StepView):
             return
         with self._chosen:
             for index in work.picked[:_MOST_TILES]:
-                drawn(
-                    tile_picture(work.listing.scenario(index), work.listing.functional),
-                    "paper small",
-                )
+                one = work.listing.scenario(index)
+                drawn(tile_picture(one, work.listing.functional), "paper small")
             if len(work.picked) > _MOST_TILES:
                 node("p", "soft", f"and {len(work.picked) - _MOST_TILES} more")
 

@@ -184,12 +184,9 @@ class Describe(StepView):
                 node("span", "", "distinct scenario" if one else "distinct scenarios")
             node("p", "soft", f"of {counted(certificate.total, 'assignment')}")
             button("See them all", lambda: self._go("choose"), "primary wide")
-            richest = work.richest()
-            picture = (
-                junction(work.functional)
-                if richest is None
-                else tile_picture(richest, listing.functional)
-            )
+            picture = junction(work.functional)
+            if (richest := work.richest()) is not None:
+                picture = tile_picture(richest, listing.functional)
             drawn(picture, "paper")
 
 

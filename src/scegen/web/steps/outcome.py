@@ -53,12 +53,8 @@ def _proof(proof: Proof) -> None:
     measure = proof.of(proof.measure)
     pair = " and ".join(proof.pair)
     with node("p", "headline"):
-        reached = proof.in_band
-        node(
-            "span",
-            f"check {'held' if reached else 'failed'}",
-            proof.target if reached else f"{proof.target} not reached",
-        )
+        state, words = ("held", "") if proof.in_band else ("failed", " not reached")
+        node("span", f"check {state}", f"{proof.target}{words}")
         if pair:
             node("span", "", pair)
     if measure is not None:
@@ -75,12 +71,10 @@ def _proof(proof: Proof) -> None:
     if proof.hazards:
         with node("ul", "chips", aria_label="Dangers"):
             for hazard in proof.hazards:
-                state = "held" if hazard.happened else "failed"
-                when = f" at {hazard.time_s:.1f} s" if hazard.time_s is not None else ""
-                kind = hazard.kind.replace("_", " ")
-                node(
-                    "li", f"check {state}", kind + (when if hazard.happened else " does not happen")
-                )
+                state, words = ("held", "") if hazard.happened else ("failed", " does not happen")
+                if hazard.happened and hazard.time_s is not None:
+                    words = f" at {hazard.time_s:.1f} s"
+                node("li", f"check {state}", hazard.kind.replace("_", " ") + words)
     if proof.claims:
         node("p", "", proof.held)
     for claim in proof.missed:

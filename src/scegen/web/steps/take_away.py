@@ -102,13 +102,8 @@ class TakeAway(StepView):
 
     def _build_files(self, made: Made) -> None:
         node("h1", "", "Take it away")
-        node(
-            "a",
-            "button primary wide",
-            f"Download {made.folder.name}.zip",
-            href="/download/zip",
-            download=f"{made.folder.name}.zip",
-        )
+        file = f"{made.folder.name}.zip"
+        node("a", "button primary wide", f"Download {file}", href="/download/zip", download=file)
         node("p", "soft", f"In the project folder: {made.folder.name}/")
         command = again(made)
         if command is not None:
