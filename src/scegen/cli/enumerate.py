@@ -128,11 +128,9 @@ def enumerate_(
         narrowed = bool(where or rules or not whole.certificate.complete)
         reached = _reached(whole, logical, narrowed=narrowed)
     if json:
-        told: dict[str, object] = {}
-        if reached is not None:
-            told["coverage"] = coverage_json(reached)
+        last: dict[str, object] = {} if reached is None else {"coverage": coverage_json(reached)}
         data = head(logical.certificate, reduction, arms)
-        write_json(data, logical.scenarios, lambda: told)
+        write_json(data, logical.scenarios, lambda: last)
     elif output is None and gallery is None:
         _tell(logical, reached)
 
