@@ -10,15 +10,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
 from multiprocessing import resource_tracker
-from signal import (
-    SIG_BLOCK,
-    SIG_SETMASK,
-    SIGINT,
-    getsignal,
-    pthread_sigmask,
-    raise_signal,
-    signal,
-)
+from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, getsignal, pthread_sigmask, raise_signal, signal
 from socket import create_connection
 from threading import ExceptHookArgs, current_thread, main_thread
 from typing import Any, TypeVar

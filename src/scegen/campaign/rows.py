@@ -168,10 +168,7 @@ def _hazard(hazard: Hazard) -> str:
 
 
 def shown(
-    functional: FunctionalScenario,
-    concrete: ConcreteScenario,
-    proof: Proof | None,
-    judged: Judged,
+    functional: FunctionalScenario, concrete: ConcreteScenario, proof: Proof | None, judged: Judged
 ) -> Row:
     """What a concrete scenario shows."""
     row = {

@@ -18,12 +18,7 @@ from scegen.cli.certificates import (
 )
 from scegen.cli.console import result, say
 from scegen.cli.gallery import require_picture, write_picture
-from scegen.cli.listing import (
-    listing_under_way,
-    stream_json,
-    stream_lines,
-    write_json,
-)
+from scegen.cli.listing import listing_under_way, stream_json, stream_lines, write_json
 from scegen.cli.options import (
     ArmsOption,
     JsonFlag,

@@ -32,11 +32,7 @@ class MovingLabels:
 
     @classmethod
     def arranged(
-        cls,
-        words: Mapping[str, str],
-        boxes: Mapping[str, Array],
-        size: tuple[int, int],
-        ego: str,
+        cls, words: Mapping[str, str], boxes: Mapping[str, Array], size: tuple[int, int], ego: str
     ) -> MovingLabels:
         """A side for each label, so that the fewest pictures have labels in each other's way.
 

@@ -82,10 +82,7 @@ class Plan:
             return self.at(1 - arm, -distance, -right)  # beyond the middle, on the other arm
         a = self.angles[arm]
         # Entering traffic heads for the centre: its right is the direction a + 90 degrees.
-        return (
-            distance * cos(a) - right * sin(a),
-            distance * sin(a) + right * cos(a),
-        )
+        return (distance * cos(a) - right * sin(a), distance * sin(a) + right * cos(a))
 
 
 def make_plan(junction: Junction) -> Plan:

@@ -33,14 +33,7 @@ from scegen.report.strokes import (
 from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import REVERSES, plain
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import (
-    Assignment,
-    Crossing,
-    Drive,
-    LogicalScenario,
-    Reverses,
-    Walking,
-)
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Reverses, Walking
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import JunctionKind
 

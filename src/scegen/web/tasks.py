@@ -117,10 +117,7 @@ def cover(
 
 
 def sample(
-    scenarios: tuple[LogicalScenario, ...],
-    functional: FunctionalScenario,
-    size: int,
-    tell: Teller,
+    scenarios: tuple[LogicalScenario, ...], functional: FunctionalScenario, size: int, tell: Teller
 ) -> tuple[tuple[int, ...], str]:
     """So many scenarios that differ as much as possible, by number."""
     tell.progress("choosing scenarios that differ")

@@ -14,10 +14,7 @@ if TYPE_CHECKING:
     from scegen.scenario.proof import HazardProof, Proof
 
 
-def paper(
-    json: JsonFlag = False,
-    seed: SeedOption = 0,
-) -> None:
+def paper(json: JsonFlag = False, seed: SeedOption = 0) -> None:
     """The source paper's eleven sentences: understood, made, and passed by every checker."""
     from scegen.benchmark.paper import PAPER_CASES, PAPER_SUCCESSES, PAPER_TRUE, run
 

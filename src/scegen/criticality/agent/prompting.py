@@ -54,10 +54,7 @@ def question(situation: Situation) -> str:
                     *(f"{o.id}: {o.what}, does not move" for o in situation.concrete.objects),
                 ],
             ),
-            _listing(
-                "The parameters that may change",
-                list(filter(None, lines)),
-            ),
+            _listing("The parameters that may change", list(filter(None, lines))),
         ]
     )
 

@@ -149,10 +149,7 @@ def _target_gap(situation: Situation, encounter: Encounter) -> float | None:
 
 
 def _common_shift(
-    later: dict[str, float],
-    starts: dict[str, Parameter],
-    speeds: dict[str, float],
-    wish: float,
+    later: dict[str, float], starts: dict[str, Parameter], speeds: dict[str, float], wish: float
 ) -> float:
     """What is taken off every delay, s: it keeps the gaps, and everybody within its bounds.
 

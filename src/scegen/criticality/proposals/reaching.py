@@ -110,10 +110,7 @@ def _values(parameter: Parameter) -> list[float]:
 
 
 def _reach(
-    parameter: Parameter,
-    values: Sequence[float],
-    fresh: Sequence[set[str]],
-    times: Floats | None,
+    parameter: Parameter, values: Sequence[float], fresh: Sequence[set[str]], times: Floats | None
 ) -> Reach:
     """Outwards until the first value that cannot be driven; ``times`` begin with the present."""
     ends, stops = [], set[str]()

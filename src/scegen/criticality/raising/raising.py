@@ -193,11 +193,7 @@ def _by_braking(
 
 
 def _without_target(
-    stage: Stage,
-    problem: Problem,
-    before: Evidence,
-    rng: np.random.Generator,
-    reason: str | None,
+    stage: Stage, problem: Problem, before: Evidence, rng: np.random.Generator, reason: str | None
 ) -> Raised:
     """What holds every claim that can be held, where the target cannot be reached."""
     shown = before

@@ -78,11 +78,7 @@ class Best:
 
 
 def search(
-    problem: Problem,
-    rng: np.random.Generator,
-    *,
-    rounds: int = ROUNDS,
-    restarts: int = RESTARTS,
+    problem: Problem, rng: np.random.Generator, *, rounds: int = ROUNDS, restarts: int = RESTARTS
 ) -> Best:
     """Look until something is found or the effort is spent; the same rng gives the same result."""
     space, origin = problem.space, problem.space.origin

@@ -16,12 +16,7 @@ from scegen.claims.proving import prove
 from scegen.claims.statements.dangers import claim_id
 from scegen.claims.view import View, view_of
 from scegen.claims.ways import paths_of, ways_of
-from scegen.criticality.search.problem import (
-    PROVED,
-    choice_missing,
-    follows_from,
-    target_missing,
-)
+from scegen.criticality.search.problem import PROVED, choice_missing, follows_from, target_missing
 from scegen.criticality.target import Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch

@@ -40,10 +40,7 @@ def claim_data(claim: ClaimProof, concrete: ConcreteScenario, traces: Mapping[st
 
 
 def moments(
-    concrete: ConcreteScenario,
-    traces: Mapping[str, Trace],
-    proof: Proof | None,
-    meetings: Meetings,
+    concrete: ConcreteScenario, traces: Mapping[str, Trace], proof: Proof | None, meetings: Meetings
 ) -> list[Data]:
     """What is marked on the time line, in its order."""
     found: list[Data] = [

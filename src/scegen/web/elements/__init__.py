@@ -196,9 +196,7 @@ class Rules(Element, component="rules.js"):
 
 
 class Cinema(
-    Element,
-    component="cinema.js",
-    esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"},
+    Element, component="cinema.js", esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"}
 ):
     """The player of one scenario, with the view from the driver's seat beside it.
 

@@ -90,8 +90,7 @@ class Describe(StepView):
                     node("strong", "", name)
                     node("span", "", text)
                 example.on(
-                    "click",
-                    js_handler=f"() => getElement({self._text.id}).put({json.dumps(text)})",
+                    "click", js_handler=f"() => getElement({self._text.id}).put({json.dumps(text)})"
                 )
         entries = self._work.project.entries()[:_RECENT]
         if entries:
