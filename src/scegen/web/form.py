@@ -56,17 +56,13 @@ def _field(name: str, field: FieldInfo) -> Spec:
 
 
 def _bounds(field: FieldInfo) -> Spec:
-    found: Spec = {}
-    for item in field.metadata:
-        if isinstance(item, Ge):
-            found["min"] = item.ge
-        elif isinstance(item, Gt):
-            found["above"] = item.gt
-        elif isinstance(item, Le):
-            found["max"] = item.le
-        elif isinstance(item, Lt):
-            found["below"] = item.lt
-    return found
+    bounds = ((Ge, "ge", "min"), (Gt, "gt", "above"), (Le, "le", "max"), (Lt, "lt", "below"))
+    return {
+        told: getattr(item, name)
+        for item in field.metadata
+        for kind, name, told in bounds
+        if isinstance(item, kind)
+    }
 
 
 def _type(annotation: Any, name: str) -> Spec:  # noqa: ANN401 - any annotation

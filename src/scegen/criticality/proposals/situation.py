@@ -43,10 +43,8 @@ def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situatio
 def _places_m(encounters: Sequence[Encounter]) -> dict[str, float]:
     """Where everybody comes to its first encounter."""
     places: dict[str, float] = {}
-    for encounter in encounters:
-        for name, passage in zip(
-            (encounter.first, encounter.second), encounter.passages, strict=True
-        ):
+    for met in encounters:
+        for name, passage in zip((met.first, met.second), met.passages, strict=True):
             places.setdefault(name, passage.enters_m)
     return places
 

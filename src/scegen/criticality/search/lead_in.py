@@ -50,10 +50,10 @@ def early_missing(view: View, choice: Sequence[Band], pair: tuple[str, str], roo
     missing = np.zeros(view.count)
     for band in choice:
         if band.measure == "pet":
-            later = LEAD_IN_S + (_LATER_S if room else 0.0) - second_enters_s(view, pair)
-            missing = np.maximum(missing, later)
+            late = LEAD_IN_S + (_LATER_S if room else 0.0) - second_enters_s(view, pair)
         else:
-            missing = np.maximum(missing, _worse_missing(view, band.measure, pair, room))
+            late = _worse_missing(view, band.measure, pair, room)
+        missing = np.maximum(missing, late)
     return missing
 
 

@@ -101,15 +101,10 @@ def _phase(
     if isinstance(trigger, ArrivalBelow):
         place = max(0.0, trigger.place_m - moved_m[trigger.participant])
         update["place_m"] = _settled(trigger.place_m, place)
-    return phase.model_copy(
-        update={
-            "trigger": trigger.model_copy(update=update),
-            "target_speed_mps": _settled(
-                phase.target_speed_mps, float(made.target_speed_mps[row, k])
-            ),
-            "rate_mps2": _settled(phase.rate_mps2, float(made.rate_mps2[row, k])),
-        }
-    )
+    fresh: dict[str, object] = {"trigger": trigger.model_copy(update=update)}
+    for name in ("target_speed_mps", "rate_mps2"):
+        fresh[name] = _settled(getattr(phase, name), float(getattr(made, name)[row, k]))
+    return phase.model_copy(update=fresh)
 
 
 def off_the_steps(time_s: float) -> float:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import ceil, isfinite, isnan
-from typing import Any
 
 import numpy as np
 import shapely
@@ -23,11 +22,9 @@ from scegen.motion.friction import friction_of
 from scegen.motion.model import Path, Trace
 from scegen.motion.standing import object_paths
 from scegen.report.corners import box_corners
-from scegen.report.player.series import compact, points
+from scegen.report.player.series import Data, compact, points
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
-
-Data = dict[str, Any]
 
 EYE_M = 1.08
 """Height of a driver's eyes: AASHTO, A Policy on Geometric Design (2018), 3.2.6. What is lower

@@ -9,7 +9,6 @@ from typing import Any, Protocol
 import nicegui.elements.scene
 from nicegui.element import Element
 from nicegui.elements.mixins.text_element import TextElement
-from nicegui.events import GenericEventArguments
 
 _SCENE = Path(nicegui.elements.scene.__file__).parent / "dist"
 """three.js, as the framework brings it for its own scenes."""
@@ -212,23 +211,3 @@ class Cinema(
     def show(self, source: str) -> None:
         """Play what lies at this address; nothing if it is empty."""
         self.props["source"] = source
-
-
-__all__ = [
-    "Cinema",
-    "Description",
-    "Element",
-    "Entry",
-    "Form",
-    "Gallery",
-    "GenericEventArguments",
-    "Rules",
-    "button",
-    "choice",
-    "clickable",
-    "dotted",
-    "drawn",
-    "mark",
-    "node",
-    "tell",
-]

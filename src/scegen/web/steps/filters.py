@@ -6,9 +6,11 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import partial
 
+from nicegui.element import Element
+
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.web.choice import Listing
-from scegen.web.elements import Element, Entry, clickable, mark, node, tell
+from scegen.web.elements import Entry, clickable, mark, node, tell
 from scegen.web.work import Work
 
 
