@@ -12,7 +12,7 @@ from scegen.campaign.batching import Work, batches_of, works_of
 from scegen.campaign.claiming import Finished, alone, claim, keep_manifest
 from scegen.campaign.engines import WorkerLostError, Workforce
 from scegen.campaign.examining import Examined, examine
-from scegen.campaign.making import Done, enlist, make_batch, warm
+from scegen.campaign.making import enlist, make_batch, warm
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.planning import content_of, items, plan_description, plan_key
 from scegen.campaign.rows import FAILED, table_of
@@ -130,10 +130,9 @@ def _make(
         batches = batches_of(works_of(store, keys, found.missing), most, workforce.workers)
         before_round = len(found.done)
         try:
-            made: Done
             with closing(workforce.each(work, batches, warm, enlist)) as results:
-                for made in results:
-                    done, failed = done + made.made + made.failed, failed + made.failed
+                for items_done, items_failed in results:
+                    done, failed = done + items_done, failed + items_failed
                     watch.making(done, failed, total)
         except WorkerLostError as error:
             found = examine(store, keys)

@@ -119,10 +119,6 @@ class _Run:
     traces: BatchTraces
     distance_m: Floats
 
-    @property
-    def tracks(self) -> Floats:
-        return np.asarray(self.traces.tracks[0])
-
 
 @dataclass(frozen=True)
 class _Trial:
@@ -186,7 +182,7 @@ class _Trial:
             spare = self.spare_s(brakes_s, deciding, avoided=not contact)
         if contact:
             step = int((near <= 0.0).any(axis=1).argmax())
-            speed = float(run.tracks[self.ego, SPEED, step])
+            speed = float(run.traces.tracks[0, self.ego, SPEED, step])
         return Verdict(
             outcome=Outcome.UNAVOIDABLE if contact else Outcome.AVOIDABLE,
             contact_as_driven=self.sorted(driven),
@@ -215,7 +211,7 @@ class _Trial:
         return {name for name, least in zip(self.others, nearest, strict=True) if least <= 0.0}
 
     def dangers(self, run: _Run) -> Bools:
-        tracks = np.ascontiguousarray(run.tracks[:, :, ::_LOOK_EVERY])
+        tracks = np.ascontiguousarray(run.traces.tracks[0, :, :, ::_LOOK_EVERY])
         speed = tracks[self.ego, SPEED]
         rise_s = self.deceleration_mps2 / JERK_MPS3
         stop_s = RISK_EVALUATION_S + DELAY_S + rise_s / 2 + speed / self.deceleration_mps2
@@ -257,7 +253,7 @@ class _Trial:
         kept = int(((fired >= 0) & (fired * STEP_S < brakes_s)).sum())
         rise_s = self.deceleration_mps2 / JERK_MPS3
         stages = [(n / _STAGES, (n + 0.5) / _STAGES) for n in range(_STAGES)] + [(1.0, 1.0)]
-        speed = self.as_driven.tracks[self.ego, SPEED]
+        speed = self.as_driven.traces.tracks[0, self.ego, SPEED]
         step = min(int(brakes_s / STEP_S), len(speed) - 1)
         # Who brakes already does not brake less while the pedal goes down.
         already = float(speed[step - 1] - speed[step]) / STEP_S if step else 0.0
