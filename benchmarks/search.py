@@ -99,7 +99,7 @@ def quasi_random(problem: Problem, rng: np.random.Generator) -> None:
 def evolution(problem: Problem, rng: np.random.Generator) -> None:
     origin = problem.space.origin
     outcome = problem.evaluate(origin[None, :])
-    best = Best(origin, np.inf, {"all": np.inf}, {})
+    best = Best(origin)
     best.take(origin[None, :], outcome)
     start = problem.space.unit(origin)
     while True:

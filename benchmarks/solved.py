@@ -91,7 +91,7 @@ def refuted(functional: FunctionalScenario, concrete: ConcreteScenario, target: 
     problem = stage.problem()
     rng = np.random.Generator(np.random.PCG64(1))
     space = problem.space
-    best = Best(space.origin, np.inf, {"all": np.inf}, {})
+    best = Best(space.origin)
     for _ in range(RANDOM_BATCHES):
         x = space.at(rng.random((BATCH, len(space.variables))))
         best.take(x, problem.evaluate(x))

@@ -8,7 +8,7 @@ scenario as it was concretized, as far as the demands allow.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -50,9 +50,9 @@ class Best:
     """The best candidate so far, and by demand the least that any candidate missed."""
 
     x: Floats
-    loss: float
-    missing: dict[str, float]
-    least: dict[str, float]
+    loss: float = np.inf
+    missing: dict[str, float] = field(default_factory=lambda: {"all": np.inf})
+    least: dict[str, float] = field(default_factory=dict)
 
     @property
     def found(self) -> bool:
@@ -84,7 +84,7 @@ def search(
     space, origin = problem.space, problem.space.origin
     first = origin[None, :]
     outcome = problem.evaluate(first)
-    best = Best(origin, np.inf, {"all": np.inf}, {})
+    best = Best(origin)
     best.take(first, outcome)
     count = len(space.variables)
     if best.found or not count:
@@ -96,7 +96,7 @@ def search(
         rounds, restarts = 0, min(restarts, 1)
     for _ in range(0 if best.found else rounds):
         # A fresh look is not drawn to what looked best before and led nowhere.
-        fresh = Best(origin, np.inf, {"all": np.inf}, best.least)
+        fresh = Best(origin, least=best.least)
         points = halton(FIRST_BATCH, rng.random(count))
         reach = np.repeat([0.4, 1.0, 2.0], FIRST_BATCH // 3)[:, None]
         _look(problem, fresh, folded(space.unit(origin) + (points - 0.5) * reach))
@@ -116,7 +116,7 @@ def search(
 
 def follow(problem: Problem, lead: Lead) -> Best:
     """Look at the lead, at a part of it, and then around the best of these; stay near the lead."""
-    best = Best(lead.x, np.inf, {"all": np.inf}, {})
+    best = Best(lead.x)
     first = np.array([lead.x, *_nearer(lead.x, problem.space.origin)])
     problem.home = lead.x
     try:

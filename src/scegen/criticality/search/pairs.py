@@ -25,11 +25,8 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     things = {thing.id for thing in concrete.objects}
     found: list[Pair] = []
     kinds = list(PREDICATES)
-    for hazard in sorted(
-        (h for h in concrete.hazards if h.kind in PREDICATES), key=lambda h: kinds.index(h.kind)
-    ):
-        if not PREDICATES[hazard.kind].conflict:
-            continue
+    asked = [h for h in concrete.hazards if h.kind in PREDICATES and PREDICATES[h.kind].conflict]
+    for hazard in sorted(asked, key=lambda h: kinds.index(h.kind)):
         found += sorted(both_sides(hazard), key=lambda pair: ego not in pair)
     moving = [pair for pair in found if not things & {*pair}]
     found = [*moving, *(pair for pair in found if pair not in moving and ego in pair)]
