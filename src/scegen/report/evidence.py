@@ -93,8 +93,10 @@ def spans(
 
 def _rests(claim: ClaimProof, finding: Finding) -> bool:
     """Whether a statement rests on a finding's words: by its field, or by them and its subject."""
-    if finding.field is None or claim.field == finding.field:
-        return finding.field is not None
+    if finding.field is None:
+        return False
+    if claim.field == finding.field:
+        return True
     subject, other = (field.split(".")[:2] for field in (claim.field, finding.field))
     alike = subject == other or subject[0] == other[0] == "junction"
     return alike and claim.words is not None and claim.words == finding.words

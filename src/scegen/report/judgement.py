@@ -39,9 +39,11 @@ def _margin(verdict: Verdict) -> list[str]:
     if verdict.outcome is Outcome.AVOIDABLE and verdict.distance_m != float("inf"):
         parts.append(f"Remaining distance {verdict.distance_m:.2f} m.")
     if verdict.spare_s is not None:
-        amount, could = f"{abs(verdict.spare_s):.1f} s", verdict.outcome is Outcome.AVOIDABLE
-        when = f"could act {amount} later" if could else f"would have to act {amount} earlier"
-        parts.append(f"The brakes {when}.")
+        amount = f"{abs(verdict.spare_s):.1f} s"
+        if verdict.outcome is Outcome.AVOIDABLE:
+            parts.append(f"The brakes could act {amount} later.")
+        else:
+            parts.append(f"The brakes would have to act {amount} earlier.")
     if verdict.secondary:
         names = " and ".join(verdict.secondary)
         does = "does" if len(verdict.secondary) == 1 else "do"

@@ -109,10 +109,18 @@ def _cost(where: Rectangle, apart: float, bodies: Iterable[Rectangle], ways: Arr
 
 
 def _overlap(a: Rectangle, b: Rectangle) -> bool:
-    pairs = ((a[0], b[2]), (b[0], a[2]), (a[1], b[3]), (b[1], a[3]))
-    return all(low < high + _MARGIN for low, high in pairs)
+    return (
+        a[0] < b[2] + _MARGIN
+        and b[0] < a[2] + _MARGIN
+        and a[1] < b[3] + _MARGIN
+        and b[1] < a[3] + _MARGIN
+    )
 
 
 def _contains(outer: Rectangle, inner: Rectangle) -> bool:
-    begins = all(inner[side] >= outer[side] + _MARGIN for side in (0, 1))
-    return begins and all(inner[side] <= outer[side] - _MARGIN for side in (2, 3))
+    return (
+        inner[0] >= outer[0] + _MARGIN
+        and inner[1] >= outer[1] + _MARGIN
+        and inner[2] <= outer[2] - _MARGIN
+        and inner[3] <= outer[3] - _MARGIN
+    )
