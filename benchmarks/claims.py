@@ -59,8 +59,7 @@ def problems() -> Iterator[tuple[str, Problem]]:
 
 def cost_s(problem: Problem, count: int) -> float:
     """Seconds of the processor per candidate, the best of some rounds."""
-    low, span = problem.space.low, problem.space.high - problem.space.low
-    x = low + halton(count, len(span), np.zeros(len(span))) * span
+    x = problem.space.at(halton(count, np.zeros(len(problem.space.variables))))
     best = np.inf
     for _ in range(ROUNDS):
         begin = process_time()

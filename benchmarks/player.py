@@ -16,7 +16,8 @@ from playwright.sync_api import sync_playwright
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
-from scegen.report.html import ConcreteEntry, ReportInput, report_html
+from scegen.report.contents import ConcreteEntry, ReportInput
+from scegen.report.html import report_html
 from scegen.report.player.scene import scene_of
 from scegen.understanding import read
 

@@ -82,10 +82,10 @@ def ours(problem: Problem, rng: np.random.Generator) -> None:
 
 
 def by_chance(problem: Problem, rng: np.random.Generator) -> None:
-    low, span = problem.space.low, problem.space.high - problem.space.low
-    problem.evaluate(problem.space.origin[None, :])
+    space = problem.space
+    problem.evaluate(space.origin[None, :])
     while True:
-        problem.evaluate(low + rng.random((BATCH, len(span))) * span)
+        problem.evaluate(space.at(rng.random((BATCH, len(space.variables)))))
 
 
 def quasi_random(problem: Problem, rng: np.random.Generator) -> None:
@@ -97,15 +97,14 @@ def quasi_random(problem: Problem, rng: np.random.Generator) -> None:
 
 
 def evolution(problem: Problem, rng: np.random.Generator) -> None:
-    low, span = problem.space.low, problem.space.high - problem.space.low
     origin = problem.space.origin
     outcome = problem.evaluate(origin[None, :])
-    best = Best(origin, np.inf, {"all": np.inf}, {})
+    best = Best(origin)
     best.take(origin[None, :], outcome)
-    start = (origin - low) / span
+    start = problem.space.unit(origin)
     while True:
-        _evolve(problem, best, low, span, start, rng)
-        start = halton(1, len(span), rng.random(len(span)))[0]
+        _evolve(problem, best, start, rng)
+        start = halton(1, rng.random(len(start)))[0]
 
 
 def parzen(problem: Problem, rng: np.random.Generator) -> None:

@@ -90,16 +90,16 @@ def refuted(functional: FunctionalScenario, concrete: ConcreteScenario, target: 
         return any(a.intersects(b) for a, b in combinations(grounds, 2))
     problem = stage.problem()
     rng = np.random.Generator(np.random.PCG64(1))
-    low, span = problem.space.low, problem.space.high - problem.space.low
-    best = Best(problem.space.origin, np.inf, {"all": np.inf}, {})
+    space = problem.space
+    best = Best(space.origin)
     for _ in range(RANDOM_BATCHES):
-        x = low + rng.random((BATCH, len(span))) * span
+        x = space.at(rng.random((BATCH, len(space.variables))))
         best.take(x, problem.evaluate(x))
     for n in range(EVOLUTIONS):
         if best.found:
             break
-        start = rng.random(len(span)) if n else (best.x - low) / span
-        _evolve(problem, best, low, span, start, rng)
+        start = rng.random(len(best.x)) if n else space.unit(best.x)
+        _evolve(problem, best, start, rng)
     return best.found
 
 

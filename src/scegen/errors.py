@@ -15,6 +15,9 @@ Messages say what is wrong, where, and what to do about it.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 
 class ScegenError(Exception):
     """Base of all errors with a message for the user.
@@ -71,3 +74,23 @@ class MissingToolError(ScegenError):
     """A program or package outside the installation is needed."""
 
     exit_code = 3
+
+
+@contextmanager
+def of_extra(extra: str, what: str, *libraries: str, where: str | None = None) -> Iterator[None]:
+    """Here is imported ``what`` needs, of the libraries of an extra.
+
+    Raises:
+        MissingToolError: one of them is not installed; says how to get it.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        library = (error.name or "").partition(".")[0]
+        if library not in libraries:
+            raise
+        raise MissingToolError(
+            f"{what} needs the library {library}, which is not installed",
+            where=where,
+            hint=f"run: pip install 'ml-scegen[{extra}]'",
+        ) from error

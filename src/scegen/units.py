@@ -30,6 +30,19 @@ UNITS: dict[str, dict[str, float]] = {
 """Dimension -> unit -> how much of m/s, m, s, m/s², percent one of it is."""
 
 
+_OF_FIELDS = {
+    "_mps2": "m/s²", "_mps": "m/s", "_deg": "°", "_m": "m", "_s": "s", "_percent": "%",
+}  # fmt: skip
+
+
+def parted(field: str) -> tuple[str, str | None]:
+    """What a field is called without the unit at its end, and that unit; None if it has none."""
+    for ending, unit in _OF_FIELDS.items():
+        if field.endswith(ending):
+            return field.removesuffix(ending), unit
+    return field, None
+
+
 def speed_mps(value: float, unit: str) -> float:
     """A speed in metres per second.
 

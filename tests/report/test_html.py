@@ -10,8 +10,9 @@ import pytest
 from lxml import html
 from scenes import scene
 
+from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
 from scegen.report.evidence import LONGEST_SHOWN, field_rows, spans
-from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
+from scegen.report.html import report_html
 from scegen.report.tables import tables
 from scegen.scenario.concrete import (
     ArmRoad,

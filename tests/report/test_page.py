@@ -8,7 +8,8 @@ from browsing import until
 from scenes import CLAIMS, EVIL, PROOF, concrete, scene
 from whole import FUNCTIONAL, LOGICAL
 
-from scegen.report.html import ConcreteEntry, ReportInput, report_html
+from scegen.report.contents import ConcreteEntry, ReportInput
+from scegen.report.html import report_html
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 

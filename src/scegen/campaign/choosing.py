@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from scegen.campaign.analysis.coverage import NEEDED as FOR_COVERAGE
 from scegen.campaign.analysis.coverage import Coverage, coverage
-from scegen.campaign.analysis.features import NEEDED as FOR_LIKENESS
 from scegen.campaign.analysis.suite import Suite, suite_of
 from scegen.campaign.report.scenario import write_folder
-from scegen.campaign.rows import FILE_COLUMNS
+from scegen.campaign.rows import Row
 from scegen.campaign.store import Store, write_whole
 from scegen.campaign.table import query
 from scegen.checking.subject import FUNCTIONAL_FILE
@@ -21,7 +19,6 @@ from scegen.scenario.files import to_yaml
 from scegen.scenario.functional import FunctionalScenario
 
 SUITE_FILE = "suite.json"
-_NAMED = ("key", "description", "logical_name", "functional", "concretization", "sweep")
 
 
 @dataclass(frozen=True)
@@ -29,7 +26,7 @@ class Selected:
     """A suite with the rows that it is of, and the coverage of the whole campaign."""
 
     suite: Suite
-    rows: list[dict[str, Any]]
+    rows: list[Row]
     covered: Coverage
 
     def to_data(self) -> dict[str, Any]:
@@ -45,14 +42,15 @@ class Selected:
             "not_in_the_campaign": self.covered.left_out,
             "scenarios": [
                 {
-                    "key": self.rows[chosen.row]["key"],
-                    "description": self.rows[chosen.row]["description"],
-                    "logical": self.rows[chosen.row]["logical_name"],
+                    "key": row["key"],
+                    "description": row["description"],
+                    "logical": row["logical_name"],
                     "folder": self.folder(chosen.row),
                     "reason": chosen.reason,
                     "brings": list(chosen.brings),
                 }
                 for chosen in self.suite.chosen
+                for row in [self.rows[chosen.row]]
             ],
         }
 
@@ -72,10 +70,9 @@ def select(store: Store, size: int) -> Selected:
     Raises:
         InputError: there are no rows, or none that is good enough.
     """
-    names = dict.fromkeys((*_NAMED, *FILE_COLUMNS.values(), *FOR_COVERAGE, *FOR_LIKENESS))
-    table = query(store, f"SELECT {', '.join(names)} FROM rows ORDER BY key")  # noqa: S608
-    covered = coverage(store, table)
-    return Selected(suite_of(table, covered, size), table.to_pylist(), covered)
+    rows: list[Row] = query(store, "SELECT * FROM rows ORDER BY key").to_pylist()
+    covered = coverage(store, rows)
+    return Selected(suite_of(rows, covered, size), rows, covered)
 
 
 def write_suite(store: Store, selected: Selected, folder: Path) -> None:

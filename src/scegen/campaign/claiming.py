@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import fcntl
-import json
 import platform
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -49,7 +48,7 @@ def claim(store: Store, campaign: Campaign) -> None:
             )
         keep_manifest(store, campaign, [], None)
         return
-    order = _order(campaign)
+    order = campaign.model_dump(mode="json", by_alias=True)
     earlier = manifest.get("campaign", {})
     differing = sorted(name for name in {*order, *earlier} if order.get(name) != earlier.get(name))
     if manifest.get("scegen") != __version__ or manifest.get("format") != FORMAT:
@@ -62,12 +61,6 @@ def claim(store: Store, campaign: Campaign) -> None:
         )
 
 
-def _order(campaign: Campaign) -> dict[str, Any]:
-    """The campaign as the manifest keeps it."""
-    data: dict[str, Any] = json.loads(campaign.model_dump_json(by_alias=True))
-    return data
-
-
 def keep_manifest(
     store: Store, campaign: Campaign, keys: list[str], finished: Finished | None
 ) -> None:
@@ -77,7 +70,7 @@ def keep_manifest(
         "scegen": __version__,
         "python": platform.python_version(),
         "libraries": {name: version(name) for name in _LIBRARIES},
-        "campaign": _order(campaign),
+        "campaign": campaign.model_dump(mode="json", by_alias=True),
         "plans": keys,
     }
     if finished is not None:

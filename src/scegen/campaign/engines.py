@@ -10,21 +10,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
 from multiprocessing import resource_tracker
-from signal import (
-    SIG_BLOCK,
-    SIG_SETMASK,
-    SIGINT,
-    getsignal,
-    pthread_sigmask,
-    raise_signal,
-    signal,
-)
+from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, getsignal, pthread_sigmask, raise_signal, signal
 from socket import create_connection
 from threading import ExceptHookArgs, current_thread, main_thread
 from typing import Any, TypeVar
 from warnings import catch_warnings
 
-from scegen.errors import InputError, MissingToolError
+from scegen.errors import InputError, of_extra
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -172,12 +164,8 @@ def _once(prepare: Callable[[], None]) -> None:
 def _by_ray(
     force: Workforce, work: Callable[[T], R], tasks: Sequence[T], prepare: Callable[[], None]
 ) -> Iterator[R]:
-    try:
+    with of_extra("cluster", "the engine ray", "ray"):
         import ray  # noqa: PLC0415 - of another extra, and it takes a second to load
-    except ModuleNotFoundError as error:
-        raise MissingToolError(
-            "the engine ray needs Ray", hint="pip install 'ml-scegen[cluster]'"
-        ) from error
     quiet: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}
     if force.address is None:
         quiet |= {"num_cpus": force.workers, "include_dashboard": False}

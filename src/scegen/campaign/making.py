@@ -60,24 +60,17 @@ Batch = tuple[tuple[Path, tuple[int, ...]], ...]
 """Plans, and rows of theirs."""
 
 
-@dataclass(frozen=True, slots=True)
-class Done:
-    """What became of a batch: items by status, and seconds that a worker spent on it."""
-
-    made: int
-    failed: int
-    seconds: float
-
-
 @dataclass
 class Clock:
-    """Seconds by step."""
+    """Seconds by step, and the step that is under way or was the last."""
 
     seconds: dict[str, float] = field(default_factory=dict)
+    stage: str = "concretize"
 
     @contextmanager
     def step(self, name: str) -> Iterator[None]:
         """Count the time of a step."""
+        self.stage = name
         begin = perf_counter()
         try:
             yield
@@ -119,13 +112,14 @@ def _leave_if_alone() -> None:
         os._exit(1)
 
 
-def make_batch(store: Store, campaign: Campaign, batch: Batch) -> Done:
+def make_batch(store: Store, campaign: Campaign, batch: Batch) -> tuple[int, int]:
     """Make the items of a batch and write them down; until that is done, nothing counts.
+
+    Gives back how many items there are, and how many of them could not be made.
 
     Raises:
         StoreError: the folder cannot be written.
     """
-    begin = perf_counter()
     rows = []
     for path, numbers in batch:
         for item in items(path, list(numbers)):
@@ -135,8 +129,7 @@ def make_batch(store: Store, campaign: Campaign, batch: Batch) -> Done:
     table = table_of(rows)
     _leave_if_alone()
     store.write_batch(table)
-    made = sum(row["status"] == MADE for row in rows)
-    return Done(made, len(rows) - made, perf_counter() - begin)
+    return len(rows), sum(row["status"] == FAILED for row in rows)
 
 
 def make_item(store: Store, campaign: Campaign, item: Item) -> Row:
@@ -146,35 +139,31 @@ def make_item(store: Store, campaign: Campaign, item: Item) -> Row:
         StoreError: the folder cannot be written.
     """
     clock = Clock()
-    row: Row = {
-        "key": item.key,
-        "description": item.description,
-        "functional": item.functional,
-        "sweep": item.point,
-        "concretization": item.concretization,
-        "seed": item.seed,
-    }
+    row = item.row
     if item.functional is None or item.logical is None:
         return row | {"status": FAILED, "stage": item.stage, "reason": item.reason, SECONDS: 0.0}
     functional = _functional(store, item.functional)
     logical = LogicalScenario.model_validate_json(item.logical)
     row |= planned(functional, logical)
-    stage = ["concretize"]
     try:
         functional, logical = spread(
             functional, logical, item.concretization, campaign.concretizations, item.seed
         )
         row["ranges"] = {p.name: [p.low, p.high] for p in logical.parameters}
-        row |= _made(store, campaign, item, functional, logical, clock, stage)
+        row |= _made(store, campaign, item, functional, logical, clock)
         row["status"] = MADE
     except StoreError:
         raise
     except ScegenError as error:
-        row |= {"status": FAILED, "stage": stage[0], "reason": error.render()}
+        row |= {"status": FAILED, "stage": clock.stage, "reason": error.render()}
     except Exception as error:  # noqa: BLE001 - one scenario must not end the campaign
         place = extract_tb(error.__traceback__)[-1]
         told = f"{type(error).__name__}: {error} ({Path(place.filename).name}, {place.lineno})"
-        row |= {"status": FAILED, "stage": stage[0], "reason": f"an error of the program: {told}"}
+        row |= {
+            "status": FAILED,
+            "stage": clock.stage,
+            "reason": f"an error of the program: {told}",
+        }
     return row | clock.columns()
 
 
@@ -190,27 +179,23 @@ def _made(
     functional: FunctionalScenario,
     logical: LogicalScenario,
     clock: Clock,
-    stage: list[str],
 ) -> Row:
-    """One concrete scenario: numbers, danger, judgement, files, checks; ``stage`` is kept told."""
+    """One concrete scenario: numbers, danger, judgement, files, checks."""
     target = chosen_target(campaign.target, functional)
-    with clock.step("search"):
+    with clock.step("concretize"):
         raised = make_one(functional, logical, target, item.seed)
     (concrete,) = raised.concretes
-    clock.seconds["concretize"] = clock.seconds["search"] - raised.search_s.get(concrete.name, 0.0)
-    clock.seconds["search"] -= clock.seconds["concretize"]
+    clock.seconds["search"] = raised.search_s.get(concrete.name, 0.0)
+    clock.seconds["concretize"] -= clock.seconds["search"]
     proof = raised.proofs.get(concrete.name)
-    stage[0] = "judge"
     with clock.step("judge"):
         row = shown(functional, concrete, proof, judge(concrete, proof))
-    stage[0] = "write"
     with clock.step("write"):
         files = export_scenario(concrete, osc=campaign.osc, picture=campaign.pictures)
         for name, content in files.items():
             row[FILE_COLUMNS[name]] = store.put(content, name.rsplit(".", 1)[1])
         if proof is not None:
             row[FILE_COLUMNS[PROOF_FILE]] = store.put(to_json(proof).encode(), "json")
-    stage[0] = "check"
     return row | _checked(campaign, item, files, concrete, functional, proof, clock)
 
 

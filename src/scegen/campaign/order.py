@@ -126,14 +126,12 @@ def load_campaign(path: Path, changes: dict[str, Any]) -> Campaign:
     files = [path]
     if path.suffix.lower() in {".yaml", ".yml", ".json"}:
         found = parse(read_text(path), where=str(path))
-        if isinstance(found, dict) and found.get("level") == "functional":
-            files = [path]
-        else:
+        if not isinstance(found, dict) or found.get("level") != "functional":
             data = dict(found) if isinstance(found, dict) else {"level": found}
             files = [path.parent / name for name in _names(data.get("files"))]
     campaign = from_data(Campaign, data | changes, where=str(path))
-    own = [_beside(path, described) for described in campaign.descriptions]
-    listed = [*own, *(described for file in files for described in _descriptions(file))]
+    listed = [_beside(path, described) for described in campaign.descriptions]
+    listed += [described for file in files for described in _descriptions(file)]
     if not listed:
         raise InputError("names no description", where=str(path), hint="see scegen schema campaign")
     seen: set[str] = set()

@@ -68,11 +68,8 @@ def spread(
         width = (parameter.high - parameter.low) / count
         low = parameter.low + part * width
         cut = {"low": low, "high": low + width, "default": low + width / 2}
-        if width <= 0.0:
-            kept.append(parameter)
-            continue
-        kept.append(parameter.model_copy(update=cut))
-        if parameter.reason == "stated":
+        kept.append(parameter.model_copy(update=cut) if width > 0.0 else parameter)
+        if width > 0.0 and parameter.reason == "stated":
             said = Interval(low=low, high=low + width)
             functional = _said(functional, parameter.name, said, "a part of it", parameter.name)
     return functional, logical.model_copy(update={"parameters": tuple(kept)})
@@ -131,11 +128,10 @@ def _set(data: dict[str, Any], name: str, value: Interval) -> str | None:
         if who == f"spacing_{number}" and str(spacing["measure"]) == quantity:
             data["spacings"] = _with(data["spacings"], number, {"value": value})
             return f"spacings.{number}.value"
-    if who == "outcome" and data["outcome"] is not None:
-        changed = _quantity(data["outcome"], quantity, value)
-        if changed is not None:
-            data["outcome"] = changed
-            return f"outcome.{quantity}"
+    outcome = data["outcome"] if who == "outcome" else None
+    if outcome and (changed := _quantity(outcome, quantity, value)) is not None:
+        data["outcome"] = changed
+        return f"outcome.{quantity}"
     return None
 
 

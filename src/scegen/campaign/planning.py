@@ -7,6 +7,7 @@ key: neither order nor number of descriptions, batches or workers changes anythi
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -19,7 +20,7 @@ import pyarrow.parquet as pq
 from scegen import __version__
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.parameters import at_point, points
-from scegen.campaign.rows import cells
+from scegen.campaign.rows import Row, cells
 from scegen.campaign.store import Store
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
 from scegen.errors import NoScenarioError, ScegenError
@@ -36,16 +37,11 @@ LEFT_OUT = b"left_out"
 """Metadata of a plan: what scenarios show that the campaign leaves out, with how many do."""
 _PLAN = pa.schema(
     [
-        ("key", pa.string()),
-        ("description", pa.string()),
-        ("functional", pa.string()),
-        ("logical", pa.string()),
+        *((name, pa.string()) for name in ("key", "description", "functional", "logical")),
         ("point", pa.map_(pa.string(), pa.float64())),
-        ("concretization", pa.int64()),
-        ("seed", pa.int64()),
+        *((name, pa.int64()) for name in ("concretization", "seed")),
         ("cost", pa.float64()),
-        ("stage", pa.string()),
-        ("reason", pa.string()),
+        *((name, pa.string()) for name in ("stage", "reason")),
     ]
 )
 _SEED_DIGITS = 13
@@ -65,6 +61,18 @@ class Item:
     seed: int
     stage: str | None
     reason: str | None
+
+    @property
+    def row(self) -> Row:
+        """What its row says whatever comes of it."""
+        return {
+            "key": self.key,
+            "description": self.description,
+            "functional": self.functional,
+            "sweep": self.point,
+            "concretization": self.concretization,
+            "seed": self.seed,
+        }
 
 
 def content_of(described: Described) -> str:
@@ -166,15 +174,8 @@ def _rules(campaign: Campaign) -> RuleFile | None:
 
 
 def _key(campaign: Campaign, *parts: object) -> str:
-    decides = [
-        __version__,
-        campaign.seed,
-        campaign.target,
-        campaign.concretizations,
-        str(campaign.osc),
-        *parts,
-    ]
-    return digest(json.dumps(decides, sort_keys=True).encode())
+    order = (campaign.seed, campaign.target, campaign.concretizations, str(campaign.osc))
+    return digest(json.dumps([__version__, *order, *parts], sort_keys=True).encode())
 
 
 def _left_out(logical: LogicalSet, picked: tuple[LogicalScenario, ...]) -> dict[str, int]:
@@ -183,12 +184,8 @@ def _left_out(logical: LogicalSet, picked: tuple[LogicalScenario, ...]) -> dict[
         return {}
     functional = logical.functional
     held = {cell for scenario in picked for cell in cells(functional, scenario)}
-    found: dict[str, int] = {}
-    for scenario in logical.scenarios:
-        for cell in cells(functional, scenario):
-            if cell not in held:
-                found[cell] = found.get(cell, 0) + 1
-    return dict(sorted(found.items()))
+    shown = Counter(cell for scenario in logical.scenarios for cell in cells(functional, scenario))
+    return {cell: times for cell, times in sorted(shown.items()) if cell not in held}
 
 
 def _failure(
@@ -221,9 +218,5 @@ def _table(path: Path) -> pa.Table:
 def items(path: Path, numbers: list[int]) -> Iterator[Item]:
     """The items of a plan in these rows."""
     for row in _table(path).take(numbers).to_pylist():
-        yield Item(
-            **{
-                name: row[name] for name in Item.__slots__ if name != "point"
-            },  # the plan has these columns, and a cost
-            point=dict(row["point"] or []),
-        )
+        del row["cost"]
+        yield Item(**row | {"point": dict(row["point"] or [])})

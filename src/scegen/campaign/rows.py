@@ -51,63 +51,41 @@ MEASURES = {
 }
 """Columns of the measures that a proof holds, of the pair that the target is about."""
 
-SCHEMA = pa.schema(
-    [
-        ("key", _TEXT),
-        ("row_digest", _TEXT),
-        ("description", _TEXT),
-        ("status", _TEXT),
-        ("stage", _TEXT),
-        ("reason", _TEXT),
-        ("functional", _TEXT),
-        ("logical_index", _WHOLE),
-        ("logical_name", _TEXT),
-        ("sweep", _NUMBERS),
-        ("concretization", _WHOLE),
-        ("seed", _WHOLE),
-        ("junction", _TEXT),
-        ("arms", _WHOLE),
-        ("control", _TEXT),
-        ("driving_side", _TEXT),
-        ("participants", _WHOLE),
-        ("kinds", _TEXTS),
-        ("pair", _TEXTS),
-        ("movements", _TEXT),
-        ("seen", _TEXT),
-        ("conflict", _TEXT),
-        ("yields", _TEXT),
-        ("right_of_way", _TEXT),
-        ("meetings", _TEXTS),
-        ("hazards", _TEXTS),
-        ("hazards_missing", _TEXTS),
-        ("ranges", pa.map_(_TEXT, pa.list_(_NUMBER))),
-        ("parameters", _NUMBERS),
-        ("ego_speed_mps", _NUMBER),
-        ("other_speed_mps", _NUMBER),
-        ("duration_s", _NUMBER),
-        ("target", _TEXT),
-        ("measure", _TEXT),
-        ("reached", _YES),
-        ("reached_at_first", _YES),
-        ("blocked_by", _TEXT),
-        ("evaluations", _WHOLE),
-        *((column, _NUMBER) for column in MEASURES.values()),
-        ("avoidable", _TEXT),
-        ("spare_s", _NUMBER),
-        ("reactive", _YES),
-        ("claims", _WHOLE),
-        ("claims_held", _WHOLE),
-        ("claims_missed", _TEXTS),
-        ("checks", pa.map_(_TEXT, _TEXT)),
-        ("check_findings", _TEXTS),
-        ("confirmed", _TEXT),
-        ("cells", _TEXTS),
-        ("covered", _TEXTS),
-        *((column, _TEXT) for column in FILE_COLUMNS.values()),
-        *((f"{SECONDS}_{step}", _NUMBER) for step in STEPS),
-        (SECONDS, _NUMBER),
-    ]
+_COLUMNS: tuple[tuple[str, pa.DataType], ...] = (
+    ("key row_digest description status stage reason functional", _TEXT),
+    ("logical_index", _WHOLE),
+    ("logical_name", _TEXT),
+    ("sweep", _NUMBERS),
+    ("concretization seed", _WHOLE),
+    ("junction", _TEXT),
+    ("arms", _WHOLE),
+    ("control driving_side", _TEXT),
+    ("participants", _WHOLE),
+    ("kinds pair", _TEXTS),
+    ("movements seen conflict yields right_of_way", _TEXT),
+    ("meetings hazards hazards_missing", _TEXTS),
+    ("ranges", pa.map_(_TEXT, pa.list_(_NUMBER))),
+    ("parameters", _NUMBERS),
+    ("ego_speed_mps other_speed_mps duration_s", _NUMBER),
+    ("target measure", _TEXT),
+    ("reached reached_at_first", _YES),
+    ("blocked_by", _TEXT),
+    ("evaluations", _WHOLE),
+    (" ".join(MEASURES.values()), _NUMBER),
+    ("avoidable", _TEXT),
+    ("spare_s", _NUMBER),
+    ("reactive", _YES),
+    ("claims claims_held", _WHOLE),
+    ("claims_missed", _TEXTS),
+    ("checks", pa.map_(_TEXT, _TEXT)),
+    ("check_findings", _TEXTS),
+    ("confirmed", _TEXT),
+    ("cells covered", _TEXTS),
+    (" ".join(FILE_COLUMNS.values()), _TEXT),
+    (" ".join(f"{SECONDS}_{step}" for step in STEPS), _NUMBER),
+    (SECONDS, _NUMBER),
 )
+SCHEMA = pa.schema([(name, kind) for names, kind in _COLUMNS for name in names.split()])
 OBJECT_COLUMNS = ("functional", *FILE_COLUMNS.values())
 """Columns that name objects of the store."""
 _BAND_KPH = 20
@@ -190,10 +168,7 @@ def _hazard(hazard: Hazard) -> str:
 
 
 def shown(
-    functional: FunctionalScenario,
-    concrete: ConcreteScenario,
-    proof: Proof | None,
-    judged: Judged,
+    functional: FunctionalScenario, concrete: ConcreteScenario, proof: Proof | None, judged: Judged
 ) -> Row:
     """What a concrete scenario shows."""
     row = {
@@ -218,11 +193,10 @@ def _parameters(concrete: ConcreteScenario) -> dict[str, float]:
             found[f"{participant.id}.start_m"] = participant.motion.start_m
         for number, phase in enumerate(participant.speed_program):
             name = f"{participant.id}.phase_{number}"
+            value = getattr(phase.trigger, phase.trigger.measured)
             found[f"{name}.target_speed_mps"] = phase.target_speed_mps
             found[f"{name}.rate_mps2"] = phase.rate_mps2
-            found[f"{name}.{phase.trigger.measured}"] = getattr(
-                phase.trigger, phase.trigger.measured
-            )
+            found[f"{name}.{phase.trigger.measured}"] = value
     return found
 
 
@@ -251,15 +225,9 @@ def _proved(functional: FunctionalScenario, concrete: ConcreteScenario, proof: P
     hazards = concrete.logical.hazards or functional.hazards
     happened = [told.happened for told in proof.hazards]
     missing = [h for h, there in zip(hazards, happened, strict=True) if not there]
-    present, absent = (
-        {
-            cell
-            for hazard, there in zip(hazards, happened, strict=True)
-            if there is wanted
-            for cell in _dangers(functional, concrete.logical, hazard)
-        }
-        for wanted in (True, False)
-    )
+    dangers: dict[bool, set[str]] = {True: set(), False: set()}
+    for hazard, there in zip(hazards, happened, strict=True):
+        dangers[there] |= _dangers(functional, concrete.logical, hazard)
     return {
         "hazards_missing": [_hazard(hazard) for hazard in missing],
         "target": proof.target,
@@ -272,7 +240,9 @@ def _proved(functional: FunctionalScenario, concrete: ConcreteScenario, proof: P
         "claims": len(proof.claims),
         "claims_held": len(proof.claims) - len(proof.missed),
         "claims_missed": [f"{claim.statement}: {claim.found}" for claim in proof.missed],
-        "covered": sorted({*cells(functional, concrete.logical)} - (absent - present)),
+        "covered": sorted(
+            {*cells(functional, concrete.logical)} - (dangers[False] - dangers[True])
+        ),
     }
 
 

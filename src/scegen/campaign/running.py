@@ -8,15 +8,13 @@ from pathlib import Path
 from time import perf_counter
 from typing import Protocol
 
-import pyarrow.parquet as pq
-
 from scegen.campaign.batching import Work, batches_of, works_of
 from scegen.campaign.claiming import Finished, alone, claim, keep_manifest
 from scegen.campaign.engines import WorkerLostError, Workforce
 from scegen.campaign.examining import Examined, examine
-from scegen.campaign.making import Done, enlist, make_batch, warm
+from scegen.campaign.making import enlist, make_batch, warm
 from scegen.campaign.order import Campaign, Described
-from scegen.campaign.planning import content_of, plan_description, plan_key
+from scegen.campaign.planning import content_of, items, plan_description, plan_key
 from scegen.campaign.rows import FAILED, table_of
 from scegen.campaign.store import Store, StoreError, column, sound
 from scegen.campaign.table import write_table
@@ -132,10 +130,9 @@ def _make(
         batches = batches_of(works_of(store, keys, found.missing), most, workforce.workers)
         before_round = len(found.done)
         try:
-            made: Done
             with closing(workforce.each(work, batches, warm, enlist)) as results:
-                for made in results:
-                    done, failed = done + made.made + made.failed, failed + made.failed
+                for items_done, items_failed in results:
+                    done, failed = done + items_done, failed + items_failed
                     watch.making(done, failed, total)
         except WorkerLostError as error:
             found = examine(store, keys)
@@ -159,17 +156,6 @@ def examine_done(store: Store, found: Examined) -> Examined:
 
 def _give_up(store: Store, works: list[Work]) -> None:
     """The first of those that are left kills its worker every time: a row says so."""
-    first = works[0]
-    plan = pq.read_table(first.plan).slice(first.number, 1).to_pylist()[0]
-    row = {
-        "key": first.key,
-        "description": plan["description"],
-        "functional": plan["functional"],
-        "sweep": dict(plan["point"] or []),
-        "concretization": plan["concretization"],
-        "seed": plan["seed"],
-        "status": FAILED,
-        "stage": "worker",
-        "reason": f"its worker died {_ROUNDS} times",
-    }
-    store.write_batch(table_of([row]))
+    (item,) = items(works[0].plan, [works[0].number])
+    why = {"status": FAILED, "stage": "worker", "reason": f"its worker died {_ROUNDS} times"}
+    store.write_batch(table_of([item.row | why]))

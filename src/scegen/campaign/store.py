@@ -99,6 +99,17 @@ class Store:
             raise InputError("is no manifest of a campaign", where=str(path))
         return data
 
+    def told(self) -> dict[str, Any]:
+        """What the manifest says.
+
+        Raises:
+            InputError: it cannot be read, or there is none.
+        """
+        manifest = self.manifest()
+        if not manifest:
+            raise InputError("holds no campaign", where=str(self.folder))
+        return manifest
+
     def write_manifest(self, data: dict[str, Any]) -> None:
         """Write the manifest."""
         text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"

@@ -16,15 +16,8 @@ ROWS = "rows"
 """The name of the table in queries."""
 
 
-def connect(store: Store) -> duckdb.DuckDBPyConnection:
-    """A connection in which ``rows`` are all rows: of the table, or of the batches so far.
-
-    Raises:
-        InputError: there are none.
-    """
-    source = store.table if store.table.exists() else store.folder / BATCHES / "*.parquet"
-    if not store.table.exists() and not store.batches():
-        raise InputError("holds no rows", where=str(store.folder), hint="run scegen campaign first")
+def _connected(source: Path) -> duckdb.DuckDBPyConnection:
+    """A connection in which ``rows`` are all rows of a file, or of several by a pattern."""
     connection = duckdb.connect()
     connection.execute("SET enable_progress_bar = false")
     connection.from_parquet(str(source)).create_view(ROWS)
@@ -32,12 +25,15 @@ def connect(store: Store) -> duckdb.DuckDBPyConnection:
 
 
 def query(store: Store, sql: str) -> pa.Table:
-    """What a query gives back; the table is called ``rows``.
+    """What a query gives back; ``rows`` are those of the table, or of the batches so far.
 
     Raises:
         InputError: there are no rows, or it is no query.
     """
-    with connect(store) as connection:
+    source = store.table if store.table.exists() else store.folder / BATCHES / "*.parquet"
+    if not store.table.exists() and not store.batches():
+        raise InputError("holds no rows", where=str(store.folder), hint="run scegen campaign first")
+    with _connected(source) as connection:
         try:
             return connection.sql(sql).to_arrow_table()
         except duckdb.Error as error:
@@ -63,10 +59,8 @@ def write_table(store: Store) -> Counted:
     if not store.batches():
         return Counted(0, 0, 0, 0)
     part = store.folder / f"{store.table.name}.{os.getpid()}.part"
-    with duckdb.connect() as connection:
-        connection.execute("SET enable_progress_bar = false")
+    with _connected(store.folder / BATCHES / "*.parquet") as connection:
         connection.execute("SET memory_limit = '1GB'")
-        connection.from_parquet(str(store.folder / BATCHES / "*.parquet")).create_view(ROWS)
         try:
             connection.execute(
                 f"COPY (SELECT * FROM {ROWS} ORDER BY key) TO {_quoted(part)} "  # noqa: S608

@@ -8,7 +8,6 @@ import pyarrow.parquet as pq
 
 from scegen.campaign.examining import Examined, examine
 from scegen.campaign.store import Store
-from scegen.errors import InputError
 from scegen.pipeline.folder import digest
 
 
@@ -21,9 +20,7 @@ def verify(folder: Path) -> tuple[Examined, list[str]]:
         InputError: there is no campaign.
     """
     store = Store(folder)
-    manifest = store.manifest()
-    if not manifest:
-        raise InputError("holds no campaign", where=str(folder))
+    manifest = store.told()
     keys = [str(key) for key in manifest.get("plans", ())]
     found = examine(store, keys, rows=True)
     problems = []

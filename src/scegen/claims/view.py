@@ -131,6 +131,15 @@ class View:
             return self.pairs[j, i], 1
         return None
 
+    def names_of(self, pair: int) -> tuple[str, str]:
+        """Who the two of a pair are."""
+        first, second = (self.concrete.entities[i].id for i in self.scene.pairs[pair])
+        return first, second
+
+    def touching(self, candidate: int = 0) -> list[int]:
+        """The pairs that touch in a candidate."""
+        return np.flatnonzero(~np.isnan(self.summary.contact_s[candidate])).tolist()
+
     def gap_m(self, follower: str, leader: str) -> Floats:
         """Clear gap along the follower's path; nan where the leader is not ahead in its lane."""
         found = self.pair(follower, leader)

@@ -67,8 +67,7 @@ def line(scenario: LogicalScenario) -> str:
 
 def coverage_lines(reached: Coverage) -> Iterator[str]:
     """A table: every possible meeting, in how many scenarios it occurs and in how many chosen."""
-    missing = len(reached.missing)
-    covered = len(reached.possible) - missing
+    covered = len(reached.possible) - len(reached.missing)
     yield f"{covered} of {counted(len(reached.possible), 'meeting')} covered"
     for meeting in sorted(reached.possible):
         chosen, possible = reached.chosen[meeting], reached.possible[meeting]

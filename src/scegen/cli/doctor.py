@@ -66,12 +66,10 @@ def _test_connection(llm: str, url: str | None, timeout: float | None, *, as_jso
         )
     else:
         for p in probes:
-            if p.fault is None:
-                result(
-                    f"serves   {p.model} at {p.address}: {p.seconds:.1f} s, {p.usage.in_words()}"
-                )
-            else:
+            known, told = "serves   ", f"{p.seconds:.1f} s, {p.usage.in_words()}"
+            if p.fault is not None:
                 hint = f"; {p.fault.hint}" if p.fault.hint else ""
-                result(f"no use   {p.model} at {p.address}: {p.fault.message}{hint}")
+                known, told = "no use   ", f"{p.fault.message}{hint}"
+            result(f"{known}{p.model} at {p.address}: {told}")
     if any(p.fault for p in probes):
         raise typer.Exit(1)

@@ -18,12 +18,7 @@ from scegen.cli.certificates import (
 )
 from scegen.cli.console import result, say
 from scegen.cli.gallery import require_picture, write_picture
-from scegen.cli.listing import (
-    listing_under_way,
-    stream_json,
-    stream_lines,
-    write_json,
-)
+from scegen.cli.listing import listing_under_way, stream_json, stream_lines, write_json
 from scegen.cli.options import (
     ArmsOption,
     JsonFlag,
@@ -86,6 +81,7 @@ def enumerate_(
 ) -> None:
     """List, count or choose among all logical scenarios of a functional one."""
     from scegen.enumeration import LIST_LIMIT, count_scenarios, open_listing
+    from scegen.scenario.files import to_json
 
     if sample is not None and cover:
         raise InputError("--sample and --cover both choose: use one of them")
@@ -118,29 +114,20 @@ def enumerate_(
     with listing_under_way(listing) as scenarios:
         whole = listing.finished(tuple(scenarios))
     logical = _chosen(whole, rank=rank, sample=sample, cover=cover, limit=limit)
-    _write(logical, output, gallery)
+    if output is not None:
+        write_text(to_json(logical), output)
+    if gallery is not None:
+        write_picture(logical, gallery)
     reached = None
     if coverage:
         narrowed = bool(where or rules or not whole.certificate.complete)
         reached = _reached(whole, logical, narrowed=narrowed)
     if json:
+        last: dict[str, object] = {} if reached is None else {"coverage": coverage_json(reached)}
         data = head(logical.certificate, reduction, arms)
-        write_json(
-            data,
-            logical.scenarios,
-            lambda: {} if reached is None else {"coverage": coverage_json(reached)},
-        )
+        write_json(data, logical.scenarios, lambda: last)
     elif output is None and gallery is None:
         _tell(logical, reached)
-
-
-def _write(logical: LogicalSet, output: Path | None, gallery: Path | None) -> None:
-    from scegen.scenario.files import to_json
-
-    if output is not None:
-        write_text(to_json(logical), output)
-    if gallery is not None:
-        write_picture(logical, gallery)
 
 
 def _reached(whole: LogicalSet, logical: LogicalSet, *, narrowed: bool) -> Coverage:
@@ -180,9 +167,8 @@ def _chosen(
         scenarios = tuple(sorted(scenarios, key=lambda s: richest_first(s, functional)))
     if cover or sample or rank:
         scenarios = scenarios[:limit]
-    fewer = len(scenarios) < len(logical.scenarios)
     certificate = logical.certificate
-    if fewer:
+    if len(scenarios) < len(logical.scenarios):
         certificate = certificate.model_copy(update={"complete": False})
     return logical.model_copy(
         update={"scenarios": scenarios, "notes": tuple(notes), "certificate": certificate}

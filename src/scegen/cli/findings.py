@@ -97,7 +97,7 @@ def _ruled(report: ParseReport, console: Console) -> None:
 
 def _visible(text: str) -> str:
     """As many characters, none of which moves the cursor or commands the terminal."""
-    return "".join(_shown(character) for character in text)
+    return "".join(map(_shown, text))
 
 
 def _shown(character: str) -> str:

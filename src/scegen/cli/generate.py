@@ -7,20 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from scegen.cli.console import result, result_json, say, working
+from scegen.cli.console import result, say, working
 from scegen.cli.danger import proof_lines
-from scegen.cli.llm import (
-    BudgetOption,
-    Listener,
-    ModelOption,
-    RecordOption,
-    ReplayOption,
-    TimeoutOption,
-    UrlOption,
-    llm_settings,
-    tell,
-    tell_proposals,
-)
+from scegen.cli.llm import Asked, Listener, asks_models, tell, tell_proposals
 from scegen.cli.options import (
     ArmsOption,
     ReductionOption,
@@ -38,6 +27,7 @@ if TYPE_CHECKING:
     from scegen.pipeline.generate import Result
 
 
+@asks_models
 def generate(
     source: Annotated[
         str,
@@ -81,19 +71,15 @@ def generate(
     where: WhereOption = None,
     rules: RulesOption = None,
     json: Annotated[bool, typer.Option("--json", help="Print summary.json.")] = False,
-    llm: ModelOption = None,
-    llm_url: UrlOption = None,
-    llm_budget: BudgetOption = None,
-    llm_timeout: TimeoutOption = None,
-    llm_record: RecordOption = None,
-    llm_replay: ReplayOption = None,
+    *,
+    models: Asked,
 ) -> None:
     """Make simulator files from a description (or from any level, edited by hand)."""
     from scegen.pipeline.folder import require_usable
     from scegen.pipeline.generate import generate as run
     from scegen.pipeline.source import origin_of, resolve_source
 
-    settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
+    settings = models.settings()
     with working() as progress:
         progress("understanding")
         options = Options(
@@ -123,9 +109,7 @@ def generate(
             )
             tell_proposals(listener.session, made.proofs.values())
     if json:
-        import json as json_module
-
-        result_json(json_module.loads((output / "summary.json").read_text(encoding="utf-8")))
+        result((output / "summary.json").read_text(encoding="utf-8"))
     else:
         _tell(made)
     if not made.ok:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import wraps
+from inspect import signature
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, get_type_hints
 
 import typer
 
@@ -11,7 +14,7 @@ from scegen.cli.console import say, warn
 from scegen.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Iterable
 
     from scegen.llm import LlmSettings, Session
     from scegen.scenario.functional import FunctionalScenario
@@ -46,62 +49,68 @@ ReplayOption = Annotated[
 ]
 
 
-def llm_settings(
-    model: str | None,
-    url: str | None,
-    budget: str | None,
-    timeout: float | None,
-    record: Path | None,
-    replay: Path | None,
-    *,
-    runs: str = "run.json",
-) -> LlmSettings | None:
-    """The options as settings; None if no language model is asked for.
+class Asked(NamedTuple):
+    """The options about language models, as they were given."""
 
-    Args:
-        model: of ``--llm``, and so on.
-        url: the same.
-        budget: the same.
-        timeout: the same, in seconds.
-        record: the same.
-        replay: the same.
-        runs: which files of the folder to replay tell what was recorded, as a pattern.
-    """
-    given = {
-        "--llm-url": url,
-        "--llm-budget": budget,
-        "--llm-timeout": timeout,
-        "--llm-record": record,
-    }
-    if model is None and replay is None:
-        for option, value in given.items():
-            if value is not None:
-                raise InputError("needs --llm", where=option, hint="name a model with --llm")
-        return None
-    if replay is not None:
-        # a recording brings its own address, and costs nothing
-        for option, value in given.items():
-            if value is not None:
+    llm: ModelOption = None
+    llm_url: UrlOption = None
+    llm_budget: BudgetOption = None
+    llm_timeout: TimeoutOption = None
+    llm_record: RecordOption = None
+    llm_replay: ReplayOption = None
+
+    def settings(self, runs: str = "run.json") -> LlmSettings | None:
+        """What they say as settings; None if no language model is asked for.
+
+        ``runs`` is a pattern: which files of the folder to replay tell what was recorded.
+        """
+        for name in ("llm_url", "llm_budget", "llm_timeout", "llm_record"):
+            if getattr(self, name) is None:
+                continue
+            option = f"--{name.replace('_', '-')}"
+            if self.llm_replay is not None:
+                # a recording brings its own address, and costs nothing
                 raise InputError("has no meaning with --llm-replay", where=option)
-    from scegen.llm import Budget, LlmSettings, parse_models, require_llm
-    from scegen.llm.budget import parse_budget
-    from scegen.llm.naming import require_url
-    from scegen.llm.settings import Limits
-    from scegen.llm.transcript import Recording
+            if self.llm is None:
+                raise InputError("needs --llm", where=option, hint="name a model with --llm")
+        if self.llm is None and self.llm_replay is None:
+            return None
+        from scegen.llm import Budget, LlmSettings, parse_models, require_llm
+        from scegen.llm.budget import parse_budget
+        from scegen.llm.naming import require_url
+        from scegen.llm.settings import Limits
+        from scegen.llm.transcript import Recording
 
-    require_llm()
-    address = require_url(url) if url is not None else None
-    if replay is not None:
-        recorded = sorted(file.parent for file in replay.glob(runs))
-        address = Recording((recorded or [replay])[0]).run.url
-    return LlmSettings(
-        models=parse_models(model, url=address) if model is not None else (),
-        url=address,
-        budget=parse_budget(budget) if budget is not None else Budget(),
-        record=record,
-        replay=replay,
-        limits=Limits() if timeout is None else Limits().patient(timeout),
-    )
+        require_llm()
+        address = require_url(self.llm_url) if self.llm_url is not None else None
+        if self.llm_replay is not None:
+            recorded = sorted(file.parent for file in self.llm_replay.glob(runs))
+            address = Recording((recorded or [self.llm_replay])[0]).run.url
+        patience = self.llm_timeout
+        return LlmSettings(
+            models=parse_models(self.llm, url=address) if self.llm is not None else (),
+            url=address,
+            budget=parse_budget(self.llm_budget) if self.llm_budget is not None else Budget(),
+            record=self.llm_record,
+            replay=self.llm_replay,
+            limits=Limits() if patience is None else Limits().patient(patience),
+        )
+
+
+def asks_models(command: Callable[..., None]) -> Callable[..., None]:
+    """A command of which the last parameter, ``models``, stands for all these options."""
+    options = get_type_hints(Asked, include_extras=True)
+    own = signature(command, eval_str=True)
+    *others, models = own.parameters.values()
+
+    @wraps(command)
+    def run(**given: Any) -> None:  # noqa: ANN401 - whatever the command takes
+        asked = Asked(**{name: given.pop(name) for name in options})
+        command(**given, models=asked)
+
+    shown = (models.replace(name=n, annotation=a, default=None) for n, a in options.items())
+    run.__signature__ = own.replace(parameters=[*others, *shown])  # type: ignore[attr-defined]
+    return run
 
 
 class Listener:

@@ -10,6 +10,9 @@ import typer
 from scegen.scenario.rule_file import RuleFile
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
+CAMPAIGN = ("campaign", "a campaign", "duckdb", "joblib", "pyarrow")
+"""The extra that campaigns need, and its libraries."""
+
 ReductionOption = Annotated[
     Reduction, typer.Option(help="Which assignments count as one scenario.")
 ]

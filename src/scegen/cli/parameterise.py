@@ -23,15 +23,13 @@ def parameterise(
     ],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to write to.")],
     index: Annotated[
-        int | None,
-        typer.Option("--index", "-i", min=0, help="Which scenario of a logical.json."),
+        int | None, typer.Option("--index", "-i", min=0, help="Which scenario of a logical.json.")
     ] = None,
     scenario: ScenarioOption = None,
     sets: Annotated[int, typer.Option(help="How many random sets of values.")] = 50,
     seed: SeedOption = 0,
     alone: Annotated[
-        bool,
-        typer.Option("--alone", help="Also write every set as a scenario folder of its own."),
+        bool, typer.Option("--alone", help="Also write every set as a scenario folder of its own.")
     ] = False,
     confirm: Annotated[
         bool,

@@ -34,8 +34,7 @@ def render(
     mp4: Annotated[bool, typer.Option("--mp4", help="A video; needs ml-scegen[video].")] = False,
     png: Annotated[bool, typer.Option("--png", help="One still picture, see --at.")] = False,
     output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", help="File; beside concrete.yaml if not said."),
+        Path | None, typer.Option("--output", "-o", help="File; beside concrete.yaml if not said.")
     ] = None,
     scenario: ScenarioOption = None,
     begin: Annotated[
@@ -50,8 +49,7 @@ def render(
         typer.Option("--at", min=0.0, help="Moment of --png, s; the closest approach."),
     ] = None,
     fps: Annotated[
-        float | None,
-        typer.Option(min=1.0, max=50.0, help="Pictures a second; 10, of video 25."),
+        float | None, typer.Option(min=1.0, max=50.0, help="Pictures a second; 10, of video 25.")
     ] = None,
     speed: Annotated[
         float, typer.Option(min=0.05, max=8.0, help="1 is real time, 0.25 slow motion.")

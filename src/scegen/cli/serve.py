@@ -9,14 +9,8 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result, say
-from scegen.cli.llm import (
-    BudgetOption,
-    ModelOption,
-    TimeoutOption,
-    UrlOption,
-    llm_settings,
-)
-from scegen.errors import InputError, MissingToolError
+from scegen.cli.llm import Asked, BudgetOption, ModelOption, TimeoutOption, UrlOption
+from scegen.errors import InputError, of_extra
 
 
 def serve(
@@ -34,18 +28,12 @@ def serve(
     llm_timeout: TimeoutOption = None,
 ) -> None:
     """Open the page: describe, choose, make dangerous, watch, take away."""
-    models = llm_settings(llm, llm_url, llm_budget, llm_timeout, None, None)
+    models = Asked(llm, llm_url, llm_budget, llm_timeout).settings()
     if project.exists() and not project.is_dir():
         raise InputError("is a file, not a folder", where=str(project))
-    try:
+    with of_extra("web", "the page", "nicegui", "uvicorn", "fastapi"):
         from scegen.web.server import address
         from scegen.web.server import serve as run
-    except ModuleNotFoundError as error:
-        if (error.name or "").split(".")[0] not in {"nicegui", "uvicorn", "fastapi"}:
-            raise
-        raise MissingToolError(
-            "the page needs NiceGUI", hint="pip install 'ml-scegen[web]'"
-        ) from error
     place = address(host, _free(host, port))
 
     def ready() -> None:

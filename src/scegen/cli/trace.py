@@ -23,8 +23,7 @@ def trace(
     ],
     csv: Annotated[bool, typer.Option("--csv", help="As a table (the default).")] = False,
     mcap: Annotated[
-        bool,
-        typer.Option("--mcap", help="For Foxglove and Lichtblick; needs ml-scegen[exchange]."),
+        bool, typer.Option("--mcap", help="For Foxglove and Lichtblick; needs ml-scegen[exchange].")
     ] = False,
     output: OutputFile = None,
     scenario: ScenarioOption = None,

@@ -7,23 +7,14 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import working
-from scegen.cli.llm import (
-    BudgetOption,
-    Listener,
-    ModelOption,
-    RecordOption,
-    ReplayOption,
-    TimeoutOption,
-    UrlOption,
-    llm_settings,
-    tell,
-)
+from scegen.cli.llm import Asked, Listener, asks_models, tell
 from scegen.cli.options import JsonFlag, OutputFile
 from scegen.cli.parse_report import show_refusal, show_report, tell_unsupported
 from scegen.cli.writing import write_text
 from scegen.errors import InputError
 
 
+@asks_models
 def understand(
     text: Annotated[str, typer.Argument(metavar="TEXT|FILE", help="A description.")],
     json: JsonFlag = False,
@@ -31,18 +22,14 @@ def understand(
     report: Annotated[
         bool, typer.Option("--report", help="Show the text with what became of its words.")
     ] = False,
-    llm: ModelOption = None,
-    llm_url: UrlOption = None,
-    llm_budget: BudgetOption = None,
-    llm_timeout: TimeoutOption = None,
-    llm_record: RecordOption = None,
-    llm_replay: ReplayOption = None,
+    *,
+    models: Asked,
 ) -> None:
     """Understand a description: text to functional scenario, with the words it rests on."""
     from scegen.pipeline.source import functional_of
     from scegen.scenario.files import to_json, to_yaml
 
-    settings = llm_settings(llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay)
+    settings = models.settings()
     listener = None
     try:
         if settings is None:

@@ -108,9 +108,8 @@ def careful_driver_verdict(
     """
     grip = friction_of(concrete.environment) if friction is None else friction
     own = concrete.ego.model_copy(update={"on_contact": None})  # its own crash is no braking
-    people = tuple(own if p.id == own.id else p for p in concrete.participants)
-    free = concrete.model_copy(update={"participants": people})
-    return _Trial(free, {**paths, **object_paths(concrete)}, grip).verdict()
+    ways = {**paths, **object_paths(concrete)}
+    return _Trial(concrete.with_participant(own), ways, grip).verdict()
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,11 +118,6 @@ class _Run:
 
     traces: BatchTraces
     distance_m: Floats
-
-    @property
-    def tracks(self) -> Floats:
-        tracks: Floats = self.traces.tracks[0]
-        return tracks
 
 
 @dataclass(frozen=True)
@@ -182,15 +176,13 @@ class _Trial:
         touched = self.touched(run)
         contact = touched & deciding
         danger, perceived_s, brakes_s = reaction or (None, None, None)
-        columns = [n for n, name in enumerate(self.others) if name in deciding]
-        near = run.distance_m[:, columns]
-        spare = None
+        near = run.distance_m[:, [name in deciding for name in self.others]]
+        spare = speed = None
         if brakes_s is not None and driven:
             spare = self.spare_s(brakes_s, deciding, avoided=not contact)
-        speed = None
         if contact:
             step = int((near <= 0.0).any(axis=1).argmax())
-            speed = float(run.tracks[self.ego, SPEED, step])
+            speed = float(run.traces.tracks[0, self.ego, SPEED, step])
         return Verdict(
             outcome=Outcome.UNAVOIDABLE if contact else Outcome.AVOIDABLE,
             contact_as_driven=self.sorted(driven),
@@ -208,10 +200,8 @@ class _Trial:
         return tuple(name for name in self.others if name in names)
 
     def run(self, concrete: ConcreteScenario) -> _Run:
-        program, candidate = compile_program(concrete, self.paths)
-        traces = simulate_batch(
-            program, candidate, duration_s=self.concrete.duration_s, dt_s=STEP_S
-        )
+        program, own = compile_program(concrete, self.paths)
+        traces = simulate_batch(program, own, duration_s=self.concrete.duration_s, dt_s=STEP_S)
         pairs = [(self.ego, n) for n in range(len(self.names)) if n != self.ego]
         table = np.array(pairs, dtype=np.int64).reshape(-1, 2)
         return _Run(traces, distance_series(traces.tracks, self.bodies, table)[0])
@@ -221,7 +211,7 @@ class _Trial:
         return {name for name, least in zip(self.others, nearest, strict=True) if least <= 0.0}
 
     def dangers(self, run: _Run) -> Bools:
-        tracks = np.ascontiguousarray(run.tracks[:, :, ::_LOOK_EVERY])
+        tracks = np.ascontiguousarray(run.traces.tracks[0, :, :, ::_LOOK_EVERY])
         speed = tracks[self.ego, SPEED]
         rise_s = self.deceleration_mps2 / JERK_MPS3
         stop_s = RISK_EVALUATION_S + DELAY_S + rise_s / 2 + speed / self.deceleration_mps2
@@ -234,14 +224,13 @@ class _Trial:
         flags = self.until_contact(self.as_driven)
         step_s = STEP_S * _LOOK_EVERY
         needed = round(RISK_EVALUATION_S / step_s) + 1
-        best: tuple[int, str] | None = None
-        for name, row in zip(self.names, flags, strict=True):
-            if row.size < needed:
-                continue
-            lasting = np.lib.stride_tricks.sliding_window_view(row, needed).all(axis=1)
-            if lasting.any() and (best is None or int(lasting.argmax()) < best[0]):
-                best = int(lasting.argmax()), name
-        return (None, None) if best is None else (best[1], best[0] * step_s)
+        if flags.shape[1] < needed:
+            return None, None
+        windows = np.lib.stride_tricks.sliding_window_view(flags, needed, axis=1)
+        lasting: Bools = np.all(windows, axis=2)
+        first = np.where(lasting.any(axis=1), lasting.argmax(axis=1), lasting.shape[1])
+        who = int(first.argmin())
+        return (self.names[who], int(first[who]) * step_s) if lasting[who].any() else (None, None)
 
     def seen(self, run: _Run) -> set[str]:
         """Those who ever are a perceivable danger in a run, before they touch the ego."""
@@ -258,15 +247,13 @@ class _Trial:
 
     def braking(self, brakes_s: float) -> ConcreteScenario:
         """The scenario with an ego that brakes to a standstill from a time on."""
-        ego = self.concrete.ego
-        before = sum(
-            len(p.speed_program) for p in self.concrete.participants[: self.names.index(ego.id)]
-        )
+        ego, people = self.concrete.ego, self.concrete.participants
+        before = sum(len(p.speed_program) for p in people[: self.ego])
         fired = self.as_driven.traces.fired_step[0, before : before + len(ego.speed_program)]
         kept = int(((fired >= 0) & (fired * STEP_S < brakes_s)).sum())
         rise_s = self.deceleration_mps2 / JERK_MPS3
         stages = [(n / _STAGES, (n + 0.5) / _STAGES) for n in range(_STAGES)] + [(1.0, 1.0)]
-        speed = self.as_driven.tracks[self.ego, SPEED]
+        speed = self.as_driven.traces.tracks[0, self.ego, SPEED]
         step = min(int(brakes_s / STEP_S), len(speed) - 1)
         # Who brakes already does not brake less while the pedal goes down.
         already = float(speed[step - 1] - speed[step]) / STEP_S if step else 0.0
@@ -279,8 +266,7 @@ class _Trial:
             for share, level in stages
         )
         driver = ego.model_copy(update={"speed_program": ego.speed_program[:kept] + phases})
-        people = tuple(driver if p is ego else p for p in self.concrete.participants)
-        return self.concrete.model_copy(update={"participants": people})
+        return self.concrete.with_participant(driver)
 
     def spare_s(self, brakes_s: float, deciding: set[str], *, avoided: bool) -> float | None:
         """The shift of the braking at which the outcome changes, see :class:`Verdict`."""

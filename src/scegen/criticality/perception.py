@@ -75,7 +75,7 @@ def _evident(tracks: Floats, bodies: Floats, way: Path, ego: int, other: int) ->
     y = track[Y] + body.ahead_m * track[SIN]
     in_front: Bools = (x - own[X]) * own[COS] + (y - own[Y]) * own[SIN] > 0.0
     s = np.linspace(0.0, way.length_m, max(2, int(way.length_m / _FINE_M)))
-    px, py = np.interp(s, way.s_m, way.x_m), np.interp(s, way.s_m, way.y_m)
+    px, py, _ = way.places(s)
     # Once it is behind for good, nothing more is asked of it.
     asked = slice(int(in_front.nonzero()[0].max(initial=-1)) + 1)
     _, aside = nearest_points(x[asked], y[asked], px, py, inf)
@@ -99,8 +99,7 @@ def _on_way(track: Floats, way: Path, look: Floats) -> Floats:
     s = np.minimum(track[S][:, None] + np.abs(track[SPEED])[:, None] * look, way.length_m)
     rows = np.empty((s.shape[0], TRACK_ROWS, s.shape[1]))
     rows[:, S], rows[:, SPEED] = s, track[SPEED][:, None]
-    rows[:, X], rows[:, Y] = np.interp(s, way.s_m, way.x_m), np.interp(s, way.s_m, way.y_m)
-    rows[:, HEADING] = np.interp(s, way.s_m, way.heading_rad)
+    rows[:, X], rows[:, Y], rows[:, HEADING] = way.places(s)
     rows[:, COS], rows[:, SIN] = np.cos(rows[:, HEADING]), np.sin(rows[:, HEADING])
     return rows
 

@@ -82,11 +82,15 @@ class Path:
 
     def pose(self, s_m: float) -> Pose:
         """The pose at ``s_m`` from the start, clipped to the path."""
-        return Pose(
-            float(np.interp(s_m, self.s_m, self.x_m)),
-            float(np.interp(s_m, self.s_m, self.y_m)),
-            float(np.interp(s_m, self.s_m, self.heading_rad)),
+        rows = (self.x_m, self.y_m, self.heading_rad)
+        return Pose(*(float(np.interp(s_m, self.s_m, row)) for row in rows))
+
+    def places(self, s_m: Array) -> tuple[Array, Array, Array]:
+        """x, y and heading at these ``s_m`` from the start, clipped to the path."""
+        x, y, heading = (
+            np.interp(s_m, self.s_m, along) for along in (self.x_m, self.y_m, self.heading_rad)
         )
+        return x, y, heading
 
 
 @dataclass(frozen=True)
@@ -101,3 +105,8 @@ class Trace:
     y_m: Array
     heading_rad: Array
     speed_mps: Array
+
+    @property
+    def step_s(self) -> float:
+        """How far two steps are apart; 1 where there is one alone."""
+        return float(self.time_s[1] - self.time_s[0]) if len(self.time_s) > 1 else 1.0

@@ -278,14 +278,5 @@ def arrivals_s(trace: Trace, place: Pose) -> Array:
 
 
 def _trace(mover: _Mover, times: Array) -> Trace:
-    path, s = mover.path, np.array(mover.s_log)
-    return Trace(
-        participant=mover.participant.id,
-        body=mover.participant.body,
-        time_s=times,
-        s_m=s,
-        x_m=np.interp(s, path.s_m, path.x_m),
-        y_m=np.interp(s, path.s_m, path.y_m),
-        heading_rad=np.interp(s, path.s_m, path.heading_rad),
-        speed_mps=np.array(mover.v_log),
-    )
+    who, s = mover.participant, np.array(mover.s_log)
+    return Trace(who.id, who.body, times, s, *mover.path.places(s), np.array(mover.v_log))

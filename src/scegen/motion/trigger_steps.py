@@ -53,11 +53,7 @@ def put_between_steps(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> 
     traces = play(concrete, paths, dt_s=STEP_S)
     changes: list[Change] = []
     people = [_clear(p, traces, paths, changes) for p in concrete.participants]
-    if not changes:
-        return concrete
-    return concrete.model_copy(
-        update={"participants": tuple(people), "provenance": (*concrete.provenance, *changes)}
-    )
+    return concrete.changed(people, changes) if changes else concrete
 
 
 def _clear(

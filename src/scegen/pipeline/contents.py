@@ -14,9 +14,9 @@ from scegen.pipeline.folder import SUMMARY_FILE, digest
 from scegen.pipeline.judging import Judged
 from scegen.pipeline.raising import proof_summary
 from scegen.pipeline.source import LOGICAL_FILE
-from scegen.report.contents import Voice
+from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput, Voice
 from scegen.report.gallery import Tiles, draw_tiles, gallery_svg
-from scegen.report.html import CheckRow, ConcreteEntry, ReportInput, report_html
+from scegen.report.html import report_html
 from scegen.report.player.scene import scene_of
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_json, to_yaml

@@ -7,6 +7,7 @@ import json
 import shutil
 import tempfile
 from pathlib import Path
+from typing import Any
 
 from scegen.errors import InputError
 
@@ -63,12 +64,30 @@ def _in_the_way(folder: Path) -> list[tuple[str, str]]:
     return changed
 
 
+def summary_of(folder: Path) -> dict[str, Any]:
+    """What a folder's summary says; nothing where there is none.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    file = folder / SUMMARY_FILE
+    if not file.is_file():
+        return {}
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as error:
+        raise InputError("cannot be read", where=SUMMARY_FILE) from error
+    if not isinstance(found, dict):
+        raise InputError("is no summary", where=SUMMARY_FILE)
+    return found
+
+
 def made_files(folder: Path) -> dict[str, str]:
     """The files that the summary says were made here, and the digest of each."""
     try:
-        listed = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))["files"]
-        return {str(name): str(content) for name, content in dict(listed).items()}
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        listed = dict(summary_of(folder)["files"])
+        return {str(name): str(content) for name, content in listed.items()}
+    except (InputError, ValueError, KeyError, TypeError):
         return {}
 
 

@@ -7,8 +7,8 @@ import shapely
 from numpy.typing import NDArray
 
 from scegen.motion.model import Array, Trace
-from scegen.report.corners import box_corners
-from scegen.report.drawing import area, box, circle, element
+from scegen.report.corners import box_corners, corners_at
+from scegen.report.drawing import Style, area, box, circle, element
 from scegen.report.theme import Theme
 from scegen.report.world import placed
 from scegen.scenario.bodies import Body
@@ -29,24 +29,25 @@ def body(
 
     ``scale`` (px/m) keeps edges visible, and a ring shows who would be smaller than a few pixels.
     """
-    edge = max(0.06, (1.6 if ego else 0.8) / scale)
+    rim: dict[str, Style] = {
+        "stroke": theme.outline,
+        "stroke_width": max(0.06, (1.6 if ego else 0.8) / scale),
+    }
+    wide = size.width_m
     if kind is ParticipantKind.DOOR:
-        drawn = box(-size.rear_m, -size.width_m / 2, size.length_m, size.width_m, colour,
-                    stroke=theme.outline, stroke_width=edge)  # fmt: skip
+        drawn = box(-size.rear_m, -wide / 2, size.length_m, wide, colour, **rim)
     elif kind in ANIMALS:
-        drawn = _animal(size, colour, theme, edge)
+        drawn = _animal(size, colour, theme, rim)
     elif kind is ParticipantKind.PEDESTRIAN:
-        drawn = element("ellipse", rx=0.16, ry=0.28, fill=colour, stroke=theme.outline,
-                        stroke_width=edge)  # fmt: skip
+        drawn = element("ellipse", rx=0.16, ry=0.28, fill=colour, **rim)
         drawn += circle(0.04, 0, 0.13, theme.outline)
     elif kind in _NARROW:
         drawn = box(-size.rear_m, -0.1, size.length_m, 0.2, theme.outline, rx=0.1)
         middle = size.centre_ahead_m - 0.1
-        drawn += element("ellipse", cx=middle, rx=0.3, ry=size.width_m / 2, fill=colour,
-                         stroke=theme.outline, stroke_width=edge)  # fmt: skip
+        drawn += element("ellipse", cx=middle, rx=0.3, ry=wide / 2, fill=colour, **rim)
         drawn += circle(middle + 0.05, 0, 0.15, theme.outline)
     else:
-        drawn = _vehicle(kind, size, colour, theme, edge)
+        drawn = _vehicle(kind, size, colour, theme, rim)
     if braking and kind not in ON_FOOT | {ParticipantKind.BICYCLE, ParticipantKind.DOOR}:
         glow, lights = _brake_lights(size.rear_m, size.width_m, theme, scale)
         drawn = glow + drawn + lights
@@ -55,28 +56,25 @@ def body(
     return drawn
 
 
-def _animal(size: Body, colour: str, theme: Theme, edge: float) -> str:
+def _animal(size: Body, colour: str, theme: Theme, rim: dict[str, Style]) -> str:
     """Seen from above: trunk, head and tail."""
     half, wide = size.length_m / 2, size.width_m / 2
-    trunk = element("ellipse", cx=-0.1 * half, rx=0.75 * half, ry=wide, fill=colour,
-                    stroke=theme.outline, stroke_width=edge)  # fmt: skip
+    trunk = element("ellipse", cx=-0.1 * half, rx=0.75 * half, ry=wide, fill=colour, **rim)
     tail = box(-half, -0.1 * wide, 0.3 * half, 0.2 * wide, theme.outline)
     return tail + trunk + circle(0.7 * half, 0, 0.65 * wide, theme.outline)
 
 
-def _vehicle(kind: ParticipantKind, size: Body, colour: str, theme: Theme, edge: float) -> str:
+def _vehicle(
+    kind: ParticipantKind, size: Body, colour: str, theme: Theme, rim: dict[str, Style]
+) -> str:
     """Anything with four wheels: its hull, and the glass that shows its front."""
     length, half, front = size.length_m, size.width_m / 2, size.front_m
     boxy = kind in {ParticipantKind.TRUCK, ParticipantKind.BUS}
-    hull = box(-size.rear_m, -half, length, 2 * half, colour, rx=0.25 if boxy else 0.55,
-               stroke=theme.outline, stroke_width=edge)  # fmt: skip
+    rounded = 0.25 if boxy else 0.55
+    hull = box(-size.rear_m, -half, length, 2 * half, colour, rx=rounded, **rim)
     ahead, behind = (0.3, 0.9) if boxy else (0.26 * length, 0.42 * length)
-    glass = [
-        (front - ahead, -0.84 * half),
-        (front - ahead, 0.84 * half),
-        (front - behind, 0.68 * half),
-        (front - behind, -0.68 * half),
-    ]
+    corners = ((ahead, -0.84), (ahead, 0.84), (behind, 0.68), (behind, -0.68))
+    glass = [(front - back, aside * half) for back, aside in corners]
     drawn = hull + area(glass, theme.glass, fill_opacity=0.88)
     if kind is ParticipantKind.TRUCK:
         drawn += box(front - 2.1, -half, 0.12, 2 * half, theme.outline)
@@ -106,30 +104,15 @@ def _brake_lights(rear_m: float, width_m: float, theme: Theme, scale: float) -> 
 
 def ghost(trace: Trace, step: int, colour: str, width_m: float) -> str:
     """Where somebody is at one step, as a dashed box that one can see through."""
+    rim: dict[str, Style] = {"stroke": colour, "stroke_width": width_m}
     dashes = f"{4 * width_m:.3f} {2.5 * width_m:.3f}"
-    return area(
-        corners_at(trace, step),
-        colour,
-        fill_opacity=0.45,
-        stroke=colour,
-        stroke_width=width_m,
-        stroke_dasharray=dashes,
-    )
+    at = corners_at(trace, step)
+    return area(at, colour, fill_opacity=0.45, **rim, stroke_dasharray=dashes)
 
 
 def standing_at(trace: Trace, step: int, drawn: str) -> str:
     """A body where its trace has it at one step."""
-    place = (trace.x_m[step], trace.y_m[step], trace.heading_rad[step])
-    return placed(drawn, *(float(value) for value in place))
-
-
-def corners_at(trace: Trace, step: int) -> Array:
-    """The corners (4, 2) of a participant's box at one step, its front first."""
-    here = slice(step, step + 1)
-    found: Array = box_corners(
-        trace.body, trace.x_m[here], trace.y_m[here], trace.heading_rad[here]
-    )[0]
-    return found
+    return placed(drawn, trace.x_m[step], trace.y_m[step], trace.heading_rad[step])
 
 
 def swept(trace: Trace, first: int = 0, last: int | None = None) -> list[Array]:

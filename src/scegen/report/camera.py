@@ -60,9 +60,7 @@ def _followed(stage: Stage, met: Encounter | None, middle: Array, *, plain: bool
         at = at + towards.clip(-reach, reach)
     if plain:
         at[:, 1] = middle[1]
-    times = ego.time_s
-    step = float(times[1] - times[0]) if len(times) > 1 else 1.0
-    around = max(int(_STEADY_S / step), 1)
+    around = max(int(_STEADY_S / ego.step_s), 1)
     padded = np.pad(at, ((around, around), (0, 0)), mode="edge")
     window = np.ones(2 * around + 1) / (2 * around + 1)
     steady = [np.convolve(padded[:, axis], window, mode="valid") for axis in (0, 1)]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from scegen.errors import MissingToolError
+from scegen.errors import of_extra
 from scegen.report.film import Film
 from scegen.report.raster import png_of
 from scegen.report.theme import Theme
@@ -38,16 +38,8 @@ def gif_of(film: Film, watch: Watch = iter) -> bytes:
     frames = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in pictures]
     durations = [max(round(lasts * 100), _LEAST_CS) * 10 for lasts in film.lasts_s.tolist()]
     buffer = BytesIO()
-    frames[0].save(
-        buffer,
-        "GIF",
-        save_all=True,
-        append_images=frames[1:],
-        duration=durations,
-        loop=0,
-        disposal=1,
-        optimize=False,
-    )
+    frames[0].save(buffer, "GIF", save_all=True, append_images=frames[1:], duration=durations,
+                   loop=0, disposal=1, optimize=False)  # fmt: skip
     return buffer.getvalue()
 
 
@@ -60,21 +52,11 @@ def write_mp4(film: Film, path: Path, fps: float, watch: Watch = iter) -> None:
     Raises:
         MissingToolError: imageio-ffmpeg is not installed.
     """
-    try:
+    with of_extra("video", "a video", "imageio_ffmpeg"):
         ffmpeg = import_module("imageio_ffmpeg")
-    except ImportError as error:
-        raise MissingToolError(
-            "video needs imageio-ffmpeg", hint=f"{VIDEO_HINT}, or use --gif"
-        ) from error
-    writer = ffmpeg.write_frames(
-        str(path),
-        film.size,
-        pix_fmt_in="rgb24",
-        fps=fps,
-        codec="libx264",
-        macro_block_size=2,
-        output_params=[*_QUIET, *_SAME_BYTES],
-    )
+    options = {"pix_fmt_in": "rgb24", "codec": "libx264", "macro_block_size": 2, "fps": fps}
+    more = [*_QUIET, *_SAME_BYTES]
+    writer = ffmpeg.write_frames(str(path), film.size, output_params=more, **options)
     writer.send(None)
     try:
         for picture in _held(film, fps, watch):

@@ -52,8 +52,7 @@ def outline(points: Line, *, closed: bool = False) -> str:
 
 def line(points: Line, colour: str, width: float, **style: Style) -> str:
     """A line through points."""
-    drawn: dict[str, Style] = {"fill": "none", "stroke": colour, "stroke_width": width}
-    return element("path", d=outline(points), **(drawn | style))
+    return lines([points], colour, width, **style)
 
 
 def lines(many: Iterable[Line], colour: str, width: float, **style: Style) -> str:
@@ -96,25 +95,12 @@ def letters(
     **style: Style,
 ) -> str:
     """Words on a base line, with a rim of the colour ``halo`` where they lie on a picture."""
-    rim: dict[str, Style] = {}
-    if halo is not None:
-        rim = {
-            "paint_order": "stroke",
-            "stroke": halo,
-            "stroke_width": size / 4,
-            "stroke_linejoin": "round",
-        }
-    return element(
-        "text",
-        told(words, quote=False),
-        x=x,
-        y=y,
-        font_size=size,
-        font_weight="bold" if bold else None,
-        fill=fill,
-        **rim,
-        **style,
-    )
+    rim: dict[str, Style] = {"paint_order": "stroke", "stroke": halo, "stroke_width": size / 4,
+                             "stroke_linejoin": "round"}  # fmt: skip
+    weight = "bold" if bold else None
+    look = ({} if halo is None else rim) | style
+    shown = told(words, quote=False)
+    return element("text", shown, x=x, y=y, font_size=size, font_weight=weight, fill=fill, **look)
 
 
 def group(content: str, **style: Style) -> str:

@@ -12,6 +12,7 @@ from scegen.scenario.paths import NOWHERE, value_at
 from scegen.scenario.proof import ClaimProof
 from scegen.understanding import STANDINGS, Finding, Standing, passages, report_on
 from scegen.understanding.report.disagreement import Disagreement
+from scegen.units import parted
 
 LONGEST_SHOWN = 20_000
 """Characters of a description that are shown."""
@@ -23,9 +24,6 @@ STANDS_FOR = {
     Standing.UNSUPPORTED: "understood, but not expressible",
 }
 """What the standings of words and fields mean."""
-_UNITS = {
-    "_mps2": "m/s²", "_mps": "m/s", "_deg": "°", "_m": "m", "_s": "s", "_percent": "%",
-}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,10 +98,8 @@ def _rests(claim: ClaimProof, finding: Finding) -> bool:
     if claim.field == finding.field:
         return True
     subject, other = (field.split(".")[:2] for field in (claim.field, finding.field))
-    of_road = subject[0] == other[0] == "junction"
-    return (
-        claim.words is not None and claim.words == finding.words and (subject == other or of_road)
-    )
+    alike = subject == other or subject[0] == other[0] == "junction"
+    return alike and claim.words is not None and claim.words == finding.words
 
 
 def field_rows(functional: FunctionalScenario) -> list[FieldRow]:
@@ -146,15 +142,13 @@ def field_words(field: str) -> str:
     """
     group, *rest = field.split(".")
     if group == "participants" and rest:
-        return " › ".join([rest[0], *(_quantity_words(part) for part in rest[1:])])
-    return " › ".join(_quantity_words(part) for part in (group, *rest))
+        return " › ".join([rest[0], *map(_quantity_words, rest[1:])])
+    return " › ".join(map(_quantity_words, (group, *rest)))
 
 
 def _quantity_words(name: str) -> str:
-    for ending, unit in _UNITS.items():
-        if name.endswith(ending):
-            return f"{plain(name.removesuffix(ending))} ({unit})"
-    return plain(name)
+    quantity, unit = parted(name)
+    return f"{plain(quantity)} ({unit})" if unit else plain(quantity)
 
 
 def _value(functional: FunctionalScenario, field: str) -> str:

@@ -11,18 +11,12 @@ from numpy.typing import NDArray
 from scegen.criticality.encounter import Encounter, closest_encounter
 from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
-from scegen.report.bodies import braking, corners_at
+from scegen.report.bodies import braking
 from scegen.report.camera import camera_views
+from scegen.report.corners import corners_at
 from scegen.report.drawing import box, circle, document, letters, line
 from scegen.report.moving_labels import MovingLabels
-from scegen.report.stage import (
-    Stage,
-    around,
-    ego_first,
-    gap_between,
-    make_stage,
-    name_and_speed,
-)
+from scegen.report.stage import Stage, around, ego_first, gap_between, make_stage, name_and_speed
 from scegen.report.theme import Theme
 from scegen.report.world import View
 from scegen.road.model import RoadNetwork
@@ -85,12 +79,10 @@ class Film:
         if meets and self._meeting is not None and self._meeting.distance_m > 0.0:
             world.append(gap_between(stage, view, self._meeting)[0])
         drawn = view.picture("".join(world), theme.ground)
-        words = {
-            p.id: name_and_speed(p, float(stage.traces[p.id].speed_mps[number])) for p in people
-        }
-        drawn += self._labels.drawn(number, words, theme)
-        drawn += self._clock(number, meets)
-        return document(*self.size, drawn)
+        speeds = {p.id: float(stage.traces[p.id].speed_mps[number]) for p in people}
+        words = {p.id: name_and_speed(p, speeds[p.id]) for p in people}
+        labels = self._labels.drawn(number, words, theme)
+        return document(*self.size, drawn + labels + self._clock(number, meets))
 
     def _ways(self, name: str, number: int, view: View) -> str:
         """Where somebody has been, and faintly where they are going."""

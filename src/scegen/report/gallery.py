@@ -11,14 +11,7 @@ from dataclasses import dataclass
 from scegen.errors import InputError
 from scegen.report.drawing import Style, box, document, element, group, letters
 from scegen.report.theme import LIGHT
-from scegen.report.tile import (
-    TILE_WIDTH,
-    arm_legend,
-    moves_words,
-    roads,
-    tile_body,
-    tile_height,
-)
+from scegen.report.tile import TILE_WIDTH, arm_legend, moves_words, roads, tile_body, tile_height
 from scegen.scenario.logical import LogicalScenario, LogicalSet
 from scegen.scenario.wording import counted
 
@@ -69,10 +62,7 @@ def draw_tiles(logical_set: LogicalSet) -> Tiles:
 
 
 def gallery_svg(
-    logical_set: LogicalSet,
-    *,
-    page: int = 1,
-    moves: tuple[int, ...] | None = None,
+    logical_set: LogicalSet, *, page: int = 1, moves: tuple[int, ...] | None = None
 ) -> str:
     """A page of the gallery as an SVG document; the same input gives the same text.
 

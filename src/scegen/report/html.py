@@ -7,7 +7,7 @@ from urllib.parse import quote
 
 from markupsafe import Markup
 
-from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
+from scegen.report.contents import ConcreteEntry, ReportInput
 from scegen.report.danger import danger_tables, target_words
 from scegen.report.evidence import STANDS_FOR, field_rows, field_words, left_out, spans
 from scegen.report.gallery import Tiles, draw_tiles, groups, summary
@@ -20,8 +20,6 @@ from scegen.report.tile import tile_body, tile_svg
 from scegen.report.words import hazard_words, plain
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.wording import counted
-
-__all__ = ["CheckRow", "ConcreteEntry", "ReportInput", "report_html"]
 
 MOST_TILES_BYTES = 700_000
 """So much of the gallery lies in the report; ``scegen gallery`` pages through the rest."""
@@ -46,8 +44,8 @@ def report_html(report: ReportInput) -> str:
         "skipped": report.skipped,
         "voice": report.voice,
     }
-    style = css() + player_css() + asset(__package__, "report.css")
-    script = player_js() + asset(__package__, "report.js")
+    style = css() + player_css() + asset(__package__, "templates/report.css")
+    script = player_js() + asset(__package__, "templates/report.js")
     return page(__package__, "report.html.j2", style, script, content)
 
 
@@ -94,23 +92,19 @@ def _pictures(logical_set: LogicalSet, drawn: Tiles) -> list[Markup]:
 def _concrete(entry: ConcreteEntry) -> dict[str, object]:
     """A concrete scenario for the template."""
     concrete = entry.concrete
+    about = f"logical scenario {concrete.logical.index}, {concrete.duration_s:g} s, "
     return {
         "name": concrete.name,
         "anchor": f"scenario-{concrete.name}",
-        "about": (
-            f"logical scenario {concrete.logical.index}, {concrete.duration_s:g} s, "
-            f"seed {concrete.seed}"
-        ),
+        "about": f"{about}seed {concrete.seed}",
         "facts": [{"verdict": verdict, "words": words} for verdict, words in _facts(entry)],
         "hazards": [hazard_words(hazard) for hazard in concrete.hazards],
         "scenes": as_json([entry.scene, entry.before]),
         "tables": tables(concrete),
         "files": [(name, quote(f"{entry.folder}/{name}")) for name in entry.files],
         "checks": [(row, row.verdict) for row in entry.checks],
-        "judgement": [
-            *danger_tables(entry.proof),
-            *judgement_tables(entry.verdict, entry.sensitivity),
-        ],
+        "judgement": danger_tables(entry.proof)
+        + judgement_tables(entry.verdict, entry.sensitivity),
     }
 
 

@@ -15,13 +15,11 @@ def verdict_words(verdict: Verdict) -> str:
 
 
 def _outcome(verdict: Verdict) -> list[str]:
-    driven = " and ".join(verdict.contact_as_driven)
     if verdict.outcome is Outcome.UNAVOIDABLE:
-        others = " and ".join(verdict.contact)
-        at = verdict.contact_speed_mps
+        others, at = " and ".join(verdict.contact), verdict.contact_speed_mps
         speed = "" if at is None else f" (ego at {at:.1f} m/s)"
         return [f"A careful driver would touch {others} all the same{speed}."]
-    if driven:
+    if driven := " and ".join(verdict.contact_as_driven):
         return [f"A careful driver would not touch {driven}."]
     return ["Nobody is touched as it is, and nobody with a careful driver."]
 

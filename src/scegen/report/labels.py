@@ -81,17 +81,9 @@ def draw_labels(placed: Iterable[Placed], theme: Theme) -> str:
             middle = ((x0 + x1) / 2, (y0 + y1) / 2)
             end = (min(max(middle[0], left), right), min(max(middle[1], top), bottom))
             leaders.append(line([end, middle], theme.text_soft, 0.9))
-        words.append(
-            letters(
-                item.label.words,
-                left,
-                bottom - 0.28 * (bottom - top),
-                _SIZE,
-                item.label.colour or theme.text,
-                bold=item.label.bold,
-                halo=theme.halo,
-            )
-        )
+        label, base = item.label, bottom - 0.28 * (bottom - top)
+        ink = label.colour or theme.text
+        words.append(letters(label.words, left, base, _SIZE, ink, bold=label.bold, halo=theme.halo))
     return "".join(leaders + words)
 
 

@@ -48,8 +48,8 @@ def shown(
 ) -> list[tuple[float, SignalState]]:
     """What a light shows from 0 on: (since when, state); nothing where it is dark."""
     plan = concrete.signals
-    group = None if plan is None else plan.group_of(light.arm, afoot=light.afoot)
-    return [] if plan is None or group is None else list(plan.changes(group, until_s))
+    group = plan and plan.group_of(light.arm, afoot=light.afoot)
+    return list(plan.changes(group, until_s)) if plan and group else []
 
 
 def state_at(concrete: ConcreteScenario, light: Light, time_s: float) -> SignalState | None:

@@ -14,15 +14,16 @@ from io import BytesIO
 from math import cos, sin
 from typing import Any
 
-from scegen.errors import MissingToolError
+from scegen.errors import of_extra
 from scegen.motion.model import Trace
 from scegen.motion.standing import object_paths
 from scegen.report.lane_shapes import road_shapes
+from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
-INSTALL_EXCHANGE = "pip install 'ml-scegen[exchange]'"
+_LIBRARIES = ("mcap", "mcap_protobuf", "foxglove_schemas_protobuf", "google")
 _LIBRARY = "ML-SceGen"
 _MAP = "map"
 _EGO, _OTHER, _THING, _MARK = (
@@ -47,16 +48,17 @@ def mcap_of(concrete: ConcreteScenario, network: RoadNetwork, traces: Mapping[st
     Raises:
         MissingToolError: the extra ``exchange`` is not installed.
     """
-    tools = _Tools()
-    stream = BytesIO()
-    writer = tools.writer(stream)
+    with of_extra("exchange", "MCAP", *_LIBRARIES, where="--mcap"):
+        register = import_module("mcap_protobuf.schema").register_schema
+        update, transforms = _message("SceneUpdate"), _message("FrameTransforms")
+        stream = BytesIO()
+        writer = import_module("mcap.writer").Writer(stream)
     writer.start(library=_LIBRARY)
-    messages = {"/scene": "SceneUpdate", "/road": "SceneUpdate", "/tf": "FrameTransforms"}
     scene, road, frames = (
         writer.register_channel(
-            topic=topic, message_encoding="protobuf", schema_id=tools.schema(writer, message)
+            topic=topic, message_encoding="protobuf", schema_id=int(register(writer, message))
         )
-        for topic, message in messages.items()
+        for topic, message in (("/scene", update), ("/road", update), ("/tf", transforms))
     )
     plotted = {"type": "object", "properties": {name: {"type": "number"} for name in _SERIES}}
     state = writer.register_schema(
@@ -72,12 +74,12 @@ def mcap_of(concrete: ConcreteScenario, network: RoadNetwork, traces: Mapping[st
     def write(channel: int, time_ns: int, data: bytes) -> None:
         writer.add_message(channel, log_time=time_ns, publish_time=time_ns, data=data)
 
-    write(road, 0, _bytes(_road(tools, network)))
+    write(road, 0, _bytes(_road(update(), network)))
     times = next(iter(traces.values())).time_s.tolist() if traces else []
     for step, time_s in enumerate(times):
         time_ns = round(time_s * 1e9)
-        write(scene, time_ns, _bytes(_scene(tools, concrete, traces, step)))
-        write(frames, time_ns, _bytes(_frames(tools, traces, step)))
+        write(scene, time_ns, _bytes(_scene(update(), concrete, traces, step)))
+        write(frames, time_ns, _bytes(_frames(transforms(), traces, step)))
         for name, trace in traces.items():
             write(plots[name], time_ns, json.dumps(_state(trace, step)).encode())
     writer.finish()
@@ -88,35 +90,12 @@ def _bytes(message: Any) -> bytes:  # noqa: ANN401
     return bytes(message.SerializeToString(deterministic=True))
 
 
-class _Tools:
-    """The libraries of the extra, and the messages made with them."""
-
-    def __init__(self) -> None:
-        try:
-            self._writing = import_module("mcap.writer")
-            self._schemas = import_module("mcap_protobuf.schema")
-            self.scene_update = self._message("SceneUpdate")
-            self.frame_transforms = self._message("FrameTransforms")
-        except ImportError as error:
-            raise MissingToolError(
-                f"MCAP needs the library {error.name}, which is not installed",
-                where="--mcap",
-                hint=f"run: {INSTALL_EXCHANGE}",
-            ) from error
-
-    def writer(self, stream: BytesIO) -> Any:  # noqa: ANN401 - an optional library's type
-        return self._writing.Writer(stream)
-
-    def schema(self, writer: Any, name: str) -> int:  # noqa: ANN401
-        return int(self._schemas.register_schema(writer, self._message(name)))
-
-    def _message(self, name: str) -> Any:  # noqa: ANN401
-        return getattr(import_module(f"foxglove_schemas_protobuf.{name}_pb2"), name)
+def _message(name: str) -> Any:  # noqa: ANN401 - an optional library's type
+    return getattr(import_module(f"foxglove_schemas_protobuf.{name}_pb2"), name)
 
 
-def _road(tools: _Tools, network: RoadNetwork) -> Any:  # noqa: ANN401
+def _road(update: Any, network: RoadNetwork) -> Any:  # noqa: ANN401
     shapes = road_shapes(network)
-    update = tools.scene_update()
     entity = update.entities.add(id="road", frame_id=_MAP)
     for points in (*shapes.edge_lines, *shapes.centre_lines, *shapes.lane_lines):
         line = entity.lines.add(type=0, thickness=_MARK_M)
@@ -128,33 +107,26 @@ def _road(tools: _Tools, network: RoadNetwork) -> Any:  # noqa: ANN401
 
 
 def _scene(
-    tools: _Tools, concrete: ConcreteScenario, traces: Mapping[str, Trace], step: int
+    update: Any,  # noqa: ANN401
+    concrete: ConcreteScenario,
+    traces: Mapping[str, Trace],
+    step: int,
 ) -> Any:  # noqa: ANN401
-    update = tools.scene_update()
     for participant in concrete.participants:
-        if participant.id not in traces:
-            continue
-        trace = traces[participant.id]
-        colour = _EGO if participant is concrete.ego else _OTHER
-        at = float(trace.x_m[step]), float(trace.y_m[step]), float(trace.heading_rad[step])
-        _box(update, participant.id, participant.body, at, colour)
+        if participant.id in traces:
+            trace = traces[participant.id]
+            at = Pose(*(float(v[step]) for v in (trace.x_m, trace.y_m, trace.heading_rad)))
+            colour = _EGO if participant is concrete.ego else _OTHER
+            _box(update, participant.id, participant.body, at, colour)
     still = object_paths(concrete)
     for thing in concrete.objects:
-        start = still[thing.id].start
-        at = start.x_m, start.y_m, start.heading_rad
-        _box(update, thing.id, thing.body, at, _THING)
+        _box(update, thing.id, thing.body, still[thing.id].start, _THING)
     return update
 
 
-def _box(
-    update: Any,  # noqa: ANN401
-    name: str,
-    body: Body,
-    at: tuple[float, float, float],
-    colour: tuple[float, ...],
-) -> None:
-    """A box round the body of one whose reference point is ``at`` x, y (m) and heading (rad)."""
-    x, y, heading = at
+def _box(update: Any, name: str, body: Body, at: Pose, colour: tuple[float, ...]) -> None:  # noqa: ANN401
+    """A box round the body of one whose reference point is ``at``."""
+    x, y, heading = at.x_m, at.y_m, at.heading_rad
     cube = update.entities.add(id=name, frame_id=_MAP).cubes.add()
     cube.pose.position.x = x + body.centre_ahead_m * cos(heading)
     cube.pose.position.y = y + body.centre_ahead_m * sin(heading)
@@ -168,8 +140,7 @@ def _colour(primitive: Any, colour: tuple[float, ...]) -> None:  # noqa: ANN401
     primitive.color.r, primitive.color.g, primitive.color.b, primitive.color.a = colour
 
 
-def _frames(tools: _Tools, traces: Mapping[str, Trace], step: int) -> Any:  # noqa: ANN401
-    update = tools.frame_transforms()
+def _frames(update: Any, traces: Mapping[str, Trace], step: int) -> Any:  # noqa: ANN401
     for name, trace in traces.items():
         frame = update.transforms.add(parent_frame_id=_MAP, child_frame_id=name)
         frame.timestamp.FromNanoseconds(round(float(trace.time_s[step]) * 1e9))

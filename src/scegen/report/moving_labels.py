@@ -32,11 +32,7 @@ class MovingLabels:
 
     @classmethod
     def arranged(
-        cls,
-        words: Mapping[str, str],
-        boxes: Mapping[str, Array],
-        size: tuple[int, int],
-        ego: str,
+        cls, words: Mapping[str, str], boxes: Mapping[str, Array], size: tuple[int, int], ego: str
     ) -> MovingLabels:
         """A side for each label, so that the fewest pictures have labels in each other's way.
 
@@ -66,22 +62,14 @@ class MovingLabels:
 
     def drawn(self, number: int, words: Mapping[str, str], theme: Theme) -> str:
         """The labels of one picture."""
-        parts = []
+        parts, ink, rim = [], theme.text, theme.halo
         for name, rectangles in self.where.items():
             if not self.shown[name][number]:
                 continue
             left, _, right, bottom = rectangles[number].tolist()
+            x, y, bold = (left + right) / 2, bottom - 4.5, name == self.ego
             parts.append(
-                letters(
-                    words[name],
-                    (left + right) / 2,
-                    bottom - 4.5,
-                    _SIZE,
-                    theme.text,
-                    bold=name == self.ego,
-                    halo=theme.halo,
-                    text_anchor="middle",
-                )
+                letters(words[name], x, y, _SIZE, ink, bold=bold, halo=rim, text_anchor="middle")
             )
         return "".join(parts)
 

@@ -37,8 +37,8 @@ def page(package: str, template: str, style: str, script: str, content: dict[str
 
 
 def asset(package: str, name: str) -> str:
-    """A style sheet or script beside the templates of a package."""
-    return files(package).joinpath("templates", name).read_text(encoding="utf-8")
+    """The text of a file that lies in a package."""
+    return files(package).joinpath(name).read_text(encoding="utf-8")
 
 
 def as_json(value: object) -> Markup:

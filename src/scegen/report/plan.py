@@ -82,10 +82,7 @@ class Plan:
             return self.at(1 - arm, -distance, -right)  # beyond the middle, on the other arm
         a = self.angles[arm]
         # Entering traffic heads for the centre: its right is the direction a + 90 degrees.
-        return (
-            distance * cos(a) - right * sin(a),
-            distance * sin(a) + right * cos(a),
-        )
+        return (distance * cos(a) - right * sin(a), distance * sin(a) + right * cos(a))
 
 
 def make_plan(junction: Junction) -> Plan:
@@ -104,17 +101,8 @@ def make_plan(junction: Junction) -> Plan:
         # Neighbouring carriageways part where half their width is seen under half their angle.
         inner = max(widest / max(sin(min(g, pi) / 2), 0.45) for g in gaps) + 6.0
     side = 1 if junction.driving_side is DrivingSide.RIGHT else -1
-    return Plan(
-        angles,
-        lanes,
-        lane,
-        side,
-        min(inner, 60.0),
-        junction.kind,
-        junction.carriageway,
-        shoulder,
-        junction.auxiliary,
-    )
+    road = (junction.kind, junction.carriageway, shoulder, junction.auxiliary)
+    return Plan(angles, lanes, lane, side, min(inner, 60.0), *road)
 
 
 def drive_line(plan: Plan, drive: Drive, spread: float, behind: int) -> list[Point]:
@@ -255,13 +243,8 @@ def _round_the_ring(
     share = min(1.0, (sweep - _RING_LEAST) / sum(joins))
     begin = plan.angles[drive.entry] + way * share * joins[0]
     sweep -= share * sum(joins)
-    arc = [
-        (
-            radius * cos(begin + way * sweep * i / _ARC_STEPS),
-            radius * sin(begin + way * sweep * i / _ARC_STEPS),
-        )
-        for i in range(_ARC_STEPS + 1)
-    ]
+    turns = (begin + way * sweep * i / _ARC_STEPS for i in range(_ARC_STEPS + 1))
+    arc = [_toward((0.0, 0.0), turn, radius) for turn in turns]
     inward = _toward(enter, plan.angles[drive.entry] + pi, 9.0)
     before = _toward(arc[0], begin - way * pi / 2, 6.0)
     after = _toward(arc[-1], begin + way * (sweep + pi / 2), 6.0)
@@ -293,11 +276,8 @@ def crossing_line(plan: Plan, crossing: Crossing, number: int) -> list[Point]:
     if plan.kind is JunctionKind.STRAIGHT:
         distance = 12.0 + 14.0 * number
     beyond = plan.half(crossing.arm) + 11.0
-    sign = 1 if crossing.start is Side.RIGHT else -1
-    return [
-        plan.at(crossing.arm, distance, sign * beyond),
-        plan.at(crossing.arm, distance, -sign * beyond),
-    ]
+    sides = (1, -1) if crossing.start is Side.RIGHT else (-1, 1)
+    return [plan.at(crossing.arm, distance, side * beyond) for side in sides]
 
 
 def standing_box(plan: Plan, standing: Standing, number: int) -> list[Point]:
@@ -328,9 +308,5 @@ def arrow_head(points: list[Point], size: float) -> list[Point]:
     """A triangle whose tip is the last point."""
     (x0, y0), (x1, y1) = points[-2], points[-1]
     a = atan2(y1 - y0, x1 - x0)
-    tip = (x1 + size * 0.5 * cos(a), y1 + size * 0.5 * sin(a))
-    return [
-        tip,
-        _toward(tip, a + pi - 0.45, size * 1.35),
-        _toward(tip, a + pi + 0.45, size * 1.35),
-    ]
+    tip = _toward((x1, y1), a, size * 0.5)
+    return [tip, *(_toward(tip, a + pi + turn, size * 1.35) for turn in (-0.45, 0.45))]

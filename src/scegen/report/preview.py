@@ -18,10 +18,10 @@ from scegen.report.drawing import box, document, letters
 from scegen.report.raster import wrapped
 from scegen.report.stage import Stage, make_stage, moment, overview
 from scegen.report.theme import LIGHT
-from scegen.report.words import hazard_words, participant_words, thing_words
+from scegen.report.words import hazard_words, name_words, participant_words, thing_words
 from scegen.report.world import View
 from scegen.road.model import RoadNetwork
-from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
+from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 WIDTH = 900.0
@@ -72,7 +72,7 @@ def extent(stage: Stage, encounter: Encounter | None) -> tuple[Array, Array]:
     kerb.
     """
     traces = [stage.traces[p.id] for p in stage.concrete.participants]
-    last = None if encounter is None else encounter.step + round(_AFTER_S / _step_s(traces[0]))
+    last = None if encounter is None else encounter.step + round(_AFTER_S / traces[0].step_s)
     points = [np.column_stack((t.x_m[:last], t.y_m[:last])) for t in traces]
     points += [thing_corners(thing) for thing in stage.concrete.objects]
     everything = np.concatenate(points)
@@ -84,10 +84,6 @@ def extent(stage: Stage, encounter: Encounter | None) -> tuple[Array, Array]:
         low[1] = min(low[1] + margin, south) - _VERGE_M
         high[1] = max(high[1] - margin, north) + _VERGE_M
     return low, high
-
-
-def _step_s(trace: Trace) -> float:
-    return float(trace.time_s[1] - trace.time_s[0]) if len(trace.time_s) > 1 else 1.0
 
 
 def _along(
@@ -182,28 +178,21 @@ def _notes(
     for first in range(0, len(people), per_column):
         left, at = x + room * (first // per_column), y
         for participant in people[first : first + per_column]:
-            rows = wrapped(_who(concrete, participant), _SIZE, room - 24, 3)
+            who = f"{name_words(participant)}: {participant_words(participant)}"
+            rows = wrapped(who, _SIZE, room - 24, 3)
             swatch = stage.colour[participant.id]
             parts.append(box(left, at - 9, 10, 10, swatch, rx=2, stroke=theme.outline))
             parts += _rows(rows, left + 18, at, theme.text)
             at += _LINE * len(rows)
         lowest = max(lowest, at)
     y = lowest
-    lines: list[tuple[str, str]] = [
-        (f"{thing.id}: {thing_words(thing)}", theme.text) for thing in concrete.objects
-    ]
+    lines = [(f"{thing.id}: {thing_words(thing)}", theme.text) for thing in concrete.objects]
     lines += [(note, theme.text_soft) for note in _remarks(concrete, encounter)]
     for words, ink in lines:
         rows = wrapped(words, _SIZE, width, 4)
         parts += _rows(rows, x, y, ink)
         y += _LINE * len(rows)
     return "".join(parts), y - 4
-
-
-def _who(concrete: ConcreteScenario, participant: ConcreteParticipant) -> str:
-    is_ego = participant is concrete.ego
-    name = f"{participant.id} (ego)" if is_ego and participant.id != "ego" else participant.id
-    return f"{name}: {participant_words(participant)}"
 
 
 def _rows(rows: Iterable[str], x: float, y: float, ink: str) -> list[str]:
@@ -217,11 +206,8 @@ def _remarks(concrete: ConcreteScenario, encounter: Encounter | None) -> list[st
         kinds = {h.kind for h in concrete.hazards}
         remarks.append(f"{said} (dotted: backwards)" if HazardKind.REVERSING in kinds else said)
     if encounter is not None:
-        if encounter.distance_m > 0:
-            how = f"is {encounter.distance_m:.1f} m from {encounter.other}"
-        else:
-            how = f"touches {encounter.other}"
-        remarks.append(
-            f"Closest approach (dashed boxes): at {encounter.time_s:.1f} s the ego {how}"
-        )
+        apart = encounter.distance_m > 0
+        how = f"is {encounter.distance_m:.1f} m from" if apart else "touches"
+        when = f"at {encounter.time_s:.1f} s the ego {how} {encounter.other}"
+        remarks.append(f"Closest approach (dashed boxes): {when}")
     return remarks

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter
 from scegen.motion.model import Array, Path, Trace
-from scegen.report.bodies import body, braking, corners_at, ghost, standing_at, swept
-from scegen.report.corners import thing_corners
+from scegen.report.bodies import body, braking, ghost, standing_at, swept
+from scegen.report.corners import corners_at, thing_corners
 from scegen.report.drawing import area, areas, box, letters, line, lines
 from scegen.report.labels import WAY_STEP_PX, Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
@@ -44,23 +44,15 @@ class Stage:
         """Everybody who is seen at one step, the ego on top."""
         ego = self.concrete.ego.id
         people = sorted(self.concrete.participants, key=lambda p: p.id == ego)
-        return "".join(
-            standing_at(
-                self.traces[p.id],
-                step,
-                body(
-                    p.kind,
-                    p.body,
-                    self.colour[p.id],
-                    self.theme,
-                    view.scale,
-                    ego=p.id == ego,
-                    braking=bool(brakes[p.id][step]) if p.id in brakes else False,
-                ),
-            )
-            for p in people
-            if view.shows(self.traces[p.id].x_m[step], self.traces[p.id].y_m[step])
-        )
+        shown = []
+        for p in people:
+            trace = self.traces[p.id]
+            if view.shows(trace.x_m[step], trace.y_m[step]):
+                brake = p.id in brakes and bool(brakes[p.id][step])
+                paint = (self.colour[p.id], self.theme, view.scale)
+                drawn = body(p.kind, p.body, *paint, ego=p.id == ego, braking=brake)
+                shown.append(standing_at(trace, step, drawn))
+        return "".join(shown)
 
     def box_of(self, name: str, step: int) -> Array:
         """The corners (4, 2) of a participant or an object at one step."""
@@ -109,14 +101,10 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
     if framed is not None:
         drawn += box(*view.frame(framed), "none", stroke=theme.text, stroke_width=1, rx=3,
                      stroke_dasharray="4 3")  # fmt: skip
-    labels = [
-        Label(
-            name_and_speed(p, p.speed_mps),
-            around(view, stage.box_of(p.id, 0)),
-            bold=p is stage.concrete.ego,
-        )
-        for p in ego_first(stage.concrete)
-    ]
+    labels = []
+    for p in ego_first(stage.concrete):
+        at, bold = around(view, stage.box_of(p.id, 0)), p is stage.concrete.ego
+        labels.append(Label(name_and_speed(p, p.speed_mps), at, bold=bold))
     labels += [Label(o.id, around(view, thing_corners(o))) for o in stage.concrete.objects]
     bar, where = _scale_bar(view, theme)
     frames = [] if framed is None else _edges(view.frame(framed))
@@ -169,8 +157,7 @@ def on_ways(stage: Stage, view: View) -> Array:
     for name, path in stage.paths.items():
         if stage.traces[name].s_m[-1] > 0.0:
             s = np.arange(path.s_m[0], path.s_m[-1], WAY_STEP_PX / view.scale)
-            places = [np.interp(s, path.s_m, along) for along in (path.x_m, path.y_m)]
-            found.append(np.column_stack(places))
+            found.append(np.column_stack(path.places(s)[:2]))
     points = np.concatenate([np.empty((0, 2)), *found])
     near = np.abs(points - (view.x_m, view.y_m)) < (view.width_m / 2, view.height_m / 2)
     return view.seen(points[near.all(axis=1)])
@@ -188,13 +175,8 @@ def _way(stage: Stage, participant: ConcreteParticipant, view: View) -> str:
     colour, width = stage.colour[participant.id], view.at_least(0.2, 1.8)
     travelled = float(trace.s_m[-1])
     whole = np.column_stack((path.x_m, path.y_m))
-    ahead = lines(
-        view.cut([whole]),
-        colour,
-        width * 0.6,
-        stroke_opacity=0.5,
-        stroke_dasharray=f"{3 * width:.3f}",
-    )
+    seen, dashes = view.cut([whole]), f"{3 * width:.3f}"
+    ahead = lines(seen, colour, width * 0.6, stroke_opacity=0.5, stroke_dasharray=dashes)
     points = shapely.get_coordinates(
         shapely.simplify(shapely.linestrings(np.column_stack((trace.x_m, trace.y_m))), 0.02)
     )
@@ -203,9 +185,7 @@ def _way(stage: Stage, participant: ConcreteParticipant, view: View) -> str:
     for begins, ends in path.backwards:
         if travelled > begins:
             s = np.linspace(begins, min(ends, travelled), 24)
-            stretch = np.column_stack(
-                (np.interp(s, path.s_m, path.x_m), np.interp(s, path.s_m, path.y_m))
-            )
+            stretch = np.column_stack(path.places(s)[:2])
             dots = f"{width:.3f} {1.6 * width:.3f}"
             back += lines(view.cut([stretch]), stage.theme.mark, width * 0.6, stroke_dasharray=dots)
     head = ""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from scegen.report.words import (
     lane_change_words,
+    name_words,
     phase_words,
     plain,
     right_of_way_words,
@@ -13,7 +14,6 @@ from scegen.report.words import (
 )
 from scegen.scenario.concrete import (
     Change,
-    ConcreteParticipant,
     ConcreteScenario,
     CrossingMotion,
     DriveMotion,
@@ -21,7 +21,6 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.functional import Environment
 from scegen.scenario.parameters import ParameterRange
-from scegen.scenario.vocabulary import Role
 
 Row = tuple[str, ...]
 
@@ -81,15 +80,10 @@ def _roads(concrete: ConcreteScenario) -> Table:
     return Table(title, (*heads, "Lane width", "Speed limit"), rows)
 
 
-def _name(participant: ConcreteParticipant) -> str:
-    is_ego = participant.role is Role.EGO and participant.id != "ego"
-    return f"{participant.id} (ego)" if is_ego else participant.id
-
-
 def _vehicles(concrete: ConcreteScenario) -> Table:
     rows = tuple(
         (
-            _name(p),
+            name_words(p),
             plain(p.kind),
             speed_words(p.speed_mps),
             f"{motion.entry}",

@@ -33,14 +33,7 @@ from scegen.report.strokes import (
 from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import REVERSES, plain
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import (
-    Assignment,
-    Crossing,
-    Drive,
-    LogicalScenario,
-    Reverses,
-    Walking,
-)
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Reverses, Walking
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import JunctionKind
 
@@ -134,12 +127,10 @@ def tile_body(
         is_ego = name == functional.ego.id
         if isinstance(assignment, Drive):
             behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
-            square = assignment.reverses is Reverses.SQUARE
-            way_ = lines[name] = (
-                square_line(plan, assignment)
-                if square
-                else drive_line(plan, assignment, spreads[name], behind)
-            )
+            way_ = drive_line(plan, assignment, spreads[name], behind)
+            if assignment.reverses is Reverses.SQUARE:
+                way_ = square_line(plan, assignment)
+            lines[name] = way_
             drawing = arrow(way_, colour[name], theme, ego=is_ego)
             if assignment.reverses is not None:
                 badges.append(reverse_badge(way_, colour[name], theme))

@@ -18,6 +18,7 @@ from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Conflict, Reverses, Rule
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import BacksUp, Reversal
+from scegen.scenario.vocabulary import Role
 
 KMH = 3.6
 _RULES: dict[Rule, str] = {
@@ -65,6 +66,12 @@ def hazard_words(hazard: Hazard) -> str:
     return text
 
 
+def name_words(participant: ConcreteParticipant) -> str:
+    """Its name; of the ego that it is the ego, if it is called otherwise."""
+    is_ego = participant.role is Role.EGO and participant.id != "ego"
+    return f"{participant.id} (ego)" if is_ego else participant.id
+
+
 def participant_words(participant: ConcreteParticipant) -> str:
     """What a participant is, how fast it starts and where it goes."""
     kind, motion = plain(participant.kind), participant.motion
@@ -74,10 +81,8 @@ def participant_words(participant: ConcreteParticipant) -> str:
             f"arm {motion.entry} → arm {motion.exit}{reversal_words(motion.reversal)}"
         )
     if isinstance(motion, CrossingMotion):
-        if participant.speed_mps > 0:
-            start = f"starts at {speed_words(participant.speed_mps)}"
-        else:
-            start = "waits at first"
+        goes = participant.speed_mps > 0
+        start = f"starts at {speed_words(participant.speed_mps)}" if goes else "waits at first"
         return f"{kind}, {start}, crosses arm {motion.arm} from the {motion.start_side}"
     if isinstance(motion, SwingingMotion):
         return f"{kind} of {motion.vehicle}, closed at first"

@@ -132,13 +132,9 @@ class Surroundings:
     ) -> None:
         self._theme = theme
         self._shapes: RoadShapes = road_shapes(network, bays(concrete, paths))
-        self._control = concrete.road.control
         self._concrete = concrete
-        self._entries = [
-            (*entry_of(network, arm), arm) for arm in sorted(concrete.road.controlled_arms)
-        ]
+        self._entries = [entry_of(network, arm) for arm in sorted(concrete.road.controlled_arms)]
         self._lights = lights_of(concrete, network)
-        self._things = concrete.objects
 
     def across(self, west_m: float, east_m: float) -> tuple[float, float]:
         """How far south and north the roads reach between two places."""
@@ -162,12 +158,11 @@ class Surroundings:
             LaneType.BIKING: theme.cycle_lane,
         }
 
-        def lanes(kind: LaneType) -> list[Array]:
-            found = shapes.lanes.get(kind, [])
-            return view.cut(found, closed=True) if cut else found
+        def seen(found: list[Array], *, closed: bool = False) -> list[Array]:
+            return view.cut(found, closed=closed) if cut else found
 
-        def marks(found: list[Array]) -> list[Array]:
-            return view.cut(found) if cut else found
+        def lanes(kind: LaneType) -> list[Array]:
+            return seen(shapes.lanes.get(kind, []), closed=True)
 
         # The same colour around each lane closes hairline seams between roads.
         layers = [
@@ -178,17 +173,17 @@ class Surroundings:
         kerb, width = view.at_least(0.3, 1.6), view.at_least(_MARK_M, 0.9)
         layers.append(areas(driving, theme.kerb, stroke=theme.kerb, stroke_width=kerb))
         layers.append(areas(driving, theme.road, stroke=theme.road, stroke_width=0.06))
-        layers.append(lines(marks(shapes.centre_lines + shapes.edge_lines), theme.mark, width))
-        layers.append(lines(marks(shapes.lane_lines), theme.mark, width, stroke_dasharray=_DASHES))
+        layers.append(lines(seen(shapes.centre_lines + shapes.edge_lines), theme.mark, width))
+        layers.append(lines(seen(shapes.lane_lines), theme.mark, width, stroke_dasharray=_DASHES))
         layers.append(areas(shapes.stripes, theme.mark))
         layers += [
             self._entry_marks(pose, half_m, view)
-            for pose, half_m, _ in self._entries
+            for pose, half_m in self._entries
             if not cut or view.shows(pose.x_m, pose.y_m)
         ]
         layers += [
             self._thing(thing, view)
-            for thing in self._things
+            for thing in self._concrete.objects
             if not cut or view.shows(thing.x_m, thing.y_m)
         ]
         return "".join(layers)
@@ -215,41 +210,27 @@ class Surroundings:
             del lamps[SignalState.AMBER]
         high, dark = len(lamps) / 2, theme.signal_off
         drawn = box(-size * 0.6, -size * high, size * 1.2, size * 2 * high, theme.outline, rx=0.3)
-        drawn += "".join(
-            circle(
-                0,
-                size * (high - 0.5 - n),
-                size * 0.36,
-                colour if lit is state else dark,
-            )
-            for n, (lit, colour) in enumerate(lamps.items())
-        )
+        for n, (lit, colour) in enumerate(lamps.items()):
+            ink = colour if lit is state else dark
+            drawn += circle(0, size * (high - 0.5 - n), size * 0.36, ink)
         return group(drawn, transform=f"translate({number(x)} {number(y)})")
 
     def _entry_marks(self, pose: Pose, half_m: float, view: View) -> str:
         """The line to stop at and what stands beside it, for traffic that enters."""
         theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
+        control = self._concrete.road.control
         ends = [_beside(pose, t) for t in (0.2 * half_m / abs(half_m), half_m)]
-        dashes = None if self._control in _STOPPING else "0.5 0.35"
+        dashes = None if control in _STOPPING else "0.5 0.35"
         stop = line(ends, theme.mark, view.at_least(0.4, 1.2), stroke_dasharray=dashes)
         x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
-        if self._control in LIGHTS:
+        if control in LIGHTS:
             return stop
-        if self._control is Control.YIELD:
-            drawn = area(
-                _regular(3, size * 1.25, -pi / 2),
-                theme.mark,
-                stroke=theme.signal_red,
-                stroke_width=size * 0.4,
-                stroke_linejoin="round",
-            )
+        if control is Control.YIELD:
+            shape, rim, width = _regular(3, size * 1.25, -pi / 2), theme.signal_red, size * 0.4
+            drawn = area(shape, theme.mark, stroke=rim, stroke_width=width, stroke_linejoin="round")
         else:
-            drawn = area(
-                _regular(8, size, pi / 8),
-                theme.signal_red,
-                stroke=theme.mark,
-                stroke_width=size * 0.2,
-            )
+            shape, rim, width = _regular(8, size, pi / 8), theme.mark, size * 0.2
+            drawn = area(shape, theme.signal_red, stroke=rim, stroke_width=width)
         return stop + group(drawn, transform=f"translate({number(x)} {number(y)})")
 
     def _thing(self, thing: StaticObject, view: View) -> str:
@@ -257,13 +238,8 @@ class Surroundings:
         theme, corners = self._theme, thing_corners(thing)
         edge = view.at_least(0.1, 0.9)
         if thing.category in _PLANTS:
-            return area(
-                corners,
-                theme.plant,
-                stroke=theme.plant,
-                stroke_width=min(thing.length_m, thing.width_m) * 0.3,
-                stroke_linejoin="round",
-            )
+            width, green = min(thing.length_m, thing.width_m) * 0.3, theme.plant
+            return area(corners, green, stroke=green, stroke_width=width, stroke_linejoin="round")
         a, b, c, d = corners
         count = max(2, round(float(np.hypot(*(a - d))) / _HATCH_M))
         rungs = [np.stack((d + (a - d) * u, c + (b - c) * u)) for u in np.linspace(0, 1, count + 1)]

@@ -6,7 +6,7 @@ along a drive are metres travelled from the outer end of the entry arm.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
@@ -182,6 +182,16 @@ class SpeedPhase(FrozenModel):
     rate_mps2: float = Field(gt=0, le=20)
     hazard: HazardKind | None = None
     act: Identifier | None = None
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """Its numbers by their places in it."""
+        measured = self.trigger.measured
+        return {
+            f"trigger.{measured}": float(getattr(self.trigger, measured)),
+            "target_speed_mps": self.target_speed_mps,
+            "rate_mps2": self.rate_mps2,
+        }
 
 
 class OnContact(FrozenModel):
@@ -392,6 +402,20 @@ class ConcreteScenario(CheckedModel):
             struck = participant.on_contact
             if struck is not None and struck.participant not in {*everything} - {participant.id}:
                 yield f"on_contact of {participant.id} names the unknown {struck.participant!r}"
+
+    def changed(
+        self,
+        people: Iterable[ConcreteParticipant],
+        changes: Iterable[Change] = (),
+        **more: object,
+    ) -> ConcreteScenario:
+        """The scenario with these participants in place of its own, and what is told of that."""
+        told = (*self.provenance, *changes)
+        return self.model_copy(update={"participants": tuple(people), "provenance": told} | more)
+
+    def with_participant(self, fresh: ConcreteParticipant) -> ConcreteScenario:
+        """The scenario with this version of a participant in place of its own."""
+        return self.changed(fresh if p.id == fresh.id else p for p in self.participants)
 
     @property
     def latest_end_s(self) -> float:

@@ -215,10 +215,8 @@ class Choice(Undertakings):
 
     def richest(self) -> LogicalScenario | None:
         """The first that is chosen, or of those shown the richest in conflicts."""
-        if self.listing is None or not (self.picked or self.shown):
+        if self.listing is None:
             return None
-        if self.picked:
-            return self.listing.scenario(self.picked[0])
         functional = self.listing.functional
-        shown = [self.listing.scenario(i) for i in self.shown]
-        return min(shown, key=lambda s: richest_first(s, functional))
+        shown = self.listing.known(self.picked[:1] or self.shown)
+        return min(shown, key=lambda s: richest_first(s, functional), default=None)

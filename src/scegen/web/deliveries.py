@@ -45,10 +45,9 @@ def deliver(sessions: Sessions) -> None:
     @pages.get("/film")
     def film(request: Request, name: str) -> Response:
         work = work_of(request)
-        found = work.films.get(name) if work is not None else None
-        if found is None:
+        if work is None or name not in work.films:
             return _nothing("scene")
-        return Response(found, media_type="application/json", headers=_UNKEPT)
+        return Response(work.films[name], media_type="application/json", headers=_UNKEPT)
 
     @pages.get("/player/{name}")
     def module(name: str) -> Response:
@@ -73,10 +72,9 @@ def deliver(sessions: Sessions) -> None:
     @pages.get("/download/picture")
     def download_picture(request: Request, name: str) -> Response:
         work = work_of(request)
-        found = work.pictures.get(name) if work is not None else None
-        if found is None:
+        if work is None or name not in work.pictures:
             return _nothing("picture")
-        return _attached(found, name, "application/octet-stream")
+        return _attached(work.pictures[name], name)
 
 
 def _tiles(work: Work, of: str, edition: int) -> Response:
@@ -100,14 +98,14 @@ def _file(work: Work, name: str) -> Response:
     file = (folder / name).resolve()
     if not file.is_relative_to(folder) or not file.is_file():
         return _nothing("file")
-    return _attached(file.read_bytes(), file.name, "application/octet-stream")
+    return _attached(file.read_bytes(), file.name)
 
 
 def _nothing(what: str) -> Response:
     return PlainTextResponse(f"There is no such {what}.", 404)
 
 
-def _attached(content: bytes, name: str, kind: str) -> Response:
+def _attached(content: bytes, name: str, kind: str = "application/octet-stream") -> Response:
     """A file to be kept, never shown as part of the page."""
     headers = {"content-disposition": f"attachment; filename*=UTF-8''{quote(name)}"}
     return Response(content, media_type=kind, headers=headers)

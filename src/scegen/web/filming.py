@@ -9,14 +9,16 @@ from scegen.errors import InfeasibleError
 from scegen.report.player.scene import scene_of
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
+from scegen.web.jobs import Teller
 from scegen.web.made import Made, MadeScenario
 
 
-def film(made: MadeScenario, whole: Made) -> bytes:
+def film(made: MadeScenario, whole: Made, tell: Teller) -> bytes:
     """The scene as found and, where a search has changed it, as it was first laid: JSON.
 
     The object holds ``scene``, ``before`` (or null) and ``environment``.
     """
+    tell.progress("drawing the movement")
     before = None
     if made.proof is not None and made.proof.changed:
         first = whole.given or _first_timing(whole.functional, made.concrete)

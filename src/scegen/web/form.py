@@ -19,18 +19,11 @@ from scegen.scenario.functional import MAX_ARMS, FunctionalScenario
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.model import ArmSet, Identifier, Interval
 from scegen.understanding import Finding, ParseReport, Standing
+from scegen.units import parted
 
 LEFT_OUT = frozenset({"level", "description", "evidence", "unsupported"})
-_UNITS = {
-    "_mps2": ("m/s²", 1.0),
-    "_mps": ("km/h", 3.6),
-    "_deg": ("°", 1.0),
-    "_percent": ("%", 1.0),
-    "_m": ("m", 1.0),
-    "_s": ("s", 1.0),
-}
-"""What the end of a field's name says: the unit that people read, and how many of it one SI unit
-is."""
+_KMH = 3.6
+"""In one m/s: people read speeds in km/h."""
 Spec = dict[str, Any]
 
 
@@ -45,11 +38,8 @@ def _fields(model: type[BaseModel]) -> Iterator[Spec]:
 
 
 def _field(name: str, field: FieldInfo) -> Spec:
-    unit, factor, label = None, 1.0, name
-    for ending, (word, times) in _UNITS.items():
-        if name.endswith(ending):
-            unit, factor, label = word, times, name.removesuffix(ending)
-            break
+    label, unit = parted(name)
+    is_speed = unit == "m/s"
     annotation: Any = field.annotation
     if field.metadata:
         annotation = Annotated[(annotation, *field.metadata)]
@@ -57,8 +47,8 @@ def _field(name: str, field: FieldInfo) -> Spec:
     spec: Spec = {
         "name": name,
         "label": label.replace("_", " "),
-        "unit": unit,
-        "factor": factor,
+        "unit": "km/h" if is_speed else unit,
+        "factor": _KMH if is_speed else 1.0,
         "required": field.is_required(),
         "default": _plain(default),
     }
@@ -66,17 +56,13 @@ def _field(name: str, field: FieldInfo) -> Spec:
 
 
 def _bounds(field: FieldInfo) -> Spec:
-    found: Spec = {}
-    for item in field.metadata:
-        if isinstance(item, Ge):
-            found["min"] = item.ge
-        elif isinstance(item, Gt):
-            found["above"] = item.gt
-        elif isinstance(item, Le):
-            found["max"] = item.le
-        elif isinstance(item, Lt):
-            found["below"] = item.lt
-    return found
+    bounds = ((Ge, "ge", "min"), (Gt, "gt", "above"), (Le, "le", "max"), (Lt, "lt", "below"))
+    return {
+        told: getattr(item, name)
+        for item in field.metadata
+        for kind, name, told in bounds
+        if isinstance(item, kind)
+    }
 
 
 def _type(annotation: Any, name: str) -> Spec:  # noqa: ANN401 - any annotation

@@ -82,10 +82,8 @@ class Guard:
         origin = headers.get("origin")
         if origin is not None and urlsplit(origin).netloc.lower() != host.lower():
             return Refusal(403, "Requests from other sites are refused.")
-        if headers.get("sec-fetch-site") == "cross-site" and headers.get("sec-fetch-mode") not in {
-            "navigate",
-            None,
-        }:
+        crosses = headers.get("sec-fetch-site") == "cross-site"
+        if crosses and headers.get("sec-fetch-mode") not in {"navigate", None}:
             return Refusal(403, "Requests from other sites are refused.")
         length = headers.get("content-length", "0")
         if not length.isdigit() or int(length) > LARGEST_BODY:

@@ -27,7 +27,7 @@ try:
 except ModuleNotFoundError:  # not on every system
     resource = None  # type: ignore[assignment]
 
-_PRELOADED = "scegen.web.tasks"
+_PRELOADED = ["scegen.web.tasks", "scegen.web.filming"]
 _LONGEST_STEPS = 200
 MOST_MEMORY = 4 << 30
 """Bytes that one job may take, where the system can hold it to that."""
@@ -50,6 +50,12 @@ class Trouble:
     message: str
     where: str | None = None
     hint: str | None = None
+
+    @property
+    def in_words(self) -> str:
+        """All of it in a line."""
+        where = f"{self.where}: " if self.where else ""
+        return f"{where}{self.message}{f' {self.hint}' if self.hint else ''}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,7 +206,7 @@ def _context() -> BaseContext:
     """Processes that have everything loaded already, where the system can fork such."""
     if "forkserver" in multiprocessing.get_all_start_methods():
         context = multiprocessing.get_context("forkserver")
-        context.set_forkserver_preload([_PRELOADED])
+        context.set_forkserver_preload(_PRELOADED)
         return context
     return multiprocessing.get_context("spawn")
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from pydantic import TypeAdapter
 from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, read_proof
 from scegen.criticality.careful_driver import Verdict
 from scegen.errors import InputError
-from scegen.pipeline.folder import SUMMARY_FILE
+from scegen.pipeline.folder import SUMMARY_FILE, summary_of
 from scegen.pipeline.source import GIVEN_FILE
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load, load_if_there, read_text
@@ -82,7 +81,7 @@ def read_made(folder: Path) -> Made:
     Raises:
         InputError: a file in it cannot be used; names it by its place in the folder.
     """
-    summary = _summary(folder)
+    summary = summary_of(folder)
     enumeration = summary.get("enumeration") or {}
     scenarios = []
     for row in summary.get("scenarios", []):
@@ -102,16 +101,3 @@ def read_made(folder: Path) -> Made:
         {str(k): str(v) for k, v in summary.get("skipped", {}).items()},
         summary,
     )
-
-
-def _summary(folder: Path) -> dict[str, Any]:
-    file = folder / SUMMARY_FILE
-    if not file.is_file():
-        return {}
-    try:
-        found = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError) as error:
-        raise InputError("cannot be read", where=SUMMARY_FILE) from error
-    if not isinstance(found, dict):
-        raise InputError("is no summary", where=SUMMARY_FILE)
-    return found

@@ -6,16 +6,16 @@ import asyncio
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib.resources import files
 
 from nicegui import ui
 from nicegui.elements.mixins.text_element import TextElement
 
 from scegen.errors import ScegenError
+from scegen.report.one_file import asset
 from scegen.report.player.bundle import player_css
 from scegen.report.theme import css
 from scegen.scenario.wording import counted
-from scegen.web.elements import button, mark, node
+from scegen.web.elements import button, clickable, mark, node
 from scegen.web.steps.choose import Choose
 from scegen.web.steps.danger import Danger
 from scegen.web.steps.describe import Describe
@@ -25,6 +25,7 @@ from scegen.web.steps.take_away import TakeAway
 from scegen.web.steps.watch import Watch
 from scegen.web.work import Work
 
+_ELEMENTS = "scegen.web.elements"
 _TICK_S = 0.3
 """How often the seconds of what is under way are told; changes are drawn at once."""
 
@@ -63,7 +64,8 @@ class Page:
     def build(self) -> None:
         """Make the elements."""
         ui.add_head_html(
-            f"<style>{css()}{player_css()}{_own('page.css')}</style><script>{_own('page.js')}</script>"
+            f"<style>{css()}{player_css()}{asset(_ELEMENTS, 'page.css')}</style>"
+            f"<script>{asset(_ELEMENTS, 'page.js')}</script>"
         )
         ui.context.client.on_exception(self._complain)
         with node("header", "topbar"):
@@ -108,9 +110,7 @@ class Page:
         self._show_marks()
 
     def _build_mark(self, number: int, step: _StepKind) -> None:
-        made = node("button", "stepmark", type="button")
-        made.on("click", lambda _: self.go(step.name), [])
-        with made:
+        with clickable("stepmark", lambda: self.go(step.name)) as made:
             node("span", "stepmark-number", str(number))
             node("span", "stepmark-label", step.label)
             self._marks[step.name] = (made, node("span", "stepmark-note"))
@@ -162,7 +162,3 @@ class Page:
             ui.notify(error.render(), type="warning", position="bottom", multi_line=True)
         else:
             ui.notify("Something went wrong; see the server's terminal.", type="negative")
-
-
-def _own(name: str) -> str:
-    return (files("scegen.web.elements") / name).read_text(encoding="utf-8")

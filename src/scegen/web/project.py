@@ -7,7 +7,6 @@ only ever compared with the names that are there.
 from __future__ import annotations
 
 import io
-import json
 import re
 import tempfile
 import zipfile
@@ -16,7 +15,7 @@ from pathlib import Path
 
 from scegen.checking.subject import FUNCTIONAL_FILE
 from scegen.errors import InputError
-from scegen.pipeline.folder import SUMMARY_FILE, digest, made_files
+from scegen.pipeline.folder import SUMMARY_FILE, digest, made_files, summary_of
 
 _WORDS_IN_NAME = 5
 _LONGEST_NAME = 48
@@ -102,15 +101,12 @@ def changed_outside(folder: Path, kept: str | None) -> bool:
     functional = folder / FUNCTIONAL_FILE
     if kept is not None and functional.is_file() and digest(functional.read_bytes()) != kept:
         return True
+    own = {FUNCTIONAL_FILE, SUMMARY_FILE}
     made = made_files(folder)
-    others = [p for p in folder.rglob("*") if p.is_file()]
-    for path in others:
-        name = path.relative_to(folder).as_posix()
-        if name in {FUNCTIONAL_FILE, SUMMARY_FILE}:
-            continue
-        if made.get(name) != digest(path.read_bytes()):
-            return True
-    return False
+    others = {p.relative_to(folder).as_posix(): p for p in folder.rglob("*") if p.is_file()}
+    return any(
+        made.get(name) != digest(p.read_bytes()) for name, p in others.items() if name not in own
+    )
 
 
 def zipped(folder: Path, readme: str) -> bytes:
@@ -135,9 +131,9 @@ def _info(name: str) -> zipfile.ZipInfo:
 def _entry(folder: Path) -> Entry:
     description, scenarios = "", 0
     try:
-        summary = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+        summary = summary_of(folder)
         description, scenarios = str(summary["description"]), len(summary["scenarios"])
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+    except (InputError, KeyError, TypeError):
         description = _first_words(folder / FUNCTIONAL_FILE)
     return Entry(folder.name, description, scenarios)
 

@@ -28,9 +28,8 @@ from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.scenario.wording import counted, covering
 from scegen.understanding import ParseReport, read, report_on, report_on_contradiction
 from scegen.understanding.agents import understand_in
-from scegen.web.filming import film
 from scegen.web.jobs import Teller
-from scegen.web.made import Made, MadeScenario, read_made
+from scegen.web.made import Made, read_made
 from scegen.web.uploads import read_upload
 
 _PART = 40
@@ -118,10 +117,7 @@ def cover(
 
 
 def sample(
-    scenarios: tuple[LogicalScenario, ...],
-    functional: FunctionalScenario,
-    size: int,
-    tell: Teller,
+    scenarios: tuple[LogicalScenario, ...], functional: FunctionalScenario, size: int, tell: Teller
 ) -> tuple[tuple[int, ...], str]:
     """So many scenarios that differ as much as possible, by number."""
     tell.progress("choosing scenarios that differ")
@@ -139,12 +135,6 @@ def look(folder: Path, tell: Teller) -> Made:
     """Read what lies in a folder of the project."""
     tell.progress(f"reading {folder.name}")
     return read_made(folder)
-
-
-def film_one(made: MadeScenario, whole: Made, tell: Teller) -> bytes:
-    """What the player plays of one scenario."""
-    tell.progress("drawing the movement")
-    return film(made, whole)
 
 
 def render_one(concrete: ConcreteScenario, ending: str, tell: Teller) -> bytes:

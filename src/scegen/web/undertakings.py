@@ -68,11 +68,7 @@ class Undertakings:
         self._changed(kind)
 
     def _hear(
-        self,
-        kind: str,
-        job: Job,
-        done: Callable[[Job], None],
-        partly: Callable[[Job], None],
+        self, kind: str, job: Job, done: Callable[[Job], None], partly: Callable[[Job], None]
     ) -> None:
         if self.under_way.get(kind) is not job:
             return  # something newer has taken its place

@@ -22,6 +22,7 @@ from scegen.scenario.logical import LogicalSet
 from scegen.understanding import ParseReport, report_on
 from scegen.web import tasks
 from scegen.web.choice import Choice, Listing
+from scegen.web.filming import film
 from scegen.web.jobs import Job, Jobs
 from scegen.web.made import Made, MadeScenario
 from scegen.web.models import Models
@@ -74,13 +75,8 @@ class Work(Choice):
         if new is None:
             return
         if old is not None:
-            new = new.model_copy(
-                update={
-                    "description": old.description,
-                    "evidence": carried_over(old, new),
-                    "unsupported": old.unsupported,
-                }
-            )
+            kept = {"description": old.description, "unsupported": old.unsupported}
+            new = new.model_copy(update=kept | {"evidence": carried_over(old, new)})
         self.take(new)
 
     def forget(self, name: str) -> None:
@@ -159,14 +155,8 @@ class Work(Choice):
         self.cancel("listing")
         self.given = logical
         scenarios = list(logical.scenarios)
-        self.listing = Listing(
-            logical.functional,
-            logical.reduction,
-            logical.arms,
-            logical.certificate,
-            logical.notes,
-            whole=True,
-        )
+        about = (logical.functional, logical.reduction, logical.arms)
+        self.listing = Listing(*about, logical.certificate, logical.notes, whole=True)
         self.listing.add(scenarios)
         self.shown = [s.index for s in scenarios]
         self.picked = [pick(logical, None)[0].index] if scenarios else []
@@ -229,7 +219,7 @@ class Work(Choice):
         self.watched = name
         self._changed("watched")
         if self.made is not None and name not in self.films:
-            self._begin("filming", self._filmed, tasks.film_one, made, self.made)
+            self._begin("filming", self._filmed, film, made, self.made)
 
     def play(self, name: str) -> None:
         """Play one of the scenarios that were made in esmini, on the server's screen."""

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scegen.campaign.analysis.features import NEEDED, NUMBERS, WORDS, Features, criticality
+from scegen.campaign.analysis.features import NUMBERS, WORDS, Features, criticality
 from scegen.campaign.rows import SCHEMA
 
 values = st.one_of(st.none(), st.floats(0, 100))
@@ -25,8 +25,7 @@ rows = st.lists(
 
 
 def table(listed):
-    schema = pa.schema([SCHEMA.field(name) for name in NEEDED])
-    return pa.Table.from_pylist(listed, schema)
+    return pa.Table.from_pylist(listed, SCHEMA).to_pylist()
 
 
 @given(rows)

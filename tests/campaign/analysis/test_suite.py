@@ -9,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scegen.campaign.analysis.coverage import Coverage, Ranged, coverage
-from scegen.campaign.analysis.features import NEEDED
 from scegen.campaign.analysis.suite import FOR_COVERAGE, FOR_DANGER, smallest, suite_of
 from scegen.campaign.rows import SCHEMA, speed_cells, table_of
 from scegen.campaign.store import Store
@@ -38,10 +37,10 @@ def test_no_fewer_cover_everything(held):
 
 def suite(held, size, danger=()):
     listed = [{"contact_s": 1.0 if n in danger else None} for n in range(len(held))]
-    table = pa.Table.from_pylist(listed, pa.schema([SCHEMA.field(name) for name in NEEDED]))
+    rows = pa.Table.from_pylist(listed, SCHEMA).to_pylist()
     held = tuple(map(frozenset, held))
     counts = Counter(cell for cells in held for cell in cells)
-    return suite_of(table, Coverage(held, counts, {}, {}, ()), size)
+    return suite_of(rows, Coverage(held, counts, {}, {}, ()), size)
 
 
 def test_a_suite_covers_first_and_then_takes_the_most_critical():
@@ -77,7 +76,8 @@ def test_what_cannot_be_covered_is_told_with_its_reason(tmp_path):
         good | {"cells": ["v"], "covered": ["v"], "checks": {"schema": "failed"},
                 "check_findings": ["schema: bad"]},
     ]  # fmt: skip
-    found = coverage(Store(tmp_path), table_of([row | {"junction": "t"} for row in rows]))
+    rows = table_of([row | {"junction": "t"} for row in rows]).to_pylist()
+    found = coverage(Store(tmp_path), rows)
     assert found.counts == {"x": 1}
     assert found.held[0] == {"x"}
     assert not any(found.held[1:])
@@ -98,7 +98,7 @@ def test_parts_of_ranges_are_covered_by_good_scenarios_alone(tmp_path):
         good | {"ranges": {"ego.speed_mps": [0.0, 5.0]}, "checks": {"schema": "failed"}},
         {"description": "e", "status": "failed"},
     ]
-    (found,) = coverage(Store(tmp_path), table_of(rows)).ranges
+    (found,) = coverage(Store(tmp_path), table_of(rows).to_pylist()).ranges
     assert found == Ranged("d", "ego.speed_mps", 0.0, 15.0, parts=3, covered=1)
 
 

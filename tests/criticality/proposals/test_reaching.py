@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from scegen.criticality.proposals.driving import driven, hindrances
+from scegen.criticality.proposals.driving import hindrances
 
 
 @pytest.fixture(params=["two cars", "walker", "queue"])
@@ -46,7 +46,7 @@ def test_a_unit_of_speed_is_worth_the_time_that_is_told(ready):
     changed = parameter.value + 0.25
     x = np.array([problem.space.origin, with_value(problem, parameter, changed)])
     place = encounter.passages[[encounter.first, encounter.second].index("car_2")].enters_m
-    view = driven(problem, x)
+    view = problem.view(problem.space.candidates(x))
     comes = (view.place_m("car_2") >= place).argmax(axis=1) * view.dt_s
     assert reach.sooner_s * 0.25 == pytest.approx(comes[0] - comes[1], abs=view.dt_s)
 

@@ -10,36 +10,14 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
-import pyarrow as pa
 import pyarrow.parquet as pq
 
 from scegen.campaign.planning import LEFT_OUT
-from scegen.campaign.rows import FAILED, MADE, speed_cells
+from scegen.campaign.rows import FAILED, MADE, Row, speed_cells
 from scegen.campaign.store import Store
-
-NEEDED = (
-    "description",
-    "status",
-    "stage",
-    "reason",
-    "junction",
-    "ego_speed_mps",
-    "other_speed_mps",
-    "blocked_by",
-    "claims",
-    "claims_held",
-    "claims_missed",
-    "check_findings",
-    "checks",
-    "confirmed",
-    "hazards_missing",
-    "cells",
-    "covered",
-    "ranges",
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,9 +48,8 @@ class Coverage:
     ranges: tuple[Ranged, ...]
 
 
-def coverage(store: Store, table: pa.Table) -> Coverage:
-    """The coverage of the rows of a table with the columns ``NEEDED``."""
-    rows: list[dict[str, Any]] = table.select(list(NEEDED)).to_pylist()
+def coverage(store: Store, rows: Sequence[Row]) -> Coverage:
+    """The coverage of the rows of a campaign."""
     held = tuple(
         frozenset({*(row["covered"] or ()), *speed_cells(row)} if good(row) else ()) for row in rows
     )
@@ -94,7 +71,7 @@ def coverage(store: Store, table: pa.Table) -> Coverage:
     return Coverage(held, counts, why_not, beyond, _ranges(rows))
 
 
-def _ranges(rows: list[dict[str, Any]]) -> tuple[Ranged, ...]:
+def _ranges(rows: Sequence[Row]) -> tuple[Ranged, ...]:
     """What there is of every parameter in any row, and what in a good one."""
     every: dict[tuple[str, str], dict[tuple[float, float], bool]] = {}
     for row in rows:
@@ -112,7 +89,7 @@ def _ranges(rows: list[dict[str, Any]]) -> tuple[Ranged, ...]:
     return tuple(sorted(varied, key=lambda r: (r.covered / r.parts, r.described, r.parameter)))
 
 
-def good(row: dict[str, Any]) -> bool:
+def good(row: Row) -> bool:
     """Whether a scenario is what was said, and no check of it failed."""
     return (
         row["status"] == MADE
@@ -122,7 +99,7 @@ def good(row: dict[str, Any]) -> bool:
     )
 
 
-def _why(row: dict[str, Any], cell: str) -> str:
+def _why(row: Row, cell: str) -> str:
     """Why a row does not cover a cell that it was to show."""
     if row["status"] == FAILED:
         return f"it cannot be made: {str(row['reason']).partition(chr(10))[0]}"

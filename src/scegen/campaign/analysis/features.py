@@ -17,34 +17,14 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import pyarrow as pa
 
+from scegen.campaign.rows import Row
 from scegen.motion.batch.arrays import Floats, Ints
 
-WORDS = (
-    "junction",
-    "arms",
-    "control",
-    "kinds",
-    "movements",
-    "seen",
-    "conflict",
-    "right_of_way",
-    "hazards",
-    "avoidable",
-)
-NUMBERS = (
-    "participants",
-    "ego_speed_mps",
-    "other_speed_mps",
-    "pet_s",
-    "distance_m",
-    "ttc_s",
-    "headway_s",
-    "drac_mps2",
-    "impact_mps",
-)
-NEEDED = (*WORDS, *NUMBERS, "contact_s")
+WORDS = ("junction", "arms", "control", "kinds", "movements", "seen", "conflict", "right_of_way",
+         "hazards", "avoidable")  # fmt: skip
+NUMBERS = ("participants", "ego_speed_mps", "other_speed_mps",
+           "pet_s", "distance_m", "ttc_s", "headway_s", "drac_mps2", "impact_mps")  # fmt: skip
 CRITICAL_TTC_S, CRITICAL_PET_S, CRITICAL_DISTANCE_M, CRITICAL_DRAC_MPS2 = 1.5, 1.0, 1.0, 3.4
 NEARLY_THE_SAME = 0.005
 """Scenarios with the same words and numbers that differ by less, on the mean, are one."""
@@ -58,12 +38,12 @@ class Features:
     numbers: Floats
 
     @classmethod
-    def of(cls, table: pa.Table) -> Features:
-        """The features of the rows of a table."""
-        words = np.column_stack([_codes(table.column(name).to_pylist()) for name in WORDS])
+    def of(cls, rows: Sequence[Row]) -> Features:
+        """The features of some rows."""
+        words = np.column_stack([_codes([row[name] for row in rows]) for name in WORDS])
         columns = []
         for name in NUMBERS:
-            values = numbers_of(table, name)
+            values = numbers_of(rows, name)
             known = values[np.isfinite(values)]
             span = float(np.ptp(known)) if len(known) else 0.0
             columns.append((values - known.min()) / span if span > 0.0 else values * 0.0)
@@ -107,25 +87,24 @@ class Features:
         return sorted(groups, key=lambda group: (-len(group), group))
 
 
-def criticality(table: pa.Table) -> Floats:
+def criticality(rows: Sequence[Row]) -> Floats:
     """How critical every row is (n,), from 0 to 1."""
-    ttc, pet = numbers_of(table, "ttc_s"), numbers_of(table, "pet_s")
+    ttc, pet = numbers_of(rows, "ttc_s"), numbers_of(rows, "pet_s")
     closing = np.fmax(
         np.exp(-ttc / CRITICAL_TTC_S),
-        1.0 - np.exp(-numbers_of(table, "drac_mps2") / CRITICAL_DRAC_MPS2),
+        1.0 - np.exp(-numbers_of(rows, "drac_mps2") / CRITICAL_DRAC_MPS2),
     )
     near = np.fmax(
         np.exp(-np.maximum(pet, 0.0) / CRITICAL_PET_S),
-        np.exp(-numbers_of(table, "distance_m") / CRITICAL_DISTANCE_M),
+        np.exp(-numbers_of(rows, "distance_m") / CRITICAL_DISTANCE_M),
     )
     score = (np.nan_to_num(closing) + np.nan_to_num(near)) / 2
-    return np.where(np.isfinite(numbers_of(table, "contact_s")), 1.0, score)
+    return np.where(np.isfinite(numbers_of(rows, "contact_s")), 1.0, score)
 
 
-def numbers_of(table: pa.Table, column: str) -> Floats:
+def numbers_of(rows: Sequence[Row], column: str) -> Floats:
     """A column as numbers; nan where there is none."""
-    found = table.column(column).to_pylist()
-    return np.array([np.nan if value is None else value for value in found], dtype=np.float64)
+    return np.array([row[column] for row in rows], dtype=np.float64)
 
 
 def _codes(values: Sequence[object]) -> Ints:

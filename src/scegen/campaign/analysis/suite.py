@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import pyarrow as pa
 
 from scegen.campaign.analysis.coverage import Coverage
 from scegen.campaign.analysis.features import Features, criticality
+from scegen.campaign.rows import Row
 from scegen.enumeration.choosing.covering import fewest
 from scegen.errors import InputError
 from scegen.motion.batch.arrays import Floats
@@ -40,15 +40,15 @@ class Suite:
     uncovered: tuple[str, ...]
 
 
-def suite_of(table: pa.Table, covered: Coverage, size: int) -> Suite:
-    """A suite of at most ``size`` of the rows of a table; equal rows give equal suites.
+def suite_of(rows: Sequence[Row], covered: Coverage, size: int) -> Suite:
+    """A suite of at most ``size`` of the rows; equal rows give equal suites.
 
     Raises:
         InputError: no row is good enough, or the size is none.
     """
     if size < 1:
         raise InputError(f"must be at least 1, not {size}", where="--size")
-    danger = criticality(table)
+    danger = criticality(rows)
     usable = [row for row, cells in enumerate(covered.held) if cells]
     if not usable:
         raise InputError("there is no scenario in which all that is said holds")
@@ -56,8 +56,8 @@ def suite_of(table: pa.Table, covered: Coverage, size: int) -> Suite:
     usable.sort(key=lambda row: (-danger[row], row))
     sets = [covered.held[row] for row in usable]
     cover, proved = smallest(sets)
-    rows = in_order([usable[place] for place in cover], covered)
-    chosen = rows[:size]
+    needed = in_order([usable[place] for place in cover], covered)
+    chosen = needed[:size]
     told, seen = [], set[str]()
     for row in chosen:
         fresh = tuple(sorted(covered.held[row] - seen))
@@ -65,9 +65,9 @@ def suite_of(table: pa.Table, covered: Coverage, size: int) -> Suite:
         told.append(Chosen(row, FOR_COVERAGE, fresh))
     told += [
         Chosen(row, FOR_DANGER)
-        for row in extended(Features.of(table), danger, chosen, usable, size - len(chosen))
+        for row in extended(Features.of(rows), danger, chosen, usable, size - len(chosen))
     ]
-    return Suite(tuple(told), len(rows), proved, tuple(sorted({*covered.counts} - seen)))
+    return Suite(tuple(told), len(needed), proved, tuple(sorted({*covered.counts} - seen)))
 
 
 def smallest(sets: Sequence[frozenset[str]]) -> tuple[tuple[int, ...], bool]:

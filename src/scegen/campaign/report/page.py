@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 from markupsafe import Markup
 
 from scegen.campaign.analysis.coverage import Coverage, good
@@ -23,27 +22,15 @@ from scegen.campaign.analysis.features import (
 )
 from scegen.campaign.report.charts import bars, histogram
 from scegen.campaign.report.unmet import unmet
-from scegen.campaign.rows import MADE, MEASURES, SECONDS
+from scegen.campaign.rows import MADE, MEASURES, SECONDS, Row
 from scegen.report.one_file import as_json, asset, page
 from scegen.report.theme import css
+from scegen.units import parted
 
 MOST_GROUPS = 10
-_OF_GOOD = ("description", "logical_name", "status", "claims", "claims_held", "checks", "confirmed")
-_LISTED = (
-    "description",
-    "logical_name",
-    "sweep",
-    "junction",
-    "movements",
-    "conflict",
-    "right_of_way",
-    "ego_speed_mps",
-    "pet_s",
-    "distance_m",
-    "ttc_s",
-    "drac_mps2",
-    "avoidable",
-)
+_LISTED = ("description", "logical_name", "sweep", "junction", "movements", "conflict",
+           "right_of_way", "ego_speed_mps", "pet_s", "distance_m", "ttc_s", "drac_mps2",
+           "avoidable")  # fmt: skip
 _DISTRIBUTIONS = (
     ("Post-encroachment time", "s", "pet_s", CRITICAL_PET_S),
     ("Smallest distance", "m", "distance_m", CRITICAL_DISTANCE_M),
@@ -65,16 +52,15 @@ class Outlook:
     alike: tuple[tuple[int, ...], ...]
 
 
-def outlook(table: pa.Table, count: int) -> Outlook:
+def outlook(rows: Sequence[Row], count: int) -> Outlook:
     """The most critical, the most different ones, and groups that are nearly the same.
 
     Of a logical scenario only the most critical one stands out, as long as there are others.
     """
-    rows: list[dict[str, Any]] = table.select(list(_OF_GOOD)).to_pylist()
     sound = [number for number, row in enumerate(rows) if good(row)]
     if not sound:
         return Outlook((), (), ())
-    part = table.take(sound)
+    part = [rows[number] for number in sound]
     danger, features = criticality(part), Features.of(part)
     impact = np.nan_to_num(numbers_of(part, "impact_mps"))
     order = [sound[int(n)] for n in np.lexsort((np.arange(len(sound)), -impact, -danger))]
@@ -90,7 +76,7 @@ def outlook(table: pa.Table, count: int) -> Outlook:
 
 
 def campaign_page(
-    table: pa.Table,
+    rows: Sequence[Row],
     covered: Coverage,
     found: Outlook,
     links: Mapping[int, str],
@@ -99,28 +85,32 @@ def campaign_page(
     """The page as an HTML document.
 
     Args:
-        table: all rows.
+        rows: all of them.
         covered: their coverage.
         found: what stands out.
         links: pages of the player by number of row.
         manifest: of the campaign.
     """
-    rows: list[dict[str, Any]] = table.to_pylist()
-    danger = criticality(table)
+    danger = criticality(rows)
     content: dict[str, object] = {
         "facts": _facts(rows, covered, found),
         "plots": [
             # Our own drawings; what comes from outside is escaped there.
             Markup(plot)  # noqa: S704
             for title, unit, name, critical in _DISTRIBUTIONS
-            if (plot := histogram(title, unit, numbers_of(table, name), critical))
+            if (plot := histogram(title, unit, numbers_of(rows, name), critical))
         ],
         "charts": [Markup(chart) for chart in _charts(rows) if chart],  # noqa: S704
         "cells": sorted(covered.counts.items()),
         "why_not": covered.why_not,
         "left_out": covered.left_out,
-        "critical": [_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.critical],
-        "different": [_highlight(rows, n, f"{danger[n]:.2f}", links) for n in found.different],
+        **{
+            name: [
+                (_name(rows[n]), f"{danger[n]:.2f}", _measured(rows[n]), links.get(n))
+                for n in numbers
+            ]
+            for name, numbers in (("critical", found.critical), ("different", found.different))
+        },
         "alike": [
             (len(group), _name(rows[group[0]]), _measured(rows[group[0]]))
             for group in found.alike[:MOST_GROUPS]
@@ -133,17 +123,20 @@ def campaign_page(
         "manifest": manifest,
         "data": _data(rows, links),
     }
-    style = css() + asset("scegen.report", "report.css") + asset(__package__, "campaign.css")
-    return page(__package__, "campaign.html.j2", style, asset(__package__, "campaign.js"), content)
+    style = css() + asset("scegen.report", "templates/report.css")
+    style += asset(__package__, "templates/campaign.css")
+    script = asset(__package__, "templates/campaign.js")
+    return page(__package__, "campaign.html.j2", style, script, content)
 
 
-def _facts(rows: list[dict[str, Any]], covered: Coverage, found: Outlook) -> list[tuple[str, str]]:
+def _facts(rows: Sequence[Row], covered: Coverage, found: Outlook) -> list[tuple[str, str]]:
     made = [row for row in rows if row["status"] == MADE]
     reached = sum(bool(row["reached"]) for row in made)
     said = sum(row["claims"] == row["claims_held"] for row in made)
     played = Counter(row["confirmed"] for row in made if row["confirmed"])
     cells = len(covered.counts) + len(covered.why_not)
     doubled = sum(len(group) - 1 for group in found.alike)
+    parts = sum(ranged.covered for ranged in covered.ranges)
     facts = [
         ("descriptions", f"{len({row['description'] for row in rows}):,}"),
         ("scenarios made", f"{len(made):,} of {len(rows):,}"),
@@ -151,13 +144,7 @@ def _facts(rows: list[dict[str, Any]], covered: Coverage, found: Outlook) -> lis
         ("danger reached", _share(reached, len(made))),
         ("good (said, and no check fails)", _share(sum(map(good, made)), len(made))),
         ("covered", f"{len(covered.counts):,} of {cells:,} cells"),
-        (
-            "parts of parameters' ranges",
-            _share(
-                sum(ranged.covered for ranged in covered.ranges),
-                sum(ranged.parts for ranged in covered.ranges),
-            ),
-        ),
+        ("parts of parameters' ranges", _share(parts, sum(r.parts for r in covered.ranges))),
         ("nearly the same as another", _share(doubled, len(made))),
         ("computing time", f"{sum(row[SECONDS] or 0.0 for row in rows):,.0f} s"),
     ]
@@ -171,7 +158,7 @@ def _share(part: int, whole: int) -> str:
     return f"{part:,} of {whole:,} ({part / whole:.0%})" if whole else "none"
 
 
-def _charts(rows: list[dict[str, Any]]) -> list[str]:
+def _charts(rows: Sequence[Row]) -> list[str]:
     made = [row for row in rows if row["status"] == MADE]
     verdicts = ("avoidable", "unavoidable")
     by_junction = {
@@ -200,14 +187,7 @@ def _charts(rows: list[dict[str, Any]]) -> list[str]:
     ]  # fmt: skip
 
 
-def _highlight(
-    rows: Sequence[Mapping[str, Any]], number: int, score: str, links: Mapping[int, str]
-) -> tuple[str, str, str, str | None]:
-    row = rows[number]
-    return _name(row), score, _measured(row), links.get(number)
-
-
-def _name(row: Mapping[str, Any]) -> str:
+def _name(row: Row) -> str:
     point = ", ".join(f"{name}={value:g}" for name, value in row["sweep"] or ())
     told = str(row["description"])
     if row["logical_name"] is not None:
@@ -215,18 +195,16 @@ def _name(row: Mapping[str, Any]) -> str:
     return told + (f" ({point})" if point else "")
 
 
-def _measured(row: Mapping[str, Any]) -> str:
+def _measured(row: Row) -> str:
     """The measures that a row has, in words."""
-    units = {column: column.rpartition("_")[2].replace("mps2", "m/s²").replace("mps", "m/s")
-             for column in MEASURES.values()}  # fmt: skip
     return ", ".join(
-        f"{name.replace('_', ' ')} {row[column]:.2f} {units[column]}"
+        f"{name.replace('_', ' ')} {row[column]:.2f} {parted(column)[1]}"
         for name, column in MEASURES.items()
         if row[column] is not None
     )
 
 
-def _data(rows: list[dict[str, Any]], links: Mapping[int, str]) -> Markup:
+def _data(rows: Sequence[Row], links: Mapping[int, str]) -> Markup:
     """What the table of all rows shows, as JSON that ends no element."""
     listed = [
         [_shown(row[name]) for name in _LISTED]

@@ -11,8 +11,8 @@ from scegen.campaign.store import Store, write_whole
 from scegen.errors import InputError
 from scegen.pipeline.folder import digest
 from scegen.pipeline.judging import judge
-from scegen.report.contents import CheckRow
-from scegen.report.html import ConcreteEntry, ReportInput, report_html
+from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
+from scegen.report.html import report_html
 from scegen.report.player.scene import scene_of
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import from_text

@@ -6,9 +6,8 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from scegen.campaign.rows import FAILED
+from scegen.campaign.rows import FAILED, Row
 
 STATEMENTS = "Statements that do not hold"
 TARGETS = "Targets that are not reached"
@@ -30,7 +29,7 @@ class Unmet:
     example: int
 
 
-def unmet(rows: Sequence[dict[str, Any]]) -> dict[str, list[Unmet]]:
+def unmet(rows: Sequence[Row]) -> dict[str, list[Unmet]]:
     """Under each heading the most frequent ones; no heading without any."""
     found: dict[tuple[str, str], list[tuple[int, str]]] = {}
     for number, row in enumerate(rows):
@@ -51,7 +50,7 @@ def unmet(rows: Sequence[dict[str, Any]]) -> dict[str, list[Unmet]]:
     }
 
 
-def _of(row: dict[str, Any]) -> Iterator[tuple[str, str, str]]:
+def _of(row: Row) -> Iterator[tuple[str, str, str]]:
     """Heading, what, and why, of one row."""
     if row["status"] == FAILED:
         yield FAILURES, str(row["reason"]), f"to {row['stage']} it"

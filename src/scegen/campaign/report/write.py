@@ -6,7 +6,6 @@ import csv
 import io
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pyarrow as pa
 
@@ -14,10 +13,9 @@ from scegen.campaign.analysis.coverage import coverage
 from scegen.campaign.report.page import campaign_page, outlook
 from scegen.campaign.report.scenario import page, write_folder
 from scegen.campaign.report.unmet import unmet
-from scegen.campaign.rows import MADE
+from scegen.campaign.rows import MADE, Row
 from scegen.campaign.store import Store, parquet, write_whole
 from scegen.campaign.table import query
-from scegen.errors import InputError
 
 PAGE_FILE, CSV_FILE, PARQUET_FILE = "index.html", "table.csv", "table.parquet"
 SCENARIOS = "scenarios"
@@ -36,14 +34,12 @@ def write_report(store: Store, folder: Path, pages: int, progress: Callable[[str
     Raises:
         InputError: there are no rows, a file is broken, or the folder cannot be written.
     """
-    manifest = store.manifest()
-    if not manifest:
-        raise InputError("holds no campaign", where=str(store.folder))
+    manifest = store.told()
     progress("reading the rows")
     table = query(store, "SELECT * FROM rows ORDER BY description, logical_index, key")
-    rows: list[dict[str, Any]] = table.to_pylist()
-    covered = coverage(store, table)
-    found = outlook(table, max(pages, 10))
+    rows: list[Row] = table.to_pylist()
+    covered = coverage(store, rows)
+    found = outlook(rows, max(pages, 10))
     links: dict[int, str] = {}
     examples = (one.example for listed in unmet(rows).values() for one in listed[:pages])
     made = (number for number in examples if rows[number]["status"] == MADE)
@@ -55,14 +51,14 @@ def write_report(store: Store, folder: Path, pages: int, progress: Callable[[str
         write_whole(folder / f"{name}.html", page(store, row, f"{SCENARIOS}/{name}").encode())
         links[number] = f"{name}.html"
     progress("writing the page")
-    html = campaign_page(table, covered, found, links, manifest)
+    html = campaign_page(rows, covered, found, links, manifest)
     write_whole(folder / CSV_FILE, csv_of(rows, table.schema).encode())
     write_whole(folder / PARQUET_FILE, parquet(table))
     write_whole(folder / PAGE_FILE, html.encode())
     return folder / PAGE_FILE
 
 
-def csv_of(rows: list[dict[str, Any]], schema: pa.Schema) -> str:
+def csv_of(rows: list[Row], schema: pa.Schema) -> str:
     """The rows as CSV: lists are joined by semicolons, pairs of name and number by ``=``."""
     sink = io.StringIO()
     writer = csv.writer(sink, lineterminator="\n")

@@ -14,10 +14,7 @@ if TYPE_CHECKING:
     from scegen.scenario.proof import HazardProof, Proof
 
 
-def paper(
-    json: JsonFlag = False,
-    seed: SeedOption = 0,
-) -> None:
+def paper(json: JsonFlag = False, seed: SeedOption = 0) -> None:
     """The source paper's eleven sentences: understood, made, and passed by every checker."""
     from scegen.benchmark.paper import PAPER_CASES, PAPER_SUCCESSES, PAPER_TRUE, run
 
@@ -69,8 +66,7 @@ def _print_table(rows: list[Row], caption: str) -> None:
             str(row.files) if row.problem is None else f"none: {row.problem}",
             *(marks[row.checks.get(name, "")] for name in checkers),
         )
-    console = Console()
-    console.print(table)
+    Console().print(table)
 
 
 def _print_danger(rows: list[Row], caption: str) -> None:

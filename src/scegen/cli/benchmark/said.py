@@ -8,21 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, result_json, say, working
-from scegen.cli.llm import (
-    BudgetOption,
-    ModelOption,
-    RecordOption,
-    ReplayOption,
-    TimeoutOption,
-    UrlOption,
-    llm_settings,
-)
+from scegen.cli.llm import Asked, asks_models
 from scegen.cli.options import JsonFlag, SeedOption
 
 if TYPE_CHECKING:
     from scegen.benchmark.said import Row
 
 
+@asks_models
 def said(
     file: Annotated[
         Path, typer.Argument(metavar="FILE.jsonl", help="Descriptions with facts, one a line.")
@@ -38,12 +31,8 @@ def said(
         ),
     ] = None,
     json: JsonFlag = False,
-    llm: ModelOption = None,
-    llm_url: UrlOption = None,
-    llm_budget: BudgetOption = None,
-    llm_timeout: TimeoutOption = None,
-    llm_record: RecordOption = None,
-    llm_replay: ReplayOption = None,
+    *,
+    models: Asked,
 ) -> None:
     """From the sentence to what runs: which facts are true when the files are played.
 
@@ -58,9 +47,7 @@ def said(
     judging = load_judge(judge or file.with_name(JUDGE_FILE))
     if unknown := sorted({*(only or ())} - {record.id for record in records}):
         raise InputError(f"there is no description {unknown[0]!r}", where=str(file))
-    settings = llm_settings(
-        llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay, runs="*/1/run.json"
-    )
+    settings = models.settings(runs="*/1/run.json")
     rows: list[Row] = []
     stopped = None
     agents = None

@@ -8,30 +8,19 @@ from typing import Annotated
 import typer
 
 from scegen.cli.console import result_json, say, working
-from scegen.cli.llm import (
-    BudgetOption,
-    ModelOption,
-    RecordOption,
-    ReplayOption,
-    TimeoutOption,
-    UrlOption,
-    llm_settings,
-)
+from scegen.cli.llm import Asked, asks_models
 from scegen.cli.options import JsonFlag
 
 
+@asks_models
 def understand(
     file: Annotated[Path, typer.Argument(metavar="FILE.jsonl", help="Labelled descriptions.")],
     json: JsonFlag = False,
     repeat: Annotated[
         int, typer.Option(min=1, max=100, help="Read each description so often: is it stable?")
     ] = 1,
-    llm: ModelOption = None,
-    llm_url: UrlOption = None,
-    llm_budget: BudgetOption = None,
-    llm_timeout: TimeoutOption = None,
-    llm_record: RecordOption = None,
-    llm_replay: ReplayOption = None,
+    *,
+    models: Asked,
 ) -> None:
     """Labelled descriptions: how many are understood, per field, kind and hazard.
 
@@ -41,9 +30,7 @@ def understand(
     from scegen.understanding import load_cases
 
     cases = load_cases(file)
-    settings = llm_settings(
-        llm, llm_url, llm_budget, llm_timeout, llm_record, llm_replay, runs="*/1/run.json"
-    )
+    settings = models.settings(runs="*/1/run.json")
     if settings is None:
         outcome, measured = run(cases, repeat=repeat), None
     else:

@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.campaign.extra import of_extra
 from scegen.cli.console import result, working
+from scegen.cli.options import CAMPAIGN
+from scegen.errors import of_extra
 
 
 def report(
@@ -24,7 +25,7 @@ def report(
     ] = 10,
 ) -> None:
     """Write a page with coverage, distributions and what stands out, and the table of all rows."""
-    with of_extra(), working() as progress:
+    with of_extra(*CAMPAIGN), working() as progress:
         from scegen.campaign.report.write import write_report
         from scegen.campaign.store import Store
 

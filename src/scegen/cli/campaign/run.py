@@ -18,9 +18,9 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 
-from scegen.cli.campaign.extra import of_extra
 from scegen.cli.console import INTERRUPTED, result, say, stderr
-from scegen.errors import InputError
+from scegen.cli.options import CAMPAIGN
+from scegen.errors import InputError, of_extra
 
 if TYPE_CHECKING:
     from scegen.campaign.claiming import Finished
@@ -90,14 +90,12 @@ def run(
         "pictures": pictures or None,
     }
     changes = {name: value for name, value in given.items() if value is not None}
-    with of_extra():
+    with of_extra(*CAMPAIGN):
         finished = _run(source, output, changes, engine, workers, address)
     counted = finished.counted
     result(f"{counted.rows} scenarios, {counted.failed} of them failed")
-    say(
-        f"{finished.fresh} made now in {finished.seconds:.1f} s; all rows together: "
-        f"{finished.digest[:16]}"
-    )
+    took = f"{finished.fresh} made now in {finished.seconds:.1f} s"
+    say(f"{took}; all rows together: {finished.digest[:16]}")
     if counted.unheld:
         say(f"a statement does not hold in {counted.unheld}")
     if counted.unsound:
@@ -137,7 +135,7 @@ def _run(
 def _verify(folder: Path | None) -> None:
     if folder is None:
         raise InputError("names no folder", where="--verify", hint="scegen campaign DIR --verify")
-    with of_extra():
+    with of_extra(*CAMPAIGN):
         from scegen.campaign.verifying import verify
 
         found, problems = verify(folder)
@@ -194,15 +192,8 @@ def _watching() -> Iterator[_Bars]:
     if not stderr.is_terminal:
         yield _Bars(None)
         return
-    columns = (
-        SpinnerColumn(),
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[more]}"),
-        TimeElapsedColumn(),
-        TextColumn("left"),
-        TimeRemainingColumn(),
-    )
+    done = (SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    left = (TimeElapsedColumn(), TextColumn("left"), TimeRemainingColumn())
+    columns = (*done, TextColumn("{task.fields[more]}"), *left)
     with Progress(*columns, console=stderr, transient=True, redirect_stdout=False) as progress:
         yield _Bars(progress)

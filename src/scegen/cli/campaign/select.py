@@ -7,9 +7,9 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.campaign.extra import of_extra
 from scegen.cli.console import result, result_json, say, working
-from scegen.cli.options import JsonFlag
+from scegen.cli.options import CAMPAIGN, JsonFlag
+from scegen.errors import of_extra
 
 
 def select(
@@ -21,7 +21,7 @@ def select(
     json: JsonFlag = False,
 ) -> None:
     """Choose the fewest scenarios that cover all that can be covered, then critical ones."""
-    with of_extra(), working() as progress:
+    with of_extra(*CAMPAIGN), working() as progress:
         from scegen.campaign.choosing import select as choose
         from scegen.campaign.choosing import write_suite
         from scegen.campaign.store import Store

@@ -36,6 +36,8 @@ def question(situation: Situation) -> str:
     first, second = situation.pair
     found = situation.explore()
     lines = (_parameter(p, found.reaches[p.name]) for p in situation.parameters)
+    people = (_who(p) for p in situation.concrete.participants)
+    things = (f"{o.id}: {o.what}, does not move" for o in situation.concrete.objects)
     now = [f"{n} {value:.3g} {unit}" for n, value, unit in situation.measures if value is not None]
     return "\n".join(
         [
@@ -47,17 +49,8 @@ def question(situation: Situation) -> str:
             _listing("What is said and must hold", [_statement(s) for s in found.said]),
             _listing("Who meets whom (all others never do)", _meetings(situation)),
             _listing("Who touches whom", [f"{a} and {b}" for a, b in situation.contacts]),
-            _listing(
-                "The participants",
-                [
-                    *(_who(p) for p in situation.concrete.participants),
-                    *(f"{o.id}: {o.what}, does not move" for o in situation.concrete.objects),
-                ],
-            ),
-            _listing(
-                "The parameters that may change",
-                list(filter(None, lines)),
-            ),
+            _listing("The participants", [*people, *things]),
+            _listing("The parameters that may change", list(filter(None, lines))),
         ]
     )
 
@@ -123,20 +116,17 @@ def _parameter(parameter: Parameter, reach: Reach) -> str | None:
 def _danger(hazard: HazardProof) -> str:
     who = f"{hazard.kind} by {' and '.join(hazard.by) or 'somebody'}"
     who += f" to {' and '.join(hazard.to)}" if hazard.to else ""
-    beyond = "" if hazard.margin is None else f"{abs(hazard.margin):.2f} {hazard.unit}"
-    margin = f" ({beyond} {'beyond' if hazard.happened else 'short of'} its threshold)"
-    margin = margin if beyond else ""
-    return f"{who}: {'happens' if hazard.happened else 'does not happen yet'}{margin}"
+    told, side = ("happens", "beyond") if hazard.happened else ("does not happen yet", "short of")
+    if hazard.margin is not None:
+        told += f" ({abs(hazard.margin):.2f} {hazard.unit} {side} its threshold)"
+    return f"{who}: {told}"
 
 
 def _who(participant: ConcreteParticipant) -> str:
     motion = participant.motion
-    way = (
-        f"drives from arm {motion.entry} to arm {motion.exit}"
-        if isinstance(motion, DriveMotion)
-        else f"{motion.type} at arm {motion.arm}"
-    )
-    return (
-        f"{participant.id}: {participant.kind}, {participant.role}, {participant.speed_mps:.1f} "
-        f"m/s, {way}"
-    )
+    if isinstance(motion, DriveMotion):
+        way = f"drives from arm {motion.entry} to arm {motion.exit}"
+    else:
+        way = f"{motion.type} at arm {motion.arm}"
+    kind = f"{participant.kind}, {participant.role}"
+    return f"{participant.id}: {kind}, {participant.speed_mps:.1f} m/s, {way}"

@@ -4,29 +4,21 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from scegen.claims.view import View, view_of
+from scegen.claims.view import View
 from scegen.concretization.boxes import overlap
 from scegen.criticality.search.problem import Problem, finishing
-from scegen.motion.batch.arrays import Bools, Floats
-from scegen.motion.batch.simulation import simulate_batch
-
-
-def driven(problem: Problem, x: Floats) -> View:
-    """The movements with these values of all variables (c, n)."""
-    made = problem.space.candidates(x)
-    traces = simulate_batch(problem.program, made, duration_s=problem.duration_s, dt_s=problem.dt_s)
-    return view_of(problem.concrete, problem.ways, problem.scene, traces, problem.friction)
+from scegen.motion.batch.arrays import Bools, Candidates, Floats
 
 
 def hindrances(problem: Problem, x: Floats) -> frozenset[str]:
     """Why values of all variables (n,) cannot be driven; nothing: they can."""
-    (found,) = hindrances_in(problem, x[None, :], driven(problem, x[None, :]))
+    made = problem.space.candidates(x[None, :])
+    (found,) = hindrances_in(problem, made, problem.view(made))
     return found
 
 
-def hindrances_in(problem: Problem, x: Floats, view: View) -> list[frozenset[str]]:
-    """The same of many (c, n), whose movements are known."""
-    made = problem.space.candidates(x)
+def hindrances_in(problem: Problem, made: Candidates, view: View) -> list[frozenset[str]]:
+    """The same of many, whose movements are known."""
     standing: dict[bytes, list[str]] = {}
     for starts in made.start_m:
         if starts.tobytes() not in standing:

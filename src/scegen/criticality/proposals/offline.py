@@ -50,7 +50,7 @@ def _strengthened(situation: Situation) -> Iterator[Proposal]:
             if parameter is None:
                 continue
             end = parameter.high if sign > 0 else parameter.low
-            value = _inside(parameter, parameter.value + _SHARE * (end - parameter.value))
+            value = parameter.inside(parameter.value + _SHARE * (end - parameter.value))
             if value == parameter.value:
                 continue
             short = "" if proof.margin is None else f" is {-proof.margin:.2f} {proof.unit} short"
@@ -79,7 +79,7 @@ def _timed(situation: Situation) -> Iterator[Proposal]:
     shift = _common_shift(later, starts, speeds, later.get(situation.concrete.ego.id, 0.0))
     for name, parameter in starts.items():
         delay = later[name] - shift
-        value = _inside(parameter, parameter.value - delay * speeds[name])
+        value = parameter.inside(parameter.value - delay * speeds[name])
         if abs(value - parameter.value) > _WORTH_S * speeds[name]:
             moved = "later" if delay > 0 else "earlier"
             reason = (
@@ -149,10 +149,7 @@ def _target_gap(situation: Situation, encounter: Encounter) -> float | None:
 
 
 def _common_shift(
-    later: dict[str, float],
-    starts: dict[str, Parameter],
-    speeds: dict[str, float],
-    wish: float,
+    later: dict[str, float], starts: dict[str, Parameter], speeds: dict[str, float], wish: float
 ) -> float:
     """What is taken off every delay, s: it keeps the gaps, and everybody within its bounds.
 
@@ -163,8 +160,3 @@ def _common_shift(
         least = max(least, later[name] - (p.value - p.low) / speeds[name])
         most = min(most, later[name] + (p.high - p.value) / speeds[name])
     return min(max(wish, least), most) if least <= most else (least + most) / 2
-
-
-def _inside(parameter: Parameter, value: float) -> float:
-    """The value as files show it, within the bounds."""
-    return min(max(round(value, 3), parameter.low), parameter.high)

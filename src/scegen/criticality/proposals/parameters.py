@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from scegen.criticality.search.variables import Space, Variable
 from scegen.scenario.concrete import ConcreteScenario, DistanceBelow
+from scegen.units import parted
 
-_UNITS = {"_mps2": "m/s2", "_mps": "m/s", "_m": "m", "_s": "s"}
 _STEP = re.compile(r"(?P<who>[^.]+)\.(?P<what>.+)_(?P<step>\d+)\.(?P<quantity>\w+)")
 _WHOLE = {
     "start_m": "where {who} starts, along its way from the outer end of its arm: more is nearer "
@@ -45,6 +45,10 @@ class Parameter:
     meaning: str
     column: int
 
+    def inside(self, value: float) -> float:
+        """A value as files show it, within the bounds."""
+        return min(max(round(value, 3), self.low), self.high)
+
 
 def parameters_of(concrete: ConcreteScenario, space: Space) -> tuple[Parameter, ...]:
     """All parameters of a scenario; a name that would come twice gets a number."""
@@ -57,7 +61,7 @@ def parameters_of(concrete: ConcreteScenario, space: Space) -> tuple[Parameter, 
             Parameter(
                 name=variable.name if number == 1 else f"{variable.name}_{number}",
                 value=float(value),
-                unit=next((u for end, u in _UNITS.items() if variable.name.endswith(end)), "1"),
+                unit=(parted(variable.name)[1] or "1").replace("²", "2"),
                 low=variable.low,
                 high=variable.high,
                 meaning=_meaning(concrete, variable),

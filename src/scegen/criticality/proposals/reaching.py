@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind
 from scegen.claims.view import View
-from scegen.criticality.proposals.driving import driven, hindrances_in
+from scegen.criticality.proposals.driving import hindrances_in
 from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.search.problem import Problem, finishing
 from scegen.motion.batch.arrays import Floats
@@ -68,9 +68,9 @@ def explored(
             row = origin.copy()
             row[parameter.column] = value
             rows.append(row)
-    x = np.array(rows)
-    view = driven(problem, x)
-    found = [set(why) for why in hindrances_in(problem, x, view)]
+    made = problem.space.candidates(np.array(rows))
+    view = problem.view(made)
+    found = [set(why) for why in hindrances_in(problem, made, view)]
     said = []
     for claim, margin in _margins(problem, view):
         if float(np.ptp(margin)) > _SAME or margin[0] < 0.0:
@@ -110,10 +110,7 @@ def _values(parameter: Parameter) -> list[float]:
 
 
 def _reach(
-    parameter: Parameter,
-    values: Sequence[float],
-    fresh: Sequence[set[str]],
-    times: Floats | None,
+    parameter: Parameter, values: Sequence[float], fresh: Sequence[set[str]], times: Floats | None
 ) -> Reach:
     """Outwards until the first value that cannot be driven; ``times`` begin with the present."""
     ends, stops = [], set[str]()

@@ -8,27 +8,22 @@ from math import inf
 import numpy as np
 
 from scegen.claims.hazards.judging import number
-from scegen.claims.view import View, view_of
+from scegen.claims.view import View
 from scegen.criticality.proposals.parameters import parameters_of
 from scegen.criticality.proposals.proposal import Encounter, Passage, Situation
 from scegen.criticality.proposals.reaching import explored
 from scegen.criticality.search.problem import PROVED, Problem
 from scegen.measures.following import SPACING_M
 from scegen.motion.batch.arrays import Floats
-from scegen.motion.batch.simulation import simulate_batch
 from scegen.scenario.proof import HazardProof
 
 
 def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situation:
     """The situation before the search; ``hazards`` as they are now."""
     space = problem.space
-    made = space.candidates(space.origin[None, :])
-    traces = simulate_batch(problem.program, made, duration_s=problem.duration_s)
-    view = view_of(problem.concrete, problem.ways, problem.scene, traces, problem.friction)
-    people = [entity.id for entity in problem.concrete.entities]
-    touching = ~np.isnan(view.summary.contact_s[0])
+    view = problem.view(space.candidates(space.origin[None, :]))
     parameters = parameters_of(problem.concrete, space)
-    encounters = tuple(_encounters(view, people))
+    encounters = tuple(_encounters(view))
     return Situation(
         concrete=problem.concrete,
         target=problem.target,
@@ -40,7 +35,7 @@ def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situatio
             for measure in PROVED
         ),
         encounters=encounters,
-        contacts=tuple((people[int(a)], people[int(b)]) for a, b in problem.scene.pairs[touching]),
+        contacts=tuple(view.names_of(p) for p in view.touching()),
         explore=lambda: explored(problem, parameters, _places_m(encounters)),
     )
 
@@ -48,32 +43,30 @@ def situation_of(problem: Problem, hazards: tuple[HazardProof, ...]) -> Situatio
 def _places_m(encounters: Sequence[Encounter]) -> dict[str, float]:
     """Where everybody comes to its first encounter."""
     places: dict[str, float] = {}
-    for encounter in encounters:
-        for name, passage in zip(
-            (encounter.first, encounter.second), encounter.passages, strict=True
-        ):
+    for met in encounters:
+        for name, passage in zip((met.first, met.second), met.passages, strict=True):
             places.setdefault(name, passage.enters_m)
     return places
 
 
-def _encounters(view: View, people: list[str]) -> list[Encounter]:
+def _encounters(view: View) -> list[Encounter]:
     """The closest meeting of every pair that has a conflict area, in the order of time."""
     areas, found = view.scene.areas, []
     movers = len(view.concrete.participants)
-    for p, (a, b) in enumerate(view.scene.pairs):
-        if max(a, b) >= movers:
+    for p, pair in enumerate(view.scene.pairs):
+        if pair.max() >= movers:
             continue  # a thing comes at no time
         met = []
         for n in range(areas.first[p], areas.first[p + 1]):
             passages = [
                 Passage(
-                    _time_s(view, people[i], areas.enter_m[n, k]),
-                    _time_s(view, people[i], areas.leave_m[n, k]),
+                    _time_s(view, name, areas.enter_m[n, k]),
+                    _time_s(view, name, areas.leave_m[n, k]),
                     float(areas.enter_m[n, k]),
                 )
-                for k, i in enumerate((a, b))
+                for k, name in enumerate(view.names_of(p))
             ]
-            names = [people[a], people[b]]
+            names = [*view.names_of(p)]
             if passages[1].enters_s < passages[0].enters_s:
                 passages.reverse()
                 names.reverse()

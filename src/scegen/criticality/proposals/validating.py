@@ -20,7 +20,6 @@ from scegen.scenario.concrete import Rejected
 
 VALIDATOR = "validator"
 _DRAWS = 12
-_DECIMALS = 3
 _LONGEST_SHOWN = 60
 
 Hindrances = Callable[[Floats], frozenset[str]]
@@ -189,8 +188,7 @@ class Validator:
     def _drawn(self, x: Floats, parameter: Parameter, rng: np.random.Generator) -> float | None:
         """A random value that goes with the others; None if none was found."""
         for _ in range(_DRAWS):
-            value = round(float(rng.uniform(parameter.low, parameter.high)), _DECIMALS)
-            value = min(max(value, parameter.low), parameter.high)
+            value = parameter.inside(float(rng.uniform(parameter.low, parameter.high)))
             tried = x.copy()
             tried[parameter.column] = value
             if not self._fresh(tried):

@@ -7,8 +7,6 @@ stand-in for what players do not compute.
 
 from __future__ import annotations
 
-from math import isfinite
-
 import numpy as np
 
 from scegen.claims.boxes import boxes, contact, seen
@@ -71,20 +69,17 @@ def halted(concrete: ConcreteScenario, view: View, *, scraping: bool) -> Concret
             changes.append(Change(parameter=name, by="aftermath", after=rate, reason=reason))
         people.append(made)
         first += count
-    if not changes:
-        return concrete
-    provenance = (*concrete.provenance, *changes)
-    return concrete.model_copy(update={"participants": tuple(people), "provenance": provenance})
+    return concrete.changed(people, changes) if changes else concrete
 
 
 def _first_contacts(view: View) -> dict[str, tuple[str, float]]:
     """Whom everybody touches first, and when (s)."""
-    names = [entity.id for entity in view.concrete.entities]
     met: dict[str, tuple[str, float]] = {}
-    for (a, b), time_s in zip(view.scene.pairs, view.summary.contact_s[0], strict=True):
-        for who, other in ((names[a], names[b]), (names[b], names[a])):
-            if isfinite(time_s) and time_s < met.get(who, ("", np.inf))[1]:
-                met[who] = other, float(time_s)
+    for p in view.touching():
+        names, time_s = view.names_of(p), float(view.summary.contact_s[0, p])
+        for who, other in (names, names[::-1]):
+            if time_s < met.get(who, ("", np.inf))[1]:
+                met[who] = other, time_s
     return met
 
 
@@ -134,14 +129,11 @@ def _stopped_aside(view: View, who: ConcreteParticipant, other: str, time_s: flo
             length_m = change.length_m * min(part_m / over_m, 1.0) ** _SHARPLY
             stays = {"length_m": length_m, "lane_after": lane, "offset_m": offset_m + part_m}
             kept = (*motion.lane_changes[:number], change.model_copy(update=stays))
-            ends = motion.exit_lane if motion.exit_lane != _last_lane(motion) else lane
+            last = motion.lane_changes[-1].lane_after
+            ends = motion.exit_lane if motion.exit_lane != last else lane
             return motion.model_copy(update={"lane_changes": kept, "exit_lane": ends})
         lane, offset_m = change.lane_after, change.offset_m
     return motion
-
-
-def _last_lane(motion: DriveMotion) -> int:
-    return motion.lane_changes[-1].lane_after
 
 
 def _along_mps(view: View, who: str, other: str, step: int) -> float:

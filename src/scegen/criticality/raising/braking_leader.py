@@ -16,6 +16,7 @@ import numpy as np
 from scegen.claims.hazards.scenes import Pair
 from scegen.claims.hazards.table import PREDICATES
 from scegen.claims.view import View
+from scegen.claims.ways import paths_of
 from scegen.criticality.reactivity.rendezvous import waits_until
 from scegen.criticality.search.proving import Evidence, examine
 from scegen.criticality.target import Target
@@ -81,8 +82,7 @@ def braking_leaders(
         return
     # Everybody against everybody: somebody else may drive in between.
     view = examine(concrete, network, list(combinations(drives, 2)), friction).view
-    ways = {name: view.ways[name].path for name in view.ways}
-    traces = play(concrete, ways, dt_s=view.dt_s)
+    traces = play(concrete, paths_of(view.ways), dt_s=view.dt_s)
     ego = concrete.ego.id
     ordered = sorted(((f, a) for p in free for f, a in (p, p[::-1])), key=lambda c: c[0] != ego)
     for follower, leader in ordered:
@@ -91,11 +91,10 @@ def braking_leaders(
             continue
         gap_m = float(view.gap_m(follower, leader)[0, begins])
         nearest = _THROUGH_M if target.contact else _NEAR_M
-        made = _with_phases(
-            concrete, view, traces, follower, leader, begins, gap_m - nearest, friction
-        )
+        pair, closing_m = (follower, leader), gap_m - nearest
+        made = _with_phases(concrete, view, traces, pair, begins, closing_m, friction)
         if made is not None:
-            yield (follower, leader), made
+            yield pair, made
 
 
 def _follows_from(view: View, follower: str, leader: str, drives: Sequence[str]) -> int | None:
@@ -117,8 +116,7 @@ def _with_phases(
     concrete: ConcreteScenario,
     view: View,
     traces: Mapping[str, Trace],
-    follower: str,
-    leader: str,
+    pair: Pair,
     begins: int,
     closing_m: float,
     friction: float,
@@ -127,6 +125,7 @@ def _with_phases(
 
     ``closing_m`` is what the follower is to gain on it, if both were equally fast before.
     """
+    follower, leader = pair
     participant = concrete.participant(leader)
     body, trace = participant.body, traces[leader]
     most = _OF_FRICTION * friction * GRAVITY_MPS2
@@ -151,45 +150,24 @@ def _with_phases(
         if waits is None:
             return None
         trigger = ArrivalBelow(participant=follower, place_m=waits[0], time_s=waits[1])
-    phases = (
-        SpeedPhase(
-            trigger=trigger,
-            target_speed_mps=_rounded(slow),
-            rate_mps2=rate,
-            hazard=HazardKind.HARD_BRAKING,
-        ),
-        SpeedPhase(
-            trigger=Travelled(participant=leader, distance_m=_rounded(goes_on_m)),
-            target_speed_mps=_rounded(speed),
-            rate_mps2=resuming,
-        ),
-    )
-    program = participant.speed_program
+    brakes = SpeedPhase(trigger=trigger, target_speed_mps=_rounded(slow), rate_mps2=rate,
+                        hazard=HazardKind.HARD_BRAKING)  # fmt: skip
+    later = Travelled(participant=leader, distance_m=_rounded(goes_on_m))
+    resumes = SpeedPhase(trigger=later, target_speed_mps=_rounded(speed), rate_mps2=resuming)
+    phases, program = (brakes, resumes), participant.speed_program
     braking = participant.model_copy(
         update={"speed_program": (*program[:place], *phases, *program[place:])}
     )
+    told = zip(phases, (REASON, f"{REASON}; then it drives on"), strict=True)
     changes = [
         Change(parameter=f"{leader}.speed_program.{n}.{name}", by="search", after=value, reason=why)
-        for n, (phase, why) in enumerate(
-            zip(phases, (REASON, f"{REASON}; then it drives on"), strict=True), start=place
-        )
-        for name, value in (
-            (
-                f"trigger.{phase.trigger.measured}",
-                float(getattr(phase.trigger, phase.trigger.measured)),
-            ),
-            ("target_speed_mps", phase.target_speed_mps),
-            ("rate_mps2", phase.rate_mps2),
-        )
+        for n, (phase, why) in enumerate(told, start=place)
+        for name, value in phase.numbers.items()
     ]
     later_s = closing_m / speed + 1.0
-    return concrete.model_copy(
-        update={
-            "participants": tuple(braking if p.id == leader else p for p in concrete.participants),
-            "duration_s": round((concrete.duration_s + later_s) * 20) / 20,
-            "provenance": (*concrete.provenance, *changes),
-        }
-    )
+    people = concrete.with_participant(braking).participants
+    ends_s = round((concrete.duration_s + later_s) * 20) / 20
+    return concrete.changed(people, changes, duration_s=ends_s)
 
 
 def _slows_by(closing_m: float, speed: float, rate: float, resuming: float) -> tuple[float, float]:

@@ -29,10 +29,10 @@ def out_of_reach(problem: Problem, before: Evidence, rng: np.random.Generator) -
     if before.holds(problem.given_up):
         return frozenset()
     space = problem.space
-    points = folded(halton(_POINTS, len(space.low), rng.random(len(space.low))))
+    points = folded(halton(_POINTS, rng.random(len(space.variables))))
     fixed = {claim.id for claim in problem.claims if claim.fixed}
     missed = {claim.id for claim in before.claims if not claim.holds}
-    return problem.out_of_reach(space.low + points * (space.high - space.low)) | (fixed & missed)
+    return problem.out_of_reach(space.at(points)) | (fixed & missed)
 
 
 def give_up(stage: Stage, problem: Problem, claims: Collection[str]) -> None:

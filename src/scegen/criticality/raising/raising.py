@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims.hazards.scenes import Pair
 from scegen.claims.ways import paths_of, ways_of
-from scegen.criticality.proposals.advising import Advised
+from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.braking_leader import braking_leaders
 from scegen.criticality.raising.giving_up import blocking, give_up, out_of_reach
@@ -101,7 +101,7 @@ def raise_criticality(
     else:
         give_up(stage, problem, out_of_reach(problem, before, rng))
         if proposer is not None:
-            advice = stage.ask(proposer, problem, before, seed)
+            advice = advised(proposer, problem, concrete, stage.ways, before.hazards, seed=seed)
     blocked = _fill(found, solutions, stage, problem, before, rng, advice)
     if not found and problem.never:
         give_up(stage, problem, problem.never)
@@ -193,18 +193,14 @@ def _by_braking(
 
 
 def _without_target(
-    stage: Stage,
-    problem: Problem,
-    before: Evidence,
-    rng: np.random.Generator,
-    reason: str | None,
+    stage: Stage, problem: Problem, before: Evidence, rng: np.random.Generator, reason: str | None
 ) -> Raised:
     """What holds every claim that can be held, where the target cannot be reached."""
     shown = before
     if not before.holds(stage.given_up):
         problem.untargeted = stage.untargeted = True
-        made, _ = _solve(stage, problem, rng, None)
-        shown = before if made is None else made.evidence
+        made, _, _ = _solve(stage, problem, rng, None)
+        shown = made or before
     shown = stage.ended(shown)
     return Raised(shown.concrete, stage.proof(before, shown, problem.evaluations, reason))
 
@@ -220,21 +216,13 @@ def _fill(
 ) -> str | None:
     """Search until so many solutions are found; the reason why there is not one more, if so."""
     while len(found) < solutions:
-        made, blocked = _solve(stage, problem, rng, None if found else advice)
+        made, led, blocked = _solve(stage, problem, rng, None if found else advice)
         if made is None:
             return blocked
-        evidence = stage.finished(made.evidence)
+        evidence = stage.finished(made)
         proof = stage.proof(before, evidence, problem.evaluations, None)
-        found.append((evidence.concrete, _with_advice(proof, advice, led=made.led)))
+        found.append((evidence.concrete, _with_advice(proof, advice, led=led)))
     return None
-
-
-@dataclass(frozen=True, slots=True)
-class _Made:
-    """A scenario that stands up to the proof; ``led``: found from what was proposed."""
-
-    evidence: Evidence
-    led: bool
 
 
 def _with_advice(proof: Proof, advised: Advised | None, *, led: bool) -> Proof:
@@ -246,11 +234,11 @@ def _with_advice(proof: Proof, advised: Advised | None, *, led: bool) -> Proof:
 
 def _solve(
     stage: Stage, problem: Problem, rng: np.random.Generator, advised: Advised | None
-) -> tuple[_Made | None, str | None]:
+) -> tuple[Evidence | None, bool, str | None]:
     """Search until a candidate stands up to the proof; otherwise the reason why none does.
 
-    What was proposed is followed first, and forgotten if it leads nowhere: a scenario that is found
-    without proposals is found with any.
+    In between, whether it was found from what was proposed. That is followed first, and forgotten
+    if it leads nowhere: a scenario that is found without proposals is found with any.
     """
     if advised is not None and advised.lead is not None:
         problem.room, problem.dt_s = _ATTEMPTS[0]
@@ -258,7 +246,7 @@ def _solve(
         made = _evidence(stage, problem, best, advised.concrete) if best.found else None
         if made is not None and stage.stands(made):
             problem.known.append(best.x)
-            return _Made(made, led=True), None
+            return made, True, None
     reason = None
     for problem.room, problem.dt_s in _ATTEMPTS:
         best = search(problem, rng, **(_AGAIN if stage.given_up else {}))
@@ -266,15 +254,15 @@ def _solve(
             claims = {claim.id for claim in problem.claims}
             problem.never = frozenset(n for n, v in best.least.items() if v > 0.0 and n in claims)
             problem.apart = best.missing.get("target", 0.0) > 0.0
-            return None, reason or blocking(problem, best)
+            return None, False, reason or blocking(problem, best)
         evidence = _evidence(stage, problem, best, stage.concrete)
         if stage.stands(evidence):
             problem.known.append(best.x)
-            return _Made(evidence, led=False), None
+            return evidence, False, None
         # What comes after the end of what was found must not count the next time.
         problem.duration_s = min(problem.duration_s, evidence.concrete.duration_s)
         reason = "what was found does not stand up to the proof in steps of 0.01 s"
-    return None, reason
+    return None, False, reason
 
 
 def _evidence(stage: Stage, problem: Problem, best: Best, concrete: ConcreteScenario) -> Evidence:

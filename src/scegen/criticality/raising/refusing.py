@@ -34,11 +34,9 @@ def too_slow(concrete: ConcreteScenario, pair: Pair) -> str | None:
     for participant in (p for p in concrete.participants if p.id in pair):
         arm = participant.motion.entry if isinstance(participant.motion, DriveMotion) else 0
         limit = concrete.road.arms[arm].speed_limit_mps
-        speeds = [
-            participant.speed_mps,
-            *(phase.target_speed_mps for phase in participant.speed_program),
-        ]
-        fastest = max(fastest, speed_range(concrete, participant, limit, max(speeds))[1])
+        later = (phase.target_speed_mps for phase in participant.speed_program)
+        planned = max((participant.speed_mps, *later))
+        fastest = max(fastest, speed_range(concrete, participant, limit, planned)[1])
     if fastest > WALKING_PACE_MPS:
         return None
     return (

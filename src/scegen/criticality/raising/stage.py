@@ -5,16 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-import numpy as np
-
 from scegen.claims import claims_of, described_by
 from scegen.claims.hazards.judging import number
 from scegen.claims.hazards.scenes import Pair, judged_pairs, scene_of
 from scegen.claims.near_miss import HEADWAY
-from scegen.claims.view import view_of
+from scegen.claims.view import View, view_of
 from scegen.claims.ways import Way, paths_of, ways_of
-from scegen.criticality.proposals.advising import Advised, advised
-from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.aftermath import halted
 from scegen.criticality.raising.refusing import measurable, never_meet
 from scegen.criticality.reactivity.binding import bind_to_ego
@@ -26,7 +22,6 @@ from scegen.criticality.search.proving import Evidence, examine, proof_of
 from scegen.criticality.search.stated import Stated
 from scegen.criticality.target import AVOIDED, NEAR_MISS, Target, asks_for_measure
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import friction_of
@@ -119,7 +114,7 @@ class Stage:
         duration = self.concrete.duration_s + _LONGER_S
         traces = simulate_batch(program, base, duration_s=duration)
         view = view_of(self.full, self.ways, self.scene, traces, self.friction)
-        self._look_at_touching(view.summary.contact_s[0], view.scene.pairs)
+        self._look_at_touching(view)
         involved = {*self.pair}
         for hazard in self.concrete.hazards:
             involved |= {*hazard.by, *hazard.to}
@@ -146,10 +141,6 @@ class Stage:
             given_up=self.given_up,
         )
 
-    def ask(self, proposer: Proposer, problem: Problem, before: Evidence, seed: int) -> Advised:
-        """Ask for proposals to begin at."""
-        return advised(proposer, problem, self.concrete, self.ways, before.hazards, seed=seed)
-
     def examine(self, concrete: ConcreteScenario) -> Evidence:
         """What a scenario shows, and which of the claims hold."""
         return examine(concrete, self.network, self.focus, self.friction, claims=self.claims)
@@ -159,14 +150,9 @@ class Stage:
         met = self.untargeted or evidence.meets(self.target, self.pair)
         return met and evidence.holds(self.given_up)
 
-    def _look_at_touching(self, contact_s: Floats, pairs: Ints) -> None:
+    def _look_at_touching(self, view: View) -> None:
         """Those who touch at first get all measures: PET leads a search out of a contact."""
-        people = [entity.id for entity in self.concrete.entities]
-        touching = [
-            (people[int(a)], people[int(b)])
-            for (a, b), t in zip(pairs, contact_s, strict=True)
-            if not np.isnan(t)
-        ]
+        touching = (view.names_of(p) for p in view.touching())
         fresh = [p for p in touching if p not in self.focus and p[::-1] not in self.focus]
         if fresh:
             self.focus += fresh[:_MOST_TOUCHING]
@@ -227,17 +213,6 @@ class Stage:
         self, before: Evidence, after: Evidence, evaluations: int, blocked_by: str | None
     ) -> Proof:
         """The proof of the stage's search."""
-        if not self.pair:
-            return Proof(
-                target=self.target.text,
-                in_band=False,
-                in_band_before=False,
-                hazards=after.dangers,
-                hazards_before=before.dangers,
-                claims=after.claims,
-                evaluations=evaluations,
-                blocked_by=blocked_by,
-            )
         return proof_of(
             self.target, self.pair, before, after, evaluations=evaluations, blocked_by=blocked_by
         )
@@ -248,10 +223,10 @@ def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:
 
     One that backs out has its own place to start.
     """
-    people = tuple(
+    people = (
         p.model_copy(update={"motion": p.motion.model_copy(update={"start_m": 0.0})})
         if isinstance(p.motion, DriveMotion) and not isinstance(p.motion.reversal, BacksOut)
         else p
         for p in concrete.participants
     )
-    return concrete.model_copy(update={"participants": people})
+    return concrete.changed(people)

@@ -9,11 +9,10 @@ import numpy as np
 from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.reactivity.rendezvous import held_back, joins
 from scegen.criticality.reactivity.sensitivity import Sensitivity, ego_start_sensitivity
-from scegen.motion.batch.arrays import BatchTraces
 from scegen.motion.batch.compilation import compile_program
+from scegen.motion.batch.playing import traces_of
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import friction_of
-from scegen.motion.model import Trace
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
@@ -98,14 +97,14 @@ def _waiting(
         if at_s < max(times_s) and getattr(phase.trigger, "participant", None) == ego.id:
             return
     shares = IN_TRAFFIC if concrete.road.kind is JunctionKind.STRAIGHT else SHARES
-    ego_trace, trace = _trace(batch, concrete, ego.id), _trace(batch, concrete, who)
+    traces = traces_of(concrete, batch)
     for meeting_s in times_s:
-        for join in joins(participant, trace, fired_s, meeting_s - _BEFORE_MEETING_S):
+        for join in joins(participant, traces[who], fired_s, meeting_s - _BEFORE_MEETING_S):
             for share in shares:
                 tried = held_back(
                     concrete,
                     ways,
-                    ego_trace,
+                    traces[ego.id],
                     who,
                     join,
                     share=share,
@@ -114,19 +113,3 @@ def _waiting(
                 )
                 if tried is not None:
                     yield put_between_steps(tried, paths_of(ways_of(tried, network)))
-
-
-def _trace(batch: BatchTraces, concrete: ConcreteScenario, who: str) -> Trace:
-    """One participant's movement."""
-    participant = concrete.participant(who)
-    i = concrete.participants.index(participant)
-    return Trace(
-        participant=who,
-        body=participant.body,
-        time_s=batch.time_s,
-        s_m=batch.s_m[0, :, i],
-        x_m=batch.x_m[0, :, i],
-        y_m=batch.y_m[0, :, i],
-        heading_rad=batch.heading_rad[0, :, i],
-        speed_mps=batch.speed_mps[0, :, i],
-    )

@@ -135,22 +135,21 @@ def held_back(
             "speed_program": (go, *participant.speed_program[join.phase :]),
         }
     )
-    people = [_since(waiting if p.id == who else p, who, nearer_m) for p in concrete.participants]
-    if any(p is None for p in people):
+    since = [_since(waiting if p.id == who else p, who, nearer_m) for p in concrete.participants]
+    people = [person for person in since if person is not None]
+    if len(people) < len(since):
         return None
     reason = f"waits for the ego: goes when it is {waits[1]:.2f} s short of where they meet"
     noted = (
-        (f"{who}.start_m", motion.start_m, station),
-        (f"{who}.speed_mps", participant.speed_mps, slow),
-        (f"{who}.speed_program.0.trigger.time_s", None, waits[1]),
+        ("start_m", motion.start_m, station),
+        ("speed_mps", participant.speed_mps, slow),
+        ("speed_program.0.trigger.time_s", None, waits[1]),
     )
     changes = (
-        Change(parameter=name, by="reactivity", before=before, after=after, reason=reason)
-        for name, before, after in noted
+        Change(parameter=f"{who}.{name}", by="reactivity", before=was, after=now, reason=reason)
+        for name, was, now in noted
     )
-    return concrete.model_copy(
-        update={"participants": tuple(people), "provenance": (*concrete.provenance, *changes)}
-    )
+    return concrete.changed(people, changes)
 
 
 def waits_until(

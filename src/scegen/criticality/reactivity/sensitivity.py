@@ -133,9 +133,8 @@ def _compared(asked: _Asked) -> Sensitivity:
     candidates = repeat(candidate, 3)
     factors = (1.0, SLOWER, FASTER)
     candidates.speed_mps[:, ego] *= np.array(factors)
-    everybody = scene_of(
-        concrete, paths, [(concrete.ego.id, partner)], friction_of(concrete.environment)
-    )
+    pair, friction = (concrete.ego.id, partner), friction_of(concrete.environment)
+    everybody = scene_of(concrete, paths, [pair], friction)
     # Of all others it is only asked whether they touch, of the ego's whether this one does.
     bodies, met = everybody.bodies, everybody.pairs[0]
     others = everybody.pairs[np.all(everybody.pairs != ego, axis=1)]
@@ -173,15 +172,9 @@ def _ends(
 
 
 def _start(found: Summary, factor: float, *, others_touch: bool) -> Start:
-    return Start(
-        factor,
-        bool(isfinite(found.contact_s[0, 0])),
-        float(found.distance_m[0, 0]),
-        _finite(found.pet_s[0, 0]),
-        _finite(found.ttc_s[0, 0]),
-        others_touch,
+    pet_s, ttc_s = (
+        float(values[0, 0]) if isfinite(values[0, 0]) else None
+        for values in (found.pet_s, found.ttc_s)
     )
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if isfinite(value) else None
+    touch, distance_m = bool(isfinite(found.contact_s[0, 0])), float(found.distance_m[0, 0])
+    return Start(factor, touch, distance_m, pet_s, ttc_s, others_touch)

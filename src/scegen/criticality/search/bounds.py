@@ -21,14 +21,11 @@ from scegen.criticality.search.variables import (
 from scegen.motion.batch.arrays import Candidates
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.concrete import (
-    ArrivalBelow,
     AtTime,
     ConcreteParticipant,
     ConcreteScenario,
     DistanceBelow,
     DriveMotion,
-    SpeedPhase,
-    StoodStill,
     Travelled,
 )
 from scegen.scenario.vocabulary import HazardKind
@@ -51,7 +48,11 @@ _SAME_MPS = 1e-3
 class _Maker:
     """Collects variables while the recipes are written."""
 
-    def __init__(self) -> None:
+    def __init__(
+        self, concrete: ConcreteScenario, ways: Mapping[str, Way], friction: float, stated: Stated
+    ) -> None:
+        self.concrete, self.ways, self.friction, self.stated = concrete, ways, friction, stated
+        self.index = {p.id: i for i, p in enumerate(concrete.participants)}
         self.variables: list[Variable] = []
 
     def quantity(
@@ -64,6 +65,130 @@ class _Maker:
         self.variables.append(Variable(name, base, low, high, scale))
         return Quantity(base, len(self.variables) - 1)
 
+    def start(self, participant: ConcreteParticipant, start_m: float, *, full: bool) -> Quantity:
+        """Where a drive starts on its arm."""
+        motion, way = participant.motion, self.ways[participant.id]
+        if isinstance(motion, DriveMotion) and motion.entry_lane > way.lanes_in:
+            return Quantity(start_m)
+        speed = max(participant.speed_mps, 1.0)
+        within = speed * (_START_WITHIN_S if full else _BYSTANDER_WITHIN_S)
+        places = [way.turn_start_m - _BEFORE_JUNCTION_M]
+        places += [change.start_m - _BEFORE_CHANGE_M for change in way.changes]
+        places += [
+            phase.trigger.distance_m + start_m - speed * LEAD_IN_S
+            for phase in participant.speed_program
+            if isinstance(phase.trigger, Travelled) and phase.trigger.participant == participant.id
+        ]
+        rear = participant.body.rear_m + _ARM_MARGIN_M
+        low = min(start_m, max(rear, start_m - within))
+        high = max(start_m, min([start_m + within, *places]))
+        return self.quantity(f"{participant.id}.start_m", start_m, (low, high), speed)
+
+    def speeds(
+        self, participant: ConcreteParticipant, limit_mps: float, speed_mps: float
+    ) -> tuple[float, float]:
+        """How fast somebody may go: as is said, widened to what was chosen, or as is realistic."""
+        said = self.stated.speeds.get(participant.id)
+        if said is not None:
+            return min(said.low, speed_mps), max(said.high, speed_mps)
+        return speed_range(self.concrete, participant, limit_mps, speed_mps)
+
+    def cruise(self, participant: ConcreteParticipant) -> Quantity:
+        """The speed at which a drive begins."""
+        speed = participant.speed_mps
+        if speed == 0.0:
+            return Quantity(0.0)
+        bounds = self.speeds(participant, self.ways[participant.id].limit_mps, speed)
+        return self.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
+
+    def level(
+        self,
+        participant: ConcreteParticipant,
+        n: int,
+        levels: dict[float, Quantity],
+        before: Quantity,
+        *,
+        varies: bool,
+    ) -> Quantity:
+        """The target speed of a phase; equal speeds stay equal."""
+        phase = participant.speed_program[n]
+        speed = phase.target_speed_mps
+        said = self.stated.speeds.get(participant.id)
+        its_own = said is not None and said.low == said.high and abs(said.low - speed) < _SAME_MPS
+        # Who sets off gains the speed that is said.
+        if self.stated.fixes_target(phase.act) or its_own:
+            return Quantity(speed)
+        for known, quantity in levels.items():
+            if abs(known - speed) < _SAME_MPS:
+                return quantity
+        if speed == 0.0:
+            return Quantity(0.0)
+        name = f"{participant.id}.{'to' if phase.hazard else 'bend'}_mps"
+        if not isinstance(participant.motion, DriveMotion):
+            bounds = self.speeds(participant, speed, speed)
+            name = f"{participant.id}.speed_mps"
+        elif not varies:
+            bounds = (speed, speed)
+        else:
+            least, most = _QUICKER if speed > before.base else _BEND
+            bounds = (least * speed, most * speed)
+        levels[speed] = self.quantity(name, speed, bounds, 0.1 * speed)
+        return levels[speed]
+
+    def recipe(
+        self,
+        participant: ConcreteParticipant,
+        n: int,
+        phase: int,
+        before: Quantity,
+        target: Quantity,
+        *,
+        full: bool,
+        free: bool,
+    ) -> PhaseRecipe:
+        """How phase ``n`` of somebody is made; it is number ``phase`` of all."""
+        item, owner = participant.speed_program[n], self.index[participant.id]
+        trigger = item.trigger
+        name = f"{participant.id}.{item.hazard or 'phase'}_{n}"
+        body = participant.body
+        slows = target.base < before.base
+        best = body.max_deceleration_mps2 if slows else body.max_acceleration_mps2
+        most = min(max(best, item.rate_mps2), self.friction * GRAVITY_MPS2)
+        least = min(item.rate_mps2, most)
+        varies = full and item.hazard is not None and free
+        bounds = (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
+        if self.stated.fixes_rate(item.act):
+            bounds = (item.rate_mps2, item.rate_mps2)
+        rate = self.quantity(f"{name}.rate_mps2", item.rate_mps2, bounds, 0.15 * item.rate_mps2)
+        fixed = item.act in self.stated.moments
+        subject, shift = owner, Quantity(0.0)
+        value = float(getattr(trigger, trigger.measured))
+        if not isinstance(trigger, Travelled):
+            place = Place.AS_IS
+            if full and not fixed and not isinstance(trigger, AtTime):
+                near = isinstance(trigger, DistanceBelow)
+                reach, scale = (_NEAR_M, 1.0) if near else (_SHIFT_S, 0.3)
+                wide = min(reach, 0.4 * value)
+                shift = self.quantity(f"{name}.{trigger.measured}", 0.0, (-wide, wide), scale)
+        elif trigger.participant != participant.id:
+            place, subject = Place.OTHER, self.index[trigger.participant]
+            other = self.ways[trigger.participant].participant
+            reach = _WALKER_SHIFT_S * max(other.speed_mps, 1.0)
+            if full and not fixed:
+                wide = min(reach, value)
+                shift = self.quantity(f"{name}.distance_m", 0.0, (-wide, reach), reach / 4)
+        elif not isinstance(participant.motion, DriveMotion):
+            place = Place.FAR_SIDE
+        else:
+            place = Place.SLOWED if slows and not fixed else Place.HERE
+            if varies and not fixed:
+                reach = _SHIFT_S * max(participant.speed_mps, 1.0)
+                shift = self.quantity(f"{name}.place_m", 0.0, (-reach, reach), reach / 4)
+        length = self.ways[participant.id].path.length_m
+        return PhaseRecipe(
+            phase, owner, subject, place, value, before, target, rate, shift, item.rate_mps2, length
+        )
+
 
 def build_space(
     concrete: ConcreteScenario,
@@ -72,7 +197,7 @@ def build_space(
     *,
     involved: Collection[str],
     friction: float,
-    stated: Stated = Stated(),  # noqa: B008 - frozen
+    stated: Stated,
 ) -> Space:
     """The search space of a scenario.
 
@@ -84,81 +209,27 @@ def build_space(
         friction: coefficient between tyre and road.
         stated: what the description fixes.
     """
-    maker = _Maker()
-    index = {p.id: i for i, p in enumerate(concrete.participants)}
-    starts, speeds, recipes = [], [], []
-    phase = 0
+    maker = _Maker(concrete, ways, friction, stated)
+    starts, speeds, recipes = [], [], list[PhaseRecipe]()
     for i, participant in enumerate(concrete.participants):
-        full = participant.id in involved
-        start = float(base.start_m[0, i])
-        way = ways[participant.id]
+        full, motion = participant.id in involved, participant.motion
+        start, speed = Quantity(float(base.start_m[0, i])), Quantity(participant.speed_mps)
         levels: dict[float, Quantity] = {}
-        reverses = isinstance(participant.motion, DriveMotion) and participant.motion.reversal
-        if isinstance(participant.motion, DriveMotion) and not reverses:
-            if participant.id in stated.placed:
-                starts.append(Quantity(start))
-            else:
-                starts.append(_start(maker, participant, way, start, full=full))
-            cruise = _cruise(maker, concrete, participant, way, stated)
-            speeds.append(cruise)
-            levels[participant.speed_mps] = cruise
-        else:
-            # Where one that reverses changes direction is fixed: so is how it gets there.
-            starts.append(Quantity(start))
-            speeds.append(Quantity(participant.speed_mps))
-        before = speeds[-1]
-        for n, item in enumerate(participant.speed_program):
-            target = _level(
-                maker,
-                concrete,
-                participant,
-                item,
-                levels,
-                before,
-                stated,
-                full=full and not reverses,
-            )
+        # Where one that reverses changes direction is fixed: so is how it gets there.
+        free = isinstance(motion, DriveMotion) and motion.reversal is None
+        if free:
+            if participant.id not in stated.placed:
+                start = maker.start(participant, start.base, full=full)
+            speed = levels[participant.speed_mps] = maker.cruise(participant)
+        starts.append(start)
+        speeds.append(speed)
+        for n in range(len(participant.speed_program)):
+            target = maker.level(participant, n, levels, speed, varies=full and free)
             recipes.append(
-                _recipe(
-                    maker,
-                    participant,
-                    n,
-                    phase + n,
-                    index,
-                    ways,
-                    before,
-                    target,
-                    friction,
-                    full,
-                    stated,
-                    reverses=bool(reverses),
-                )
+                maker.recipe(participant, n, len(recipes), speed, target, full=full, free=free)
             )
-            before = target
-        phase += len(participant.speed_program)
+            speed = target
     return Space(base, maker.variables, starts, speeds, recipes)
-
-
-def _start(
-    maker: _Maker, participant: ConcreteParticipant, way: Way, start_m: float, *, full: bool
-) -> Quantity:
-    """Where a drive starts on its arm."""
-    motion = participant.motion
-    if isinstance(motion, DriveMotion) and motion.entry_lane > way.lanes_in:
-        return Quantity(start_m)
-    speed = max(participant.speed_mps, 1.0)
-    within = speed * (_START_WITHIN_S if full else _BYSTANDER_WITHIN_S)
-    places = [way.turn_start_m - _BEFORE_JUNCTION_M]
-    places += [change.start_m - _BEFORE_CHANGE_M for change in way.changes]
-    places += [
-        phase.trigger.distance_m + start_m - speed * LEAD_IN_S
-        for phase in participant.speed_program
-        if isinstance(phase.trigger, Travelled) and phase.trigger.participant == participant.id
-    ]
-    rear = participant.body.rear_m + _ARM_MARGIN_M
-    low = min(start_m, max(rear, start_m - within))
-    high = max(start_m, min([start_m + within, *places]))
-    return maker.quantity(f"{participant.id}.start_m", start_m, (low, high), speed)
 
 
 def speed_range(
@@ -173,118 +244,3 @@ def speed_range(
     if speeds:
         high = max(speed_mps, min(high, _SPEEDING * limit_mps))
     return low, min(high, max(speed_mps, participant.body.top_speed_mps))
-
-
-def _cruise(
-    maker: _Maker,
-    concrete: ConcreteScenario,
-    participant: ConcreteParticipant,
-    way: Way,
-    stated: Stated,
-) -> Quantity:
-    speed = participant.speed_mps
-    if speed == 0.0:
-        return Quantity(0.0)
-    if participant.id in stated.speeds:
-        said = stated.speeds[participant.id]
-        bounds = (min(said.low, speed), max(said.high, speed))
-        return maker.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
-    bounds = speed_range(concrete, participant, way.limit_mps, speed)
-    return maker.quantity(f"{participant.id}.speed_mps", speed, bounds, 0.1 * max(speed, 1.0))
-
-
-def _level(
-    maker: _Maker,
-    concrete: ConcreteScenario,
-    participant: ConcreteParticipant,
-    phase: SpeedPhase,
-    levels: dict[float, Quantity],
-    before: Quantity,
-    stated: Stated,
-    *,
-    full: bool,
-) -> Quantity:
-    """The target speed of a phase; equal speeds stay equal."""
-    speed = phase.target_speed_mps
-    said = stated.speeds.get(participant.id)
-    its_own = said is not None and said.low == said.high and abs(said.low - speed) < _SAME_MPS
-    if stated.fixes_target(phase.act) or its_own:  # who sets off gains the speed that is said
-        return Quantity(speed)
-    for known, quantity in levels.items():
-        if abs(known - speed) < _SAME_MPS:
-            return quantity
-    name = f"{participant.id}.{'to' if phase.hazard else 'bend'}_mps"
-    if speed == 0.0:
-        return Quantity(0.0)
-    if not isinstance(participant.motion, DriveMotion):
-        bounds = speed_range(concrete, participant, speed, speed)
-        if said is not None:
-            bounds = (min(said.low, speed), max(said.high, speed))
-        name = f"{participant.id}.speed_mps"
-    elif not full:
-        bounds = (speed, speed)
-    elif speed > before.base:
-        bounds = (_QUICKER[0] * speed, _QUICKER[1] * speed)
-    else:
-        bounds = (_BEND[0] * speed, _BEND[1] * speed)
-    levels[speed] = maker.quantity(name, speed, bounds, 0.1 * speed)
-    return levels[speed]
-
-
-def _recipe(
-    maker: _Maker,
-    participant: ConcreteParticipant,
-    n: int,
-    phase: int,
-    index: Mapping[str, int],
-    ways: Mapping[str, Way],
-    before: Quantity,
-    target: Quantity,
-    friction: float,
-    full: bool,
-    stated: Stated,
-    *,
-    reverses: bool,
-) -> PhaseRecipe:
-    item = participant.speed_program[n]
-    trigger, owner = item.trigger, index[participant.id]
-    name = f"{participant.id}.{item.hazard or 'phase'}_{n}"
-    body = participant.body
-    slows = target.base < before.base
-    best = body.max_deceleration_mps2 if slows else body.max_acceleration_mps2
-    most = min(max(best, item.rate_mps2), friction * GRAVITY_MPS2)
-    drives = isinstance(participant.motion, DriveMotion)
-    varies = full and item.hazard is not None and drives and not reverses
-    least = min(item.rate_mps2, most)
-    bounds = (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
-    if stated.fixes_rate(item.act):
-        bounds = (item.rate_mps2, item.rate_mps2)
-    rate = maker.quantity(f"{name}.rate_mps2", item.rate_mps2, bounds, 0.15 * item.rate_mps2)
-    subject, length = owner, ways[participant.id].path.length_m
-    shift = Quantity(0.0)
-    if isinstance(trigger, AtTime | DistanceBelow | ArrivalBelow | StoodStill):
-        place, value = Place.AS_IS, getattr(trigger, trigger.measured)
-        if full and not isinstance(trigger, AtTime) and item.act not in stated.moments:
-            near, scale = (_NEAR_M, 1.0) if isinstance(trigger, DistanceBelow) else (_SHIFT_S, 0.3)
-            wide = min(near, 0.4 * value)
-            shift = maker.quantity(f"{name}.{trigger.measured}", 0.0, (-wide, wide), scale)
-    elif trigger.participant != participant.id:
-        place, value = Place.OTHER, trigger.distance_m
-        subject = index[trigger.participant]
-        reach = _WALKER_SHIFT_S * max(ways[trigger.participant].participant.speed_mps, 1.0)
-        if full and item.act not in stated.moments:
-            shift = maker.quantity(
-                f"{name}.distance_m", 0.0, (-min(reach, value), reach), reach / 4
-            )
-    else:
-        fixed = item.act in stated.moments
-        place = Place.SLOWED if slows and not fixed else Place.HERE
-        value = trigger.distance_m
-        if not drives:
-            place = Place.FAR_SIDE
-        elif varies and item.act not in stated.moments:
-            reach = _SHIFT_S * max(participant.speed_mps, 1.0)
-            shift = maker.quantity(f"{name}.place_m", 0.0, (-reach, reach), reach / 4)
-    return PhaseRecipe(
-        phase, owner, subject, place, value, before, target, rate, shift, item.rate_mps2, length
-    )

@@ -50,10 +50,10 @@ def early_missing(view: View, choice: Sequence[Band], pair: tuple[str, str], roo
     missing = np.zeros(view.count)
     for band in choice:
         if band.measure == "pet":
-            later = LEAD_IN_S + (_LATER_S if room else 0.0) - second_enters_s(view, pair)
-            missing = np.maximum(missing, later)
+            late = LEAD_IN_S + (_LATER_S if room else 0.0) - second_enters_s(view, pair)
         else:
-            missing = np.maximum(missing, _worse_missing(view, band.measure, pair, room))
+            late = _worse_missing(view, band.measure, pair, room)
+        missing = np.maximum(missing, late)
     return missing
 
 
@@ -72,8 +72,7 @@ def second_enters_s(view: View, pair: tuple[str, str]) -> Floats:
     if found is None:
         return first
     areas = view.scene.areas
-    names = [view.concrete.entities[i].id for i in view.scene.pairs[found[0]]]
-    places = [view.place_m(name) for name in names]
+    places = [view.place_m(name) for name in view.names_of(found[0])]
     for n in range(areas.first[found[0]], areas.first[found[0] + 1]):
         enters = [
             (place < areas.enter_m[n, k]).sum(axis=1) * view.dt_s for k, place in enumerate(places)

@@ -7,8 +7,8 @@ scenario as it was concretized, as far as the demands allow.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -50,9 +50,9 @@ class Best:
     """The best candidate so far, and by demand the least that any candidate missed."""
 
     x: Floats
-    loss: float
-    missing: dict[str, float]
-    least: dict[str, float]
+    loss: float = np.inf
+    missing: dict[str, float] = field(default_factory=lambda: {"all": np.inf})
+    least: dict[str, float] = field(default_factory=dict)
 
     @property
     def found(self) -> bool:
@@ -78,47 +78,37 @@ class Best:
 
 
 def search(
-    problem: Problem,
-    rng: np.random.Generator,
-    *,
-    rounds: int = ROUNDS,
-    restarts: int = RESTARTS,
+    problem: Problem, rng: np.random.Generator, *, rounds: int = ROUNDS, restarts: int = RESTARTS
 ) -> Best:
     """Look until something is found or the effort is spent; the same rng gives the same result."""
-    space = problem.space
-    low, span = space.low, space.high - space.low
-    origin = space.origin
+    space, origin = problem.space, problem.space.origin
     first = origin[None, :]
     outcome = problem.evaluate(first)
-    best = Best(origin, np.inf, {"all": np.inf}, {})
+    best = Best(origin)
     best.take(first, outcome)
-    if best.found or not len(span):
+    count = len(space.variables)
+    if best.found or not count:
         return best
-    u0 = (origin - low) / span
-    if len(span) >= _MANY:
+    if count >= _MANY:
         # In so many dimensions nothing is found by looking everywhere.
-        _one_by_one(problem, best, low, span, rng)
-        _some_at_once(problem, best, low, span, rng)
+        _one_by_one(problem, best, rng)
+        _some_at_once(problem, best, rng)
         rounds, restarts = 0, min(restarts, 1)
     for _ in range(0 if best.found else rounds):
         # A fresh look is not drawn to what looked best before and led nowhere.
-        fresh = Best(origin, np.inf, {"all": np.inf}, best.least)
-        points = halton(FIRST_BATCH, len(span), rng.random(len(span)))
+        fresh = Best(origin, least=best.least)
+        points = halton(FIRST_BATCH, rng.random(count))
         reach = np.repeat([0.4, 1.0, 2.0], FIRST_BATCH // 3)[:, None]
-        _look(problem, fresh, low, span, u0 + (points - 0.5) * reach)
-        for width in CLOSER_SPANS:
-            if fresh.found:
-                break
-            points = halton(CLOSER_BATCH, len(span), rng.random(len(span)))
-            _look(problem, fresh, low, span, (fresh.x - low) / span + (points - 0.5) * width)
+        _look(problem, fresh, folded(space.unit(origin) + (points - 0.5) * reach))
+        _look_closer(problem, fresh, CLOSER_SPANS, CLOSER_BATCH, rng)
         best.keep(fresh)
         if best.found:
             break
     for restart in range(restarts):
         if best.found:
             break
-        start = (best.x - low) / span if restart == 0 else rng.random(len(span))
-        _evolve(problem, best, low, span, start, rng)
+        start = space.unit(best.x) if restart == 0 else rng.random(count)
+        _evolve(problem, best, start, rng)
     if best.found:
         _come_back(problem, best, origin)
     return best
@@ -126,18 +116,12 @@ def search(
 
 def follow(problem: Problem, lead: Lead) -> Best:
     """Look at the lead, at a part of it, and then around the best of these; stay near the lead."""
-    space = problem.space
-    low, span, origin = space.low, space.high - space.low, space.origin
-    best = Best(lead.x, np.inf, {"all": np.inf}, {})
-    first = np.array([lead.x, *_nearer(lead.x, origin)])
+    best = Best(lead.x)
+    first = np.array([lead.x, *_nearer(lead.x, problem.space.origin)])
     problem.home = lead.x
     try:
         best.take(first, problem.evaluate(first))
-        for width in CLOSER_SPANS[1:]:
-            if best.found:
-                break
-            points = halton(LEAD_BATCH, len(span), lead.rng.random(len(span)))
-            _look(problem, best, low, span, (best.x - low) / span + (points - 0.5) * width)
+        _look_closer(problem, best, CLOSER_SPANS[1:], LEAD_BATCH, lead.rng)
         if best.found and (best.x != lead.x).any():
             _come_back(problem, best, lead.x)
     finally:
@@ -145,20 +129,31 @@ def follow(problem: Problem, lead: Lead) -> Best:
     return best
 
 
-def _look(problem: Problem, best: Best, low: Floats, span: Floats, u: Floats) -> None:
+def _look(problem: Problem, best: Best, u: Floats) -> Outcome:
     """Evaluate points of the unit cube."""
-    x = low + folded(u) * span
-    best.take(x, problem.evaluate(x))
+    x = problem.space.at(u)
+    outcome = problem.evaluate(x)
+    best.take(x, outcome)
+    return outcome
 
 
-def _one_by_one(
-    problem: Problem, best: Best, low: Floats, span: Floats, rng: np.random.Generator
+def _look_closer(
+    problem: Problem, best: Best, spans: Sequence[float], count: int, rng: np.random.Generator
 ) -> None:
+    """Evaluate so many points around the best, nearer and nearer, until something is found."""
+    for width in spans:
+        if best.found:
+            return
+        points = halton(count, rng.random(len(best.x)))
+        _look(problem, best, folded(problem.space.unit(best.x) + (points - 0.5) * width))
+
+
+def _one_by_one(problem: Problem, best: Best, rng: np.random.Generator) -> None:
     """Change every variable alone, then those together of which that was better, while it helps."""
-    n, tries = len(span), _ALONE_ANYWHERE + _ALONE_NEAR
+    n, tries = len(best.x), _ALONE_ANYWHERE + _ALONE_NEAR
     for _ in range(ALONE_ROUNDS):
         before = best.loss
-        u = (best.x - low) / span
+        u = problem.space.unit(best.x)
         shift = rng.random((2, n))
         anywhere = (np.arange(_ALONE_ANYWHERE)[:, None] + shift[0]) / _ALONE_ANYWHERE
         near = u + _NEAR * np.array([[-1.0], [1.0]]) * (0.1 + 0.9 * shift[1])
@@ -166,9 +161,7 @@ def _one_by_one(
         tried = np.repeat(u[None, :], tries * n, axis=0)
         rows = np.arange(tries * n).reshape(tries, n)
         tried[rows, np.arange(n)] = values
-        x = low + tried * span
-        outcome = problem.evaluate(x)
-        best.take(x, outcome)
+        outcome = _look(problem, best, tried)
         if best.found:
             return
         losses = outcome.loss.reshape(tries, n)
@@ -178,38 +171,28 @@ def _one_by_one(
             together = np.repeat(u[None, :], len(better) - 1, axis=0)
             for row, k in enumerate(better):
                 together[max(row - 1, 0) :, k] = values[at[k], k]
-            x = low + together * span
-            best.take(x, problem.evaluate(x))
+            _look(problem, best, together)
         if best.found or best.loss > before - _WORTH:
             return
 
 
-def _some_at_once(
-    problem: Problem, best: Best, low: Floats, span: Floats, rng: np.random.Generator
-) -> None:
+def _some_at_once(problem: Problem, best: Best, rng: np.random.Generator) -> None:
     """Change two, three or four variables of the best."""
-    n, vain = len(span), 0
+    n, vain = len(best.x), 0
     for _ in range(SOME_ROUNDS):
         if best.found or vain >= _VAIN_ROUNDS:
             return
         before = best.loss
-        u = (best.x - low) / span
+        u = problem.space.unit(best.x)
         order = rng.random((SOME_BATCH, n)).argsort(axis=1).argsort(axis=1)
         chosen = order < (2 + np.arange(SOME_BATCH) % 3)[:, None]
         near = u + _NEAR * (2.0 * rng.random((SOME_BATCH, n)) - 1.0)
         values = np.where(np.arange(SOME_BATCH)[:, None] % 2, near, rng.random((SOME_BATCH, n)))
-        _look(problem, best, low, span, np.where(chosen, values, u))
+        _look(problem, best, folded(np.where(chosen, values, u)))
         vain = 0 if best.loss < before - _WORTH else vain + 1
 
 
-def _evolve(
-    problem: Problem,
-    best: Best,
-    low: Floats,
-    span: Floats,
-    start: Floats,
-    rng: np.random.Generator,
-) -> None:
+def _evolve(problem: Problem, best: Best, start: Floats, rng: np.random.Generator) -> None:
     """One run of CMA-ES, until something is found."""
     # Brings scipy.stats along, half a second that most searches do without.
     from cmaes import CMA  # noqa: PLC0415
@@ -225,9 +208,7 @@ def _evolve(
     for _ in range(GENERATIONS):
         asked = np.array([optimizer.ask() for _ in range(optimizer.population_size)])
         inside = np.clip(asked, 0.0, 1.0)
-        x = low + inside * span
-        outcome = problem.evaluate(x)
-        best.take(x, outcome)
+        outcome = _look(problem, best, inside)
         outside = np.sum((asked - inside) ** 2, axis=1)
         losses = outcome.loss + 10.0 * outside
         optimizer.tell(list(zip(asked, losses.tolist(), strict=True)))
@@ -261,14 +242,14 @@ def folded(u: Floats) -> Floats:
     return inside
 
 
-def halton(count: int, dimensions: int, shift: Floats) -> Floats:
-    """Points of the Halton sequence, shifted around the unit cube (c, n).
+def halton(count: int, shift: Floats) -> Floats:
+    """Points of the Halton sequence, shifted (n,) around the unit cube (c, n).
 
     Higher dimensions than there are primes at hand use the shift alone to differ.
     """
     indices = np.arange(1, count + 1)
     columns = []
-    for n in range(dimensions):
+    for n in range(len(shift)):
         base = _PRIMES[n % len(_PRIMES)]
         left = indices * (1 + n // len(_PRIMES))
         value, share = np.zeros(count), 1.0
@@ -277,5 +258,5 @@ def halton(count: int, dimensions: int, shift: Floats) -> Floats:
             value += share * (left % base)
             left = left // base
         columns.append(value)
-    points = np.array(columns).reshape(dimensions, count).T
+    points = np.array(columns).reshape(len(shift), count).T
     return np.mod(points + shift, 1.0)

@@ -25,11 +25,8 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     things = {thing.id for thing in concrete.objects}
     found: list[Pair] = []
     kinds = list(PREDICATES)
-    for hazard in sorted(
-        (h for h in concrete.hazards if h.kind in PREDICATES), key=lambda h: kinds.index(h.kind)
-    ):
-        if not PREDICATES[hazard.kind].conflict:
-            continue
+    asked = [h for h in concrete.hazards if h.kind in PREDICATES and PREDICATES[h.kind].conflict]
+    for hazard in sorted(asked, key=lambda h: kinds.index(h.kind)):
         found += sorted(both_sides(hazard), key=lambda pair: ego not in pair)
     moving = [pair for pair in found if not things & {*pair}]
     found = [*moving, *(pair for pair in found if pair not in moving and ego in pair)]
@@ -38,19 +35,17 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     found += [(c.first, c.second) for c in conflicts]
     movers = [p.id for p in concrete.participants if not p.parked]
     found += sorted(combinations(movers, 2), key=lambda pair: ego not in pair)
-    seen: set[frozenset[str]] = set()
-    result = []
+    once: dict[frozenset[str], Pair] = {}
     for pair in found:
-        if frozenset(pair) not in seen and pair[0] != pair[1]:
-            seen.add(frozenset(pair))
-            result.append(pair)
+        if pair[0] != pair[1]:
+            once.setdefault(frozenset(pair), pair)
     apart = {
         frozenset((c.first, c.second))
         for c in concrete.logical.conflicts
         if c.rule is Rule.SIGNAL
         and not any({c.first, c.second} & {*h.by} for h in concrete.hazards)
     }
-    return sorted(result, key=lambda pair: (frozenset(pair) in apart, _parted(concrete, pair)))
+    return sorted(once.values(), key=lambda p: (frozenset(p) in apart, _parted(concrete, p)))
 
 
 def _parted(concrete: ConcreteScenario, pair: Pair) -> bool:

@@ -18,7 +18,7 @@ from scegen.criticality.search.variables import Space
 from scegen.criticality.target import Target
 from scegen.measures.registry import measure_named
 from scegen.measures.tables import Tables
-from scegen.motion.batch.arrays import BatchTraces, Bools, Candidates, Floats, Program
+from scegen.motion.batch.arrays import Bools, Candidates, Floats, Program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import STANDING_MPS
@@ -41,6 +41,7 @@ CLEAR_M = 0.2
 AFTER_S = 1.0
 """The scenario goes on this long after everybody has left."""
 LATERAL_ROOM = 1.03
+_EVERYDAY_MPS2 = 4.0
 _NEVER = 3.0
 _SAME = 1e-6
 _STRANGE = 0.02
@@ -118,12 +119,16 @@ class Problem:
     home: Floats | None = None
     progress: Callable[[str], None] = lambda _: None
 
+    def view(self, made: Candidates) -> View:
+        """The movements of candidates, as claims look at them."""
+        traces = simulate_batch(self.program, made, duration_s=self.duration_s, dt_s=self.dt_s)
+        return view_of(self.concrete, self.ways, self.scene, traces, self.friction)
+
     def evaluate(self, x: Floats) -> Outcome:
         """Everything about candidates with these values of the variables (c, n)."""
         made = self.space.candidates(x)
-        traces = self._movements(made)
+        view = self.view(made)
         self.evaluations += x.shape[0]
-        view = view_of(self.concrete, self.ways, self.scene, traces, self.friction)
         finish, duration = finishing(view, self.pair)
         missing: dict[str, Floats] = {}
         if not self.untargeted:
@@ -136,24 +141,15 @@ class Problem:
         missing["lateral acceleration"] = self._lateral(view)
         missing["finish"] = finish
         missing["sameness"] = self._sameness(x)
-        margins = self._margins(replace(view, ends_s=duration))
-        missing |= {
-            claim.id: self._claim_missing(claim, margins[claim.id])
-            for claim in self.claims
-            if claim.id in margins
-        }
+        ending, margins = replace(view, ends_s=duration), dict[str, Floats]()
+        for claim in self.claims:
+            if not (claim.fixed or claim.kind is ClaimKind.CONTACT or claim.id in self.given_up):
+                margins[claim.id] = claim.judge(ending).margin
+                missing[claim.id] = self._claim_missing(claim, margins[claim.id])
         strangeness = self.space.strangeness(x, self.home)
         outcome = Outcome(missing, strangeness, made, duration, margins)
         self.progress(f"{self.evaluations:,} candidates tried, {outcome.in_words()}")
         return outcome
-
-    def _margins(self, view: View) -> dict[str, Floats]:
-        """Of every claim that is a demand here."""
-        return {
-            claim.id: claim.judge(view).margin
-            for claim in self.claims
-            if not (claim.fixed or claim.kind is ClaimKind.CONTACT or claim.id in self.given_up)
-        }
 
     def _claim_missing(self, claim: Claim, margin: Floats) -> Floats:
         """How far a claim is from holding, on a scale that all demands share."""
@@ -167,15 +163,8 @@ class Problem:
 
         What lies in ways, lanes and sides stays as it is.
         """
-        margins = self.evaluate(points).margins
-        return frozenset(
-            name
-            for name, values in margins.items()
-            if float(values.max()) < 0.0 and float(np.ptp(values)) < _SAME
-        )
-
-    def _movements(self, made: Candidates) -> BatchTraces:
-        return simulate_batch(self.program, made, duration_s=self.duration_s, dt_s=self.dt_s)
+        found = self.evaluate(points).margins.items()
+        return frozenset(n for n, v in found if v.max() < 0.0 and np.ptp(v) < _SAME)
 
     def _lateral(self, view: View) -> Floats:
         """How far bends and lane changes are taken too fast, in shares of the limit."""
@@ -186,7 +175,7 @@ class Problem:
 
     def _sameness(self, x: Floats) -> Floats:
         """Whether a candidate is too much like a solution that is known already."""
-        span = np.maximum(self.space.high - self.space.low, 1e-9)
+        span = np.maximum(self.space.span, 1e-9)
         worst = np.zeros(x.shape[0])
         for other in self.known:
             apart = np.sqrt(np.mean(((x - other) / span) ** 2, axis=1))
@@ -208,16 +197,10 @@ def choice_missing(
     view: View, choice: Sequence[Band], pair: tuple[str, str], room: float
 ) -> Floats:
     """How far a pair is from bands that must hold together, after the lead-in."""
-    missing: Floats = np.max(
-        [
-            *(
-                band_missing(view.of_pair(measure_named(band.measure).field, *pair), band, room)
-                for band in choice
-            ),
-            early_missing(view, choice, pair, room),
-        ],
-        axis=0,
-    )
+    missing = early_missing(view, choice, pair, room)
+    for band in choice:
+        values = view.of_pair(measure_named(band.measure).field, *pair)
+        missing = np.maximum(missing, band_missing(values, band, room))
     return missing
 
 
@@ -317,12 +300,12 @@ def _settled_s(view: View, name: str) -> Floats:
     return np.where(changes.any(axis=1), upto, 0) * view.dt_s
 
 
-def lateral_limits(view: View, friction: float, everyday_mps2: float = 4.0) -> dict[str, float]:
+def lateral_limits(view: View, friction: float) -> dict[str, float]:
     """How hard each drive may go through bends: as first made, within what the tyres hold."""
     limits = {}
     for participant in view.concrete.participants:
         if isinstance(participant.motion, DriveMotion):
             first = float(view.lateral_mps2(participant.id)[0].max())
             most = 0.9 * friction * GRAVITY_MPS2
-            limits[participant.id] = min(max(first, everyday_mps2) * LATERAL_ROOM, most)
+            limits[participant.id] = min(max(first, _EVERYDAY_MPS2) * LATERAL_ROOM, most)
     return limits

@@ -16,12 +16,7 @@ from scegen.claims.proving import prove
 from scegen.claims.statements.dangers import claim_id
 from scegen.claims.view import View, view_of
 from scegen.claims.ways import paths_of, ways_of
-from scegen.criticality.search.problem import (
-    PROVED,
-    choice_missing,
-    follows_from,
-    target_missing,
-)
+from scegen.criticality.search.problem import PROVED, choice_missing, follows_from, target_missing
 from scegen.criticality.target import Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
@@ -78,15 +73,13 @@ class Evidence:
 
     def unwanted(self, target: Target, pair: Pair) -> tuple[Pair, ...]:
         """Pairs that touch although they should not."""
-        people = [entity.id for entity in self.concrete.entities]
-        wanted = self.view.pair(*pair) if pair else None
-        found = []
-        for p, (a, b) in enumerate(self.view.scene.pairs):
-            allowed = wanted is not None and p == wanted[0] and target.contact is not False
-            allowed = allowed or bool(follows_from(self.view, target, pair, p)[0])
-            if not allowed and not np.isnan(self.view.summary.contact_s[0, p]):
-                found.append((people[int(a)], people[int(b)]))
-        return tuple(found)
+        view = self.view
+        wanted = view.pair(*pair) if pair and target.contact is not False else None
+        return tuple(
+            view.names_of(p)
+            for p in view.touching()
+            if (wanted is None or p != wanted[0]) and not follows_from(view, target, pair, p)[0]
+        )
 
     def meets(self, target: Target, pair: Pair) -> bool:
         """Whether the target is met, with no unwanted contact."""
@@ -127,14 +120,16 @@ def proof_of(
     evaluations: int,
     blocked_by: str | None,
 ) -> Proof:
-    """The proof of one search, for files."""
-    deciding = None if target.contact else _deciding(after.view, target, pair)
+    """The proof of one search, for files; without a pair that of dangers and claims alone."""
+    deciding = None if target.contact or not pair else _deciding(after.view, target, pair)
     measure = "contact_time" if target.contact else "distance"
+    if deciding is not None:
+        measure = deciding.measure
     return Proof(
         target=target.text,
-        in_band=after.meets(target, pair),
-        in_band_before=before.meets(target, pair),
-        measure=measure if deciding is None else deciding.measure,
+        in_band=bool(pair) and after.meets(target, pair),
+        in_band_before=bool(pair) and before.meets(target, pair),
+        measure=measure if pair else None,
         band=None if deciding is None else (deciding.low, deciding.high),
         pair=pair,
         measures=tuple(
@@ -145,11 +140,12 @@ def proof_of(
                 after=number(after.view.of_pair(proved.field, *pair)[0]),
             )
             for proved in PROVED
+            if pair
         ),
         hazards=after.dangers,
         hazards_before=before.dangers,
         claims=after.claims,
-        unwanted_contacts=after.unwanted(target, pair),
+        unwanted_contacts=after.unwanted(target, pair) if pair else (),
         evaluations=evaluations,
         dt_s=PROOF_DT_S,
         changed=after.concrete != before.concrete,

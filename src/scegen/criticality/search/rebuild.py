@@ -55,13 +55,7 @@ def rebuilt(
         people.append(fresh)
     if not changes:
         return concrete
-    return concrete.model_copy(
-        update={
-            "participants": tuple(people),
-            "duration_s": round(duration_s * 20) / 20,
-            "provenance": (*concrete.provenance, *changes),
-        }
-    )
+    return concrete.changed(people, changes, duration_s=round(duration_s * 20) / 20)
 
 
 def _moved_m(participant: ConcreteParticipant, way: Way, start_m: float) -> float:
@@ -107,15 +101,10 @@ def _phase(
     if isinstance(trigger, ArrivalBelow):
         place = max(0.0, trigger.place_m - moved_m[trigger.participant])
         update["place_m"] = _settled(trigger.place_m, place)
-    return phase.model_copy(
-        update={
-            "trigger": trigger.model_copy(update=update),
-            "target_speed_mps": _settled(
-                phase.target_speed_mps, float(made.target_speed_mps[row, k])
-            ),
-            "rate_mps2": _settled(phase.rate_mps2, float(made.rate_mps2[row, k])),
-        }
-    )
+    fresh: dict[str, object] = {"trigger": trigger.model_copy(update=update)}
+    for name in ("target_speed_mps", "rate_mps2"):
+        fresh[name] = _settled(getattr(phase, name), float(getattr(made, name)[row, k]))
+    return phase.model_copy(update=fresh)
 
 
 def off_the_steps(time_s: float) -> float:
@@ -141,17 +130,8 @@ def _changes(
         values.append((f"{name}.start_m", before.motion.start_m, after.motion.start_m))
     pairs = zip(before.speed_program, after.speed_program, strict=True)
     for n, (old, new) in enumerate(pairs):
-        place = f"{name}.speed_program.{n}"
-        field = old.trigger.measured
-        values += [
-            (
-                f"{place}.trigger.{field}",
-                getattr(old.trigger, field),
-                getattr(new.trigger, field),
-            ),
-            (f"{place}.target_speed_mps", old.target_speed_mps, new.target_speed_mps),
-            (f"{place}.rate_mps2", old.rate_mps2, new.rate_mps2),
-        ]
+        for field, was in old.numbers.items():
+            values.append((f"{name}.speed_program.{n}.{field}", was, new.numbers[field]))
     return [
         Change(parameter=parameter, by=by, before=old, after=new, reason=why)
         for parameter, old, new in values

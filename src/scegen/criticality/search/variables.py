@@ -120,6 +120,19 @@ class Space:
         return np.array([v.high for v in self.variables])
 
     @property
+    def span(self) -> Floats:
+        """How wide they are (n,)."""
+        return self.high - self.low
+
+    def at(self, u: Floats) -> Floats:
+        """The values at points of the unit cube (…, n)."""
+        return self.low + u * self.span
+
+    def unit(self, x: Floats) -> Floats:
+        """Where values lie in the unit cube (…, n)."""
+        return (x - self.low) / self.span
+
+    @property
     def origin(self) -> Floats:
         """The scenario as it was concretized, inside the bounds (n,)."""
         return np.array([min(max(v.base, v.low), v.high) for v in self.variables])

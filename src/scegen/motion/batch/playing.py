@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from scegen.motion.batch.arrays import BatchTraces
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.model import Path, Trace
@@ -23,13 +24,18 @@ def play(
         dt_s: the time step.
     """
     program, own = compile_program(concrete, paths)
-    run = simulate_batch(program, own, duration_s=concrete.duration_s, dt_s=dt_s)
-    time_s = np.arange(run.tracks.shape[3], dtype=np.float64) * dt_s
+    return traces_of(
+        concrete, simulate_batch(program, own, duration_s=concrete.duration_s, dt_s=dt_s)
+    )
+
+
+def traces_of(concrete: ConcreteScenario, run: BatchTraces) -> dict[str, Trace]:
+    """The first candidate of a run, as the reference gives its movements."""
     return {
         p.id: Trace(
             participant=p.id,
             body=p.body,
-            time_s=time_s,
+            time_s=run.time_s,
             s_m=run.s_m[0, :, i],
             x_m=run.x_m[0, :, i],
             y_m=run.y_m[0, :, i],

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from importlib.resources import files
+
+from scegen.report.one_file import asset
 
 ENTRY = "player.js"
 _IMPORT = re.compile(r'^import \{[^}]*\} from "\./(?P<name>[\w-]+\.js)";\n', re.MULTILINE)
@@ -21,7 +22,7 @@ def player_js() -> str:
     parts: dict[str, str] = {}
 
     def add(name: str) -> None:
-        text = _read(name)
+        text = asset(__package__, name)
         for found in _IMPORT.finditer(text):
             if found["name"] not in parts:
                 add(found["name"])
@@ -34,8 +35,4 @@ def player_js() -> str:
 @cache
 def player_css() -> str:
     """The player's style sheet; it needs the theme's custom properties."""
-    return _read("player.css")
-
-
-def _read(name: str) -> str:
-    return files("scegen.report.player").joinpath(name).read_text(encoding="utf-8")
+    return asset(__package__, "player.css")

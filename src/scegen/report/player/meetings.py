@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import ceil, isfinite, isnan
-from typing import Any
 
 import numpy as np
 import shapely
@@ -23,10 +22,9 @@ from scegen.motion.friction import friction_of
 from scegen.motion.model import Path, Trace
 from scegen.motion.standing import object_paths
 from scegen.report.corners import box_corners
-from scegen.report.player.series import compact, points
-from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
-
-Data = dict[str, Any]
+from scegen.report.player.series import Data, compact, points
+from scegen.scenario.bodies import Body
+from scegen.scenario.concrete import ConcreteScenario
 
 EYE_M = 1.08
 """Height of a driver's eyes: AASHTO, A Policy on Geometric Design (2018), 3.2.6. What is lower
@@ -43,7 +41,7 @@ class Meetings:
     names: tuple[str, ...]
     pair: tuple[str, ...]
     paths: Sequence[Path]
-    bodies: Sequence[ConcreteParticipant | None]
+    bodies: Sequence[Body | None]
     traces: BatchTraces
     scene: Tables
     summary: Summary
@@ -80,11 +78,8 @@ class Meetings:
 
     def data(self, step_s: float) -> Data:
         """Pairs, areas and lines of sight for the player, in samples of ``step_s``."""
-        return {
-            "pairs": self._series(step_s),
-            "areas": self._areas(),
-            "hidden": self._hidden(),
-        }
+        pairs, areas, hidden = self._series(step_s), self._areas(), self._hidden()
+        return {"pairs": pairs, "areas": areas, "hidden": hidden}
 
     def _series(self, step_s: float) -> list[Data]:
         """Each sample is the smallest value until the next: the least is that of the proof."""
@@ -96,22 +91,16 @@ class Meetings:
         starts = np.arange(0, len(distance), every)
         result = []
         for n, (a, b) in enumerate(pairs):
-            apart, left_s = (
-                np.minimum.reduceat(series[:, n], starts) for series in (distance, ttc)
-            )
+            apart, left_s = (np.minimum.reduceat(of[:, n], starts) for of in (distance, ttc))
             result.append(
                 {
                     "between": [self.names[a], self.names[b]],
                     "distance_m": compact(apart.tolist(), 2),
                     "ttc_s": compact(left_s.tolist(), 2),
                     "least": {
-                        name: round(float(values[0, n]), 3)
-                        for name, values in (
-                            ("distance_m", self.summary.distance_m),
-                            ("ttc_s", self.summary.ttc_s),
-                            ("pet_s", self.summary.pet_s),
-                        )
-                        if isfinite(values[0, n])
+                        name: round(float(value), 3)
+                        for name in ("distance_m", "ttc_s", "pet_s")
+                        if isfinite(value := getattr(self.summary, name)[0, n])
                     },
                 }
             )
@@ -147,16 +136,13 @@ class Meetings:
 
     def _swept(self, one: int, low_m: float, high_m: float) -> shapely.Geometry:
         """The ground that a body covers between two places of its way."""
-        path, who = self.paths[one], self.bodies[one]
+        path, body = self.paths[one], self.bodies[one]
         high_m = min(high_m, path.length_m)
         low_m = min(max(low_m, 0.0), high_m)
         s = np.linspace(low_m, high_m, 2 + ceil((high_m - low_m) / _ALONG_M))
-        x, y, heading = (
-            np.interp(s, path.s_m, series) for series in (path.x_m, path.y_m, path.heading_rad)
-        )
-        if who is None:
-            return shapely.Point(x[0], y[0])
-        return shapely.union_all(shapely.polygons(box_corners(who.body, x, y, heading)))
+        if body is None:
+            return shapely.Point(path.x_m[0], path.y_m[0])
+        return shapely.union_all(shapely.polygons(box_corners(body, *path.places(s))))
 
     def _spell(self, one: int, enter_m: float, leave_m: float) -> list[float] | None:
         """From when to when somebody is on common ground; None: never."""
@@ -222,8 +208,8 @@ def meetings_of(
         friction=friction_of(concrete.environment),
     )
     batch = stack_scenario(concrete, traces, paths)
-    people = [*concrete.participants, *(None for _ in concrete.objects)]
-    return Meetings(names, tuple(pair), order, people, batch, scene, measure(batch, scene))
+    bodies = [*(p.body for p in concrete.participants), *(None for _ in concrete.objects)]
+    return Meetings(names, tuple(pair), order, bodies, batch, scene, measure(batch, scene))
 
 
 def _sights(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:

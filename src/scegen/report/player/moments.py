@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from scegen.motion.model import Trace
 from scegen.report.player.meetings import Meetings
+from scegen.report.player.series import Data
 from scegen.scenario.concrete import ConcreteScenario, CrossingMotion, DriveMotion
 from scegen.scenario.proof import ClaimProof, Proof
-
-Data = dict[str, Any]
 
 _LASTING = frozenset({"road", "body", "entry", "order", "approach", "beside", "lane", "stands"})
 """Kinds of statements that are so from the start: no moment of the time line."""
@@ -40,48 +38,30 @@ def claim_data(claim: ClaimProof, concrete: ConcreteScenario, traces: Mapping[st
 
 
 def moments(
-    concrete: ConcreteScenario,
-    traces: Mapping[str, Trace],
-    proof: Proof | None,
-    meetings: Meetings,
+    concrete: ConcreteScenario, traces: Mapping[str, Trace], proof: Proof | None, meetings: Meetings
 ) -> list[Data]:
     """What is marked on the time line, in its order."""
-    found: list[Data] = [
-        {
-            "time_s": round(hazard.time_s, 2),
-            "kind": "danger",
-            "label": hazard.kind.replace("_", " "),
-            "holds": hazard.happened,
-            "who": [*hazard.by, *hazard.to],
-        }
-        for hazard in (proof.hazards if proof else ())
-        if hazard.time_s is not None
-    ]
+    found: list[Data] = []
+
+    def mark(time_s: float, kind: str, label: str, holds: bool, who: Sequence[str]) -> Data:
+        data: Data = {"time_s": time_s, "kind": kind, "label": label, "holds": holds}
+        found.append(data | {"who": list(who)})
+        return found[-1]
+
+    for hazard in proof.hazards if proof else ():
+        if hazard.time_s is not None:
+            label, who = hazard.kind.replace("_", " "), (*hazard.by, *hazard.to)
+            mark(round(hazard.time_s, 2), "danger", label, hazard.happened, who)
     for claim in proof.claims if proof else ():
         data = claim_data(claim, concrete, traces)
         lasts = claim.kind in _LASTING or data["shown_s"] == 0.0
         if data["shown_s"] is None or (lasts and claim.holds):
             continue
-        found.append(
-            {
-                "time_s": data["shown_s"],
-                "kind": "claim",
-                "label": claim.statement,
-                "holds": claim.holds,
-                "who": data["who"],
-                "claim": claim.id,
-            }
-        )
+        marked = mark(data["shown_s"], "claim", claim.statement, claim.holds, data["who"])
+        marked["claim"] = claim.id
     if meetings.moment_s is not None:
-        found.append(
-            {
-                "time_s": round(meetings.moment_s, 2),
-                "kind": "contact" if meetings.touches else "closest",
-                "label": meetings.moment,
-                "holds": True,
-                "who": list(meetings.pair),
-            }
-        )
+        kind = "contact" if meetings.touches else "closest"
+        mark(round(meetings.moment_s, 2), kind, meetings.moment, True, meetings.pair)
     return sorted(found, key=lambda moment: moment["time_s"])
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import copysign, pi
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +11,12 @@ from numpy.typing import NDArray
 from scegen.motion.model import Path
 from scegen.report.lane_shapes import bays, road_shapes
 from scegen.report.lights import entry_of, lights_of, shown
-from scegen.report.player.series import points
+from scegen.report.player.series import Data, points
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.vocabulary import Control
 
-Data = dict[str, Any]
 _BESIDE_M = 0.9
 _SIGNS = {Control.YIELD: "yield", Control.STOP: "stop", Control.ALL_WAY_STOP: "stop"}
 _OUTER = (

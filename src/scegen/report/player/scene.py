@@ -8,7 +8,6 @@ series holds its last value to the end.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -18,14 +17,12 @@ from scegen.motion.model import Array, Path, Trace
 from scegen.report.player.meetings import Meetings, meetings_of
 from scegen.report.player.moments import claim_data, moments
 from scegen.report.player.roads import road_data
-from scegen.report.player.series import compact, points
+from scegen.report.player.series import Data, compact, points
 from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.proof import Proof
-
-Data = dict[str, Any]
 
 STEP_S = 0.05
 _LEAD_S, _REST_S = 4.0, 2.5

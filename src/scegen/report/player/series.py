@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from math import isfinite
+from typing import Any
+
+Data = dict[str, Any]
+"""What JSON holds."""
 
 
 def compact(series: Iterable[float], digits: int) -> list[float | None]:

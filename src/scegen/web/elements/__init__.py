@@ -9,7 +9,6 @@ from typing import Any, Protocol
 import nicegui.elements.scene
 from nicegui.element import Element
 from nicegui.elements.mixins.text_element import TextElement
-from nicegui.events import GenericEventArguments
 
 _SCENE = Path(nicegui.elements.scene.__file__).parent / "dist"
 """three.js, as the framework brings it for its own scenes."""
@@ -31,13 +30,32 @@ def node(tag: str, classes: str = "", text: str = "", **attributes: object) -> T
     return element
 
 
+def clickable(
+    classes: str, done: Callable[[], object], text: str = "", **attributes: object
+) -> TextElement:
+    """Something to be clicked; ``done`` is called every time."""
+    made = node("button", classes, text, type="button", **attributes)
+    made.on("click", lambda _: done(), [])
+    return made
+
+
 def button(
     text: str, done: Callable[[], object], classes: str = "", **attributes: object
 ) -> TextElement:
-    """A button; ``done`` is called on every click."""
-    made = node("button", f"button {classes}", text, type="button", **attributes)
-    made.on("click", lambda _: done(), [])
-    return made
+    """A button that looks like one."""
+    return clickable(f"button {classes}", done, text, **attributes)
+
+
+def dotted(state: str, text: str) -> None:
+    """Words behind a dot whose colour tells a state or a standing."""
+    node("span", f"dot {state}")
+    node("span", "", text)
+
+
+def tell(element: TextElement, text: str | None) -> None:
+    """Show words in an element, or hide it where there are none."""
+    element.set_visibility(text is not None)
+    element.text = text or ""
 
 
 def mark(element: Element, name: str, *, on: bool) -> Element:
@@ -177,9 +195,7 @@ class Rules(Element, component="rules.js"):
 
 
 class Cinema(
-    Element,
-    component="cinema.js",
-    esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"},
+    Element, component="cinema.js", esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"}
 ):
     """The player of one scenario, with the view from the driver's seat beside it.
 
@@ -195,20 +211,3 @@ class Cinema(
     def show(self, source: str) -> None:
         """Play what lies at this address; nothing if it is empty."""
         self.props["source"] = source
-
-
-__all__ = [
-    "Cinema",
-    "Description",
-    "Element",
-    "Entry",
-    "Form",
-    "Gallery",
-    "GenericEventArguments",
-    "Rules",
-    "button",
-    "choice",
-    "drawn",
-    "mark",
-    "node",
-]

@@ -9,9 +9,11 @@ from functools import partial
 from typing import Any
 
 from scegen.criticality.target import AVOIDED, BANDS, COLLISION, NEAR_MISS
+from scegen.measures.registry import measure_named
 from scegen.pipeline.options import CheckDepth, EgoMode, OscVersion
 from scegen.pipeline.raising import NO_SEARCH
-from scegen.web.elements import Entry, Form, button, choice, drawn, mark, node
+from scegen.scenario.wording import counted
+from scegen.web.elements import Entry, Form, button, choice, clickable, drawn, mark, node
 from scegen.web.form import form_spec
 from scegen.web.jobs import Step
 from scegen.web.pictures import tile_picture
@@ -26,7 +28,6 @@ _TARGETS = {
     "band": ("A measure", "in a band of your own"),
     NO_SEARCH: ("No search", "the first numbers that keep what was said"),
 }
-_UNITS = {"pet": "s", "ttc": "s", "distance": "m", "headway": "s", "drac": "m/s²"}
 _USUAL = {
     "pet": (0.3, 1.0),
     "ttc": (0.5, 1.5),
@@ -96,16 +97,13 @@ class Danger(StepView):
         self._targets.clear()
         with self._targets:
             for word, (label, told) in _TARGETS.items():
-                made = node(
-                    "button",
-                    "target",
-                    type="button",
+                here = word == kind
+                with clickable(
+                    "target on" if here else "target",
+                    partial(self._aim, word),
                     role="radio",
-                    aria_checked="true" if word == kind else "false",
-                )
-                made.classes("on" if word == kind else "")
-                made.on("click", lambda _, word=word: self._aim(word), [])
-                with made:
+                    aria_checked="true" if here else "false",
+                ):
                     node("strong", "", label)
                     node("span", "soft", told)
         self._band.clear()
@@ -122,13 +120,8 @@ class Danger(StepView):
                 options=choice([(name, name.upper() if len(name) < 5 else name) for name in BANDS]),
             )
             least, most = BANDS[measure]
-            ends = {
-                "kind": "number",
-                "unit": _UNITS[measure],
-                "min": least,
-                "max": most,
-                "step": "any",
-            }
+            unit = measure_named(measure).unit.replace("s2", "s²")
+            ends = {"kind": "number", "unit": unit, "min": least, "max": most, "step": "any"}
             Entry(low, lambda v: self._set_band(measure, v, high), label="from", **ends)
             Entry(high, lambda v: self._set_band(measure, low, v), label="to", **ends)
 
@@ -182,10 +175,8 @@ class Danger(StepView):
             return
         with self._chosen:
             for index in work.picked[:_MOST_TILES]:
-                drawn(
-                    tile_picture(work.listing.scenario(index), work.listing.functional),
-                    "paper small",
-                )
+                one = work.listing.scenario(index)
+                drawn(tile_picture(one, work.listing.functional), "paper small")
             if len(work.picked) > _MOST_TILES:
                 node("p", "soft", f"and {len(work.picked) - _MOST_TILES} more")
 
@@ -195,9 +186,7 @@ class Danger(StepView):
         ready = work.given is not None or bool(work.picked)
         count = len(work.picked)
         fresh = work.made is not None and bool(work.made.scenarios) and not work.stale
-        self._title.text = (
-            "1 scenario" if count == 1 else f"{count} scenarios" if count else "Given numbers"
-        )
+        self._title.text = counted(count, "scenario") if count else "Given numbers"
         self._make.text = "Search again" if fresh else "Search"
         self._make.props.set_bool("disabled", busy or not ready)
         mark(self._make, "secondary", on=fresh)

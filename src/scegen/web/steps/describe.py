@@ -9,25 +9,15 @@ from typing import Any
 from scegen.report.evidence import STANDS_FOR
 from scegen.scenario.wording import counted
 from scegen.understanding import MAX_CHARACTERS, Finding, Standing, passages
-from scegen.web.elements import Description, Form, button, drawn, mark, node
+from scegen.web.elements import Description, Form, button, dotted, drawn, mark, node, tell
 from scegen.web.form import form_spec
 from scegen.web.pictures import junction, tile_picture
 from scegen.web.steps.opening import entry_row
 from scegen.web.steps.step import Activity, StepView, show_form
 from scegen.web.work import Work
 
-_SECTIONS = (
-    "participants",
-    "acts",
-    "spacings",
-    "hazards",
-    "outcome",
-    "objects",
-    "junction",
-    "environment",
-    "relations",
-    "groups",
-)
+_SECTIONS = ("participants", "acts", "spacings", "hazards", "outcome", "objects", "junction",
+             "environment", "relations", "groups")  # fmt: skip
 EXAMPLES = {
     "Left turn": "The ego turns left at a four-way intersection while an oncoming truck goes "
     "straight and a pedestrian crosses the road it turns into.",
@@ -100,8 +90,7 @@ class Describe(StepView):
                     node("strong", "", name)
                     node("span", "", text)
                 example.on(
-                    "click",
-                    js_handler=f"() => getElement({self._text.id}).put({json.dumps(text)})",
+                    "click", js_handler=f"() => getElement({self._text.id}).put({json.dumps(text)})"
                 )
         entries = self._work.project.entries()[:_RECENT]
         if entries:
@@ -121,8 +110,7 @@ class Describe(StepView):
         with self._model:
             model_line(self._work)
         show_form(self._form, work)
-        self._wrong.set_visibility(work.form_trouble is not None)
-        self._wrong.text = work.form_trouble or ""
+        tell(self._wrong, work.form_trouble)
         self._show_plan()
 
     def _show_found(self) -> None:
@@ -141,14 +129,12 @@ class Describe(StepView):
                     count = len(report.of(standing))
                     if count:
                         with node("li", "", data_tip=STANDS_FOR[standing]):
-                            node("span", f"dot {standing}")
-                            node("span", "", f"{count} {standing}")
+                            dotted(standing, f"{count} {standing}")
             for standing in (Standing.CONTRADICTED, Standing.UNSUPPORTED):
                 for finding in report.of(standing):
                     with node("div", "remark"):
-                        node("span", f"dot {standing}")
                         words = f"“{finding.words}” " if finding.words else ""
-                        node("span", "", f"{words}{finding.reason or standing}")
+                        dotted(standing, f"{words}{finding.reason or standing}")
             assumed = report.of(Standing.ASSUMED)
             if assumed:
                 with node("details", "assumptions", open=True):
@@ -193,19 +179,13 @@ class Describe(StepView):
                 return
             with node("div", "tally"):
                 node("span", "figure", f"{certificate.count:,}")
-                node(
-                    "span",
-                    "",
-                    "distinct scenario" if certificate.count == 1 else "distinct scenarios",
-                )
+                one = certificate.count == 1
+                node("span", "", "distinct scenario" if one else "distinct scenarios")
             node("p", "soft", f"of {counted(certificate.total, 'assignment')}")
             button("See them all", lambda: self._go("choose"), "primary wide")
-            richest = work.richest()
-            picture = (
-                junction(work.functional)
-                if richest is None
-                else tile_picture(richest, listing.functional)
-            )
+            picture = junction(work.functional)
+            if (richest := work.richest()) is not None:
+                picture = tile_picture(richest, listing.functional)
             drawn(picture, "paper")
 
 
@@ -254,13 +234,12 @@ def model_line(work: Work) -> None:
     models = work.models
     with node("footer", "model"):
         if models is None:
-            node("span", "dot held")
-            node("span", "", "offline reader")
+            dotted("held", "offline reader")
             node("span", "soft", "no language model; start with --llm to ask one")
             return
         for name, has_key in models.keys().items():
-            node("span", f"dot {'held' if has_key else 'failed'}")
-            node("span", "", f"{name}: {'key found' if has_key else 'no key in the environment'}")
+            found = "key found" if has_key else "no key in the environment"
+            dotted("held" if has_key else "failed", f"{name}: {found}")
         limit = models.settings.budget.cost_usd
         bound = "" if limit is None else f", of at most {limit:.2f} USD"
         node("span", "soft", f"so far {models.used.in_words()}{bound}")

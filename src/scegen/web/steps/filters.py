@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from functools import partial
+
+from nicegui.element import Element
 
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.web.choice import Listing
-from scegen.web.elements import Element, Entry, mark, node
+from scegen.web.elements import Entry, clickable, mark, node, tell
 from scegen.web.work import Work
 
 
@@ -52,8 +55,7 @@ class Filters:
         """Show the expression and what is wrong with it."""
         self._entry.props["value"] = self._work.where
         self._entry.props["wrong"] = self._work.where_trouble is not None
-        self._trouble.set_visibility(self._work.where_trouble is not None)
-        self._trouble.text = self._work.where_trouble or ""
+        tell(self._trouble, self._work.where_trouble)
 
     def _build(self, facet: Facet, names: set[str]) -> None:
         with node("div", "facet"):
@@ -61,11 +63,10 @@ class Filters:
             with node("span", "chips"):
                 for value, term, count in zip(facet.values, facet.terms, facet.found, strict=True):
                     key = (facet.label, term)
-                    chip = node("button", "tag", type="button", aria_pressed="false")
-                    with chip:
+                    toggle = partial(self._toggle, key)
+                    with clickable("tag", toggle, aria_pressed="false") as chip:
                         node("span", "", value if value in names else value.replace("_", " "))
                         node("span", "tag-count", f"{count}")
-                    chip.on("click", lambda _, key=key: self._toggle(key), [])
                     self._chips[key] = chip
 
     def _toggle(self, key: tuple[str, str]) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from nicegui import ui
 from nicegui.events import UploadEventArguments
 
-from scegen.web.elements import button, node
+from scegen.web.elements import button, clickable, node
 from scegen.web.project import Entry
 from scegen.web.steps.step import Go
 from scegen.web.uploads import LARGEST_FILE
@@ -67,9 +67,7 @@ class Opening:
 
 def entry_row(entry: Entry, chosen: Callable[[str], object]) -> None:
     """One folder of the project, to be clicked."""
-    made = node("button", "entry-open", type="button")
-    made.on("click", lambda _: chosen(entry.name), [])
-    with made:
+    with clickable("entry-open", lambda: chosen(entry.name)):
         node("strong", "", entry.name)
         node("span", "", entry.description)
         node("span", "soft", f"{entry.scenarios} made" if entry.scenarios else "not made yet")

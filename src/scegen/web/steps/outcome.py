@@ -7,7 +7,7 @@ from scegen.report.judgement import verdict_words
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 from scegen.scenario.wording import figure
-from scegen.web.elements import drawn, node
+from scegen.web.elements import dotted, drawn, node
 from scegen.web.made import MadeScenario
 from scegen.web.pictures import tile_picture
 from scegen.web.work import Work
@@ -23,16 +23,14 @@ def outcome_cards(work: Work) -> None:
         outcome_card(made, work.made.functional)
     for name, reason in work.made.skipped.items():
         with node("div", "remark"):
-            node("span", "dot open")
-            node("span", "", f"{name}: {reason}")
+            dotted("open", f"{name}: {reason}")
 
 
 def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> None:
     """One scenario: whether it is what was asked for, in figures."""
     with node("article", "card"):
         with node("h3", ""):
-            node("span", f"dot {made.state}")
-            node("span", "", made.name)
+            dotted(made.state, made.name)
         with node("div", "card-body"):
             if functional is not None:
                 drawn(tile_picture(made.concrete.logical, functional), "paper")
@@ -55,12 +53,8 @@ def _proof(proof: Proof) -> None:
     measure = proof.of(proof.measure)
     pair = " and ".join(proof.pair)
     with node("p", "headline"):
-        reached = proof.in_band
-        node(
-            "span",
-            f"check {'held' if reached else 'failed'}",
-            proof.target if reached else f"{proof.target} not reached",
-        )
+        state, words = ("held", "") if proof.in_band else ("failed", " not reached")
+        node("span", f"check {state}", f"{proof.target}{words}")
         if pair:
             node("span", "", pair)
     if measure is not None:
@@ -77,16 +71,13 @@ def _proof(proof: Proof) -> None:
     if proof.hazards:
         with node("ul", "chips", aria_label="Dangers"):
             for hazard in proof.hazards:
-                state = "held" if hazard.happened else "failed"
-                when = f" at {hazard.time_s:.1f} s" if hazard.time_s is not None else ""
-                kind = hazard.kind.replace("_", " ")
-                node(
-                    "li", f"check {state}", kind + (when if hazard.happened else " does not happen")
-                )
+                state, words = ("held", "") if hazard.happened else ("failed", " does not happen")
+                if hazard.happened and hazard.time_s is not None:
+                    words = f" at {hazard.time_s:.1f} s"
+                node("li", f"check {state}", hazard.kind.replace("_", " ") + words)
     if proof.claims:
         node("p", "", proof.held)
     for claim in proof.missed:
         with node("div", "remark"):
-            node("span", "dot failed")
             words = f" (“{claim.words}”)" if claim.words else ""
-            node("span", "", f"{claim.statement}{words}: {claim.found}")
+            dotted("failed", f"{claim.statement}{words}: {claim.found}")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.web.elements import Form, button, node
+from scegen.web.elements import Form, button, node, tell
 from scegen.web.form import standings
-from scegen.web.jobs import JobState, Trouble
+from scegen.web.jobs import JobState
 from scegen.web.pictures import participant_colours
 from scegen.web.work import Work
 
@@ -76,15 +76,7 @@ class Activity:
             said = "waiting for its turn" if waiting else step
             self._text.text = f"{said} · {job.seconds:.0f} s"
         troubles = [self._work.trouble(kind) for kind in self._kinds]
-        self.complain(next((trouble for trouble in troubles if trouble is not None), None))
-
-    def complain(self, trouble: Trouble | None) -> None:
-        """Show why something failed, or nothing."""
-        self._problem.set_visibility(trouble is not None)
-        if trouble is not None:
-            where = f"{trouble.where}: " if trouble.where else ""
-            hint = f" {trouble.hint}" if trouble.hint else ""
-            self._problem.text = f"{where}{trouble.message}{hint}"
+        tell(self._problem, next((t.in_words for t in troubles if t is not None), None))
 
     def _cancel(self) -> None:
         self._work.cancel(*self._kinds)

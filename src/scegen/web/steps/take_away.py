@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from urllib.parse import quote
 
 from scegen.checking.environment import esmini
@@ -81,7 +82,7 @@ class TakeAway(StepView):
                     if esmini() is not None:
                         button(
                             "Play in esmini",
-                            lambda name=made.name: work.play(name),  # type: ignore[misc]
+                            partial(work.play, made.name),
                             "small",
                             data_tip=None if has_screen() else "No screen here: without a window",
                         )
@@ -101,13 +102,8 @@ class TakeAway(StepView):
 
     def _build_files(self, made: Made) -> None:
         node("h1", "", "Take it away")
-        node(
-            "a",
-            "button primary wide",
-            f"Download {made.folder.name}.zip",
-            href="/download/zip",
-            download=f"{made.folder.name}.zip",
-        )
+        file = f"{made.folder.name}.zip"
+        node("a", "button primary wide", f"Download {file}", href="/download/zip", download=file)
         node("p", "soft", f"In the project folder: {made.folder.name}/")
         command = again(made)
         if command is not None:

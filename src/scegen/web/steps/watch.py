@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
 from urllib.parse import quote
 
 from scegen.report.player.bundle import ENTRY
-from scegen.web.elements import Cinema, button, node
+from scegen.web.elements import Cinema, button, clickable, dotted, node
 from scegen.web.steps.step import Activity, StepView
 
 
@@ -32,17 +33,13 @@ class Watch(StepView):
         with self._tabs:
             for made in work.made.scenarios if work.made else ():
                 here = made.name == work.watched
-                tab = node(
-                    "button",
+                with clickable(
                     "tag on" if here else "tag",
-                    type="button",
+                    partial(work.watch, made.name),
                     role="tab",
                     aria_selected="true" if here else "false",
-                )
-                tab.on("click", lambda _, name=made.name: work.watch(name), [])
-                with tab:
-                    node("span", f"dot {made.state}")
-                    node("span", "", made.name)
+                ):
+                    dotted(made.state, made.name)
         ready = work.watched if work.watched in work.films else None
         source = f"/film?name={quote(ready)}&edition={work.revision['made']}" if ready else ""
         self._cinema.show(source)
