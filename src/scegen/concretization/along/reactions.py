@@ -109,8 +109,10 @@ def _brake_as_hard_as_needed(traffic: Traffic, story: Story, who: Runner) -> Non
     ends = {a.when.act for a in story.acts if isinstance(a.when, AfterAct)}
     for step in who.steps:
         act = story.act(step.act) if step.act is not None else None
-        if act is None or act.kind not in SLOWING or act.id in ends or story.is_loose(act.id):
+        if act is None or act.kind not in SLOWING or act.id in ends:
             continue
+        if story.loose([step], who.speed_mps) is not None:
+            continue  # it answers somebody, and begins in time for that
         if any(each is not None for each in (act.rate_mps2, act.duration_s, act.distance_m)):
             continue
         before = who.steps
