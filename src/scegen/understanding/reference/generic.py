@@ -50,11 +50,18 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
 
 
 def _what_lies_there(chunks: list[Chunk], events: list[Event]) -> None:
-    """``loses a pallet; it lies ahead``: "it" is the thing, and nobody."""
-    things = [c.i for c in chunks if isinstance(c, Thing) and c.lies_there]
-    for event in (e for e in events if e.lemma in word_list("lying")):
+    """``loses a pallet; it lies ahead``, ``the ego goes round it``: the thing, and nobody."""
+    things = [c for c in chunks if isinstance(c, Thing) and c.lies_there]
+    for event in (e for e in events if things):
         for it in (m for m in event.subject if m.pronoun == "it"):
-            it.negated = any(i < it.i for i in things)
+            lies = event.lemma in word_list("lying") and any(c.i < it.i for c in things)
+            it.negated = it.negated or lies
+        meant = event.object
+        if isinstance(meant, Mention) and meant.pronoun == "it":
+            since = [c for c in chunks if isinstance(c, Thing | Mention) and c.i < meant.i]
+            named = next((c for c in reversed(since) if c not in event.subject), None)
+            if isinstance(named, Thing) and named.lies_there:
+                meant.negated, event.object = True, named
 
 
 def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:
