@@ -103,6 +103,8 @@ def attach(prep: Prep, state: State) -> None:
         # side of its own: "turns in front of a car from the left"
         own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
         prep.on_mention = whom if own else None
+    if whom is not None and prep.who is not None and _came_from(whom, state):
+        prep.on_mention = None  # "steps out from behind a van 20 m in front of the ego"
     if head is not None:
         prep.on_mention = head
     if prep.value == "due" and state.events:
@@ -156,6 +158,13 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
         return True
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     return followed and verb is not None and verb.name == "follow" and prep.value == "behind"
+
+
+def _came_from(whom: Mention, state: State) -> bool:
+    """``from behind a van``: where who acts was hidden, no place that has places of its own."""
+    phrases = state.last.pps if state.last is not None else []
+    out = {("from", "behind"), ("from", "ahead"), (None, "between")}
+    return any(p.target is whom and (p.outer, p.value) in out for p in phrases)
 
 
 def _from_a_side(prep: Prep) -> bool:
