@@ -18,7 +18,7 @@ from scegen.understanding.words.tokens import Token
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
 _ALONG = frozenset({"ahead", "behind"})
-_UNDERWAY = frozenset({"move", "wait"})
+_UNDERWAY = frozenset({"move", "wait", "approach"})
 _BEHIND = ("locus", "behind", None, None)
 _COMING_OUT = frozenset({"cross", "appear", "pull_out"})
 
@@ -123,7 +123,7 @@ def _drives_along(event: Event, found: Bonds) -> None:
     astern = any((p.value, p.outer) == ("behind", "from") for p in event.pps)
     behind = event.name in _FOLLOWING or (event.name == "approach" and astern)
     for who in event.subject:
-        if event.name in _UNDERWAY:
+        if event.name in _UNDERWAY and not (whom is not None and behind):
             _stands_along(who, [p for p in event.pps if p.outer is None], found)
         elif whom is not None and event.name == "precede":
             _along(who, "ahead", whom, found)
