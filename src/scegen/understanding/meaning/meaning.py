@@ -24,6 +24,7 @@ from scegen.understanding.semantics.roles import (
     without_nouns,
 )
 from scegen.understanding.semantics.rows import say
+from scegen.understanding.words.quantities import ends_a_quantity
 
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
@@ -31,6 +32,7 @@ _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
+_INTO = frozenset({"lane_change", "cut_in", "cut_off", "merge"})
 _PASSING = frozenset({"bypass", "overtake", "block"})
 _PAIR = (Approach.LEFT, Approach.RIGHT)
 _ALL_TOLD = (
@@ -65,6 +67,8 @@ class Interpreter:
         self._manners = manners
         self._clauses: list[Clause] = []
         self._of_verbs: set[int] = set()
+        self._gone_to: set[int] = set()
+        """Phrases like "10 m in front of it, a van changes lanes": not there before."""
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> list[Clause]:
         """All statements of a text.
@@ -77,6 +81,11 @@ class Interpreter:
             What happens, in the order of the text.
         """
         self._of_verbs = {id(p) for e in events for p in e.pps if _is_of_the_verb(p, e)}
+        into = [p for e in events if e.name in _INTO for m in e.subject for p in m.pps]
+        tokens = self._context.tokens
+        far = [p for p in into if p.fronted and ends_a_quantity(tokens, p.word.i) is not None]
+        there = {id(p) for e in events if e.finite and e.name not in _INTO for p in e.pps}
+        self._gone_to = {id(p) for p in far if p.value == "ahead"} - there
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
@@ -135,7 +144,7 @@ class Interpreter:
         say("nouns.noun", clause, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
         for prep in mention.pps:
-            if id(prep) in self._of_verbs:
+            if id(prep) in self._of_verbs | self._gone_to:
                 continue
             if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
                 self._spread(prep, mention.entities)
@@ -177,7 +186,7 @@ class Interpreter:
         say("positions.from_the_side", clause, self._context)
         ends = event.name == "move" and event.lemma in word_list("ending_up")
         met = clause.targets or driven_up_to(clause, self._context)
-        for prep in event.pps if not ends else []:
+        for prep in [p for p in event.pps if id(p) not in self._gone_to] if not ends else []:
             basis = Basis(prep.word.i, prep.word.j)
             if from_everywhere(prep):
                 self._spread(prep, clause.actors)
