@@ -103,13 +103,11 @@ def attach(prep: Prep, state: State) -> None:
         # side of its own: "turns in front of a car from the left"
         own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
         prep.on_mention = whom if own else None
-    if whom is not None and prep.who is not None and _came_from(whom, state):
-        prep.on_mention = None  # "steps out from behind a van 20 m in front of the ego"
     if head is not None:
         prep.on_mention = head
     if prep.value == "due" and state.events:
         prep.on_mention = None  # "a boy whom I can't see because of a van"
-    if whom is not None and _of_who_acts(prep, whom, state):
+    if whom is not None and (_of_who_acts(prep, whom, state) or _came_from(prep, whom, state)):
         prep.on_mention = None
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
@@ -160,9 +158,9 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     return followed and verb is not None and verb.name == "follow" and prep.value == "behind"
 
 
-def _came_from(whom: Mention, state: State) -> bool:
-    """``from behind a van``: where who acts was hidden, no place that has places of its own."""
-    phrases = state.last.pps if state.last is not None else []
+def _came_from(prep: Prep, whom: Mention, state: State) -> bool:
+    """``steps out from behind a van 20 m in front of the ego``: not the van is there."""
+    phrases = state.last.pps if state.last is not None and prep.who is not None else []
     out = {("from", "behind"), ("from", "ahead"), (None, "between")}
     return any(p.target is whom and (p.outer, p.value) in out for p in phrases)
 

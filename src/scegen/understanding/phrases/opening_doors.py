@@ -71,7 +71,7 @@ def _door(chunk: Chunk) -> bool:
 
 
 def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
-    """``the door of a van parked on the left``, ``… of the second of five vans``: who, and where."""
+    """``the door of a van parked there``, ``… of the second of five vans``: who, and where."""
     found: list[Chunk] = []
     for of, who in zip(chunks[k + 1 :: 2], chunks[k + 2 :: 2], strict=False):
         if of.value != "of" or not isinstance(who, Mention):
