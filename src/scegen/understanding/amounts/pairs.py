@@ -63,9 +63,10 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     holder = [m for m, p in holds if p.fronted or m.i < figure.i]  # "10 m ahead of it a bus"
     if holder and len(holder[0].entities) == 1 and named:
         subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
-    own = figure.scene.event.pps if figure.scene is not None and figure.adjacent else []
-    if located and any(p.word is word and p.on_mention is None for p in own):
-        subject = figure.actors or subject  # "steps out from behind a van 20 m ahead of the ego"
+    for scene in text.within(figure.start, figure.i) if located else []:
+        out = any(p.outer == "from" or p.value == "between" for p in scene.event.pps)
+        if out and any(p.word is word and p.on_mention is None for p in scene.event.pps):
+            subject = scene.actors or subject  # "steps out from behind a van 20 m ahead of the ego"
     pronoun = isinstance(noun, Mention) and noun.pronoun is not None
     if pronoun and named == subject:
         named = []  # "and the ego, 15 m behind it": not behind itself

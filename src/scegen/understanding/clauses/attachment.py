@@ -122,8 +122,13 @@ def attach(prep: Prep, state: State) -> None:
 
 
 def _told_of(prep: Prep, state: State) -> Event:
-    """``passes a van, which does 60 km/h, on the left``: the comma closes what is put in."""
+    """``passes a van, which does 60 km/h, on the left``: the comma closes what is put in.
+
+    So it does in "steps out from behind a van parked there, 10 m ahead of the ego".
+    """
     last, closed = state.events[-1], "," in state.between and prep.names("side")
+    if "," in state.between and prep.who is not None and last.name == "park" and not last.finite:
+        return next((e for e in reversed(state.events) if e.finite), last)
     around = (e for e in reversed(state.events) if not e.embedded and e.name in _PASSING)
     return next(around, last) if closed and last.embedded else last
 
