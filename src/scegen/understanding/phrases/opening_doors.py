@@ -57,6 +57,7 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         before = chunk_at(found, len(found) - 1)
         if isinstance(before, Mention) and chunk.has("possessive", "genitive"):
             before.possessor = False
+            found[-1:] = owned or [before]  # "the driver's door of a van"
         else:
             found += owned or [_who(chunk, found)]
         shut = any(t.low in word_list("denying") for t in tokens[chunk.j : end])
