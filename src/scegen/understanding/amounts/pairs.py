@@ -81,7 +81,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     by_verb = by_verb or (pronoun and figure.does == "follow")
     targets = figure.scene.targets if figure.scene is not None else []
     if by_verb and figure.actors and targets:
-        if subject == targets[:1] and figure.adjacent:
+        if figure.role == "lateral_offset" and subject == targets[:1]:
             return targets[0], figure.actors[0]  # "approaches a van offset by 0.3 m"
         told = [e for e in figure.actors if subject == [e]]  # "one 15 m and the other 40 m behind"
         return (told or figure.actors)[0], targets[0]

@@ -166,8 +166,9 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
 def _came_from(prep: Prep, whom: Mention, state: State) -> bool:
     """``steps out from behind a van 20 m in front of the ego``: not the van is there."""
     phrases = state.last.pps if state.last is not None and prep.who is not None else []
-    out = {("from", "behind"), ("from", "ahead"), (None, "between")}
-    return any(p.target is whom and (p.outer, p.value) in out for p in phrases)
+    far = any(c.j == prep.word.i and c.cat == "quantity" for c in state.chunks)
+    out = [p for p in phrases if p.outer == "from" or (far and p.value == "between")]
+    return any(p.target is whom and p.value in {"behind", "ahead", "between"} for p in out)
 
 
 def _from_a_side(prep: Prep) -> bool:
