@@ -141,7 +141,7 @@ class Chunker:
         owner = self._owner()
         if head is not None and head.cat == "actor":
             ours = self._tokens[head.i].low in word_list("first_person")
-            if ours and any(m.cat in {"manner", "det"} for m in mods):
+            if ours and any(m.cat == "manner" or (m is mods[-1] and m.cat == "det") for m in mods):
                 return self._bare(mods, k)  # "so close I can't see it", "after that our car brakes"
             if self._side_before_number(mods):
                 return self._side(mods, k)
