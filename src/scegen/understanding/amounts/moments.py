@@ -51,9 +51,8 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
     here_into = [a for a in here if a.kind in _INTO] + pulls_out
     if not here_into:  # "brakes at a TTC of 3 s", "brakes with 6 m/s² 20 m ahead of the ego"
-        anything = measure is Measure.TTC_S or figure.words_around.closes("at_that")
         then = [a for a in here if told & a.places] or _opens_with(figure, acts)
-        here_into = [a for a in then if anything or a.kind in _PACE]
+        here_into = [a for a in then if measure is Measure.TTC_S or a.kind in _PACE]
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
 
 

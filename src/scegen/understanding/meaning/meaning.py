@@ -67,8 +67,6 @@ class Interpreter:
         self._manners = manners
         self._clauses: list[Clause] = []
         self._of_verbs: set[int] = set()
-        self._gone_to: set[int] = set()
-        """Phrases like "10 m in front of it, a van changes lanes": not there before."""
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> list[Clause]:
         """All statements of a text.
@@ -80,12 +78,9 @@ class Interpreter:
         Returns:
             What happens, in the order of the text.
         """
-        self._of_verbs = {id(p) for e in events for p in e.pps if _is_of_the_verb(p, e)}
-        into = [p for e in events if e.name in _INTO for m in e.subject for p in m.pps]
-        tokens = self._context.tokens
-        far = [p for p in into if p.fronted and ends_a_quantity(tokens, p.word.i) is not None]
-        there = {id(p) for e in events if e.finite and e.name not in _INTO for p in e.pps}
-        self._gone_to = {id(p) for p in far if p.value == "ahead"} - there
+        self._of_verbs = {
+            id(p) for e in events for p in e.pps if _is_of_the_verb(p, e) or self._gone_to(p, e)
+        }
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
@@ -107,6 +102,11 @@ class Interpreter:
         out_of_turn(chunks, events, self._context)
         self._all_told(chunks, nouns)
         return self._clauses
+
+    def _gone_to(self, prep: Prep, event: Event) -> bool:
+        """``10 m in front of it, a van changes lanes``: not there before."""
+        far = prep.fronted and ends_a_quantity(self._context.tokens, prep.word.i) is not None
+        return far and prep.value == "ahead" and event.name in _INTO
 
     def _all_told(self, chunks: list[Chunk], nouns: list[Clause]) -> None:
         """What follows once everything that happens is known."""
@@ -144,7 +144,7 @@ class Interpreter:
         say("nouns.noun", clause, self._context)
         sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
         for prep in mention.pps:
-            if id(prep) in self._of_verbs | self._gone_to:
+            if id(prep) in self._of_verbs:
                 continue
             if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
                 self._spread(prep, mention.entities)
@@ -186,7 +186,7 @@ class Interpreter:
         say("positions.from_the_side", clause, self._context)
         ends = event.name == "move" and event.lemma in word_list("ending_up")
         met = clause.targets or driven_up_to(clause, self._context)
-        for prep in [p for p in event.pps if id(p) not in self._gone_to] if not ends else []:
+        for prep in event.pps if not ends else []:
             basis = Basis(prep.word.i, prep.word.j)
             if from_everywhere(prep):
                 self._spread(prep, clause.actors)
