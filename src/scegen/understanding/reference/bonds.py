@@ -81,7 +81,8 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         _done_to(event, mentions, found)
         _drives_along(event, found)
         _keeps_away(event, tokens, found)
-        if event.name == "approach" or any(p.value == "to" and p.who for p in event.pps):
+        comes = event.name == "approach" or any(d.value == "opposite" for d in event.dirs)
+        if comes or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
         if _comes_out(event):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
