@@ -162,6 +162,8 @@ class Figure(Clause):
                 continue
             if chunk.j <= self.start:
                 return []
+            if self.role == "lateral_offset" and (isinstance(chunk, Thing) or chunk.value == "by"):
+                continue  # "a van offset by 0.5 m"
             if isinstance(chunk, Mention):
                 owns = self.text.low(chunk.j, i).split() in _OWNS
                 return list(chunk.entities) if owns or not chunk.possessor else []

@@ -14,7 +14,7 @@ from scegen.understanding.lexicon import word_list
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
                    ActKind.OPEN_DOOR})  # fmt: skip
-
+_PACE = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 _BEGINNING = frozenset({"try", "light", "inert"})
 """``starts to brake``: what is begun is told after it."""
 
@@ -50,9 +50,9 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
     pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
     here_into = [a for a in here if a.kind in _INTO] + pulls_out
-    if not here_into and (measure is Measure.TTC_S or figure.words_around.closes("at_that")):
-        # "brakes at a TTC of 3 s", "brakes with 6 m/s² at 2 s time gap"
-        here_into = [a for a in here if told & a.places] or _opens_with(figure, acts)
+    if not here_into:  # "brakes at a TTC of 3 s", "brakes with 6 m/s² 20 m ahead of the ego"
+        then = [a for a in here if told & a.places] or _opens_with(figure, acts)
+        here_into = [a for a in then if measure is Measure.TTC_S or a.kind in _PACE]
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
 
 

@@ -18,11 +18,11 @@ from scegen.understanding.amounts.contact_nouns import (
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.struck import struck
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, Place, Word
+from scegen.understanding.chunks import Event, Mention, Place, Thing, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.contact import goal_of_contact, touched
+from scegen.understanding.semantics.contact import goal_of_contact, lies_there, touched
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import ends_a_quantity
 
@@ -65,7 +65,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     stops = _in_time(scene, text)
     if stops is not None:
         return stops
-    clear = _gets_clear(scene) or _stops_first(scene, text)
+    clear = _gets_clear(scene, text) or _stops_first(scene, text)
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
@@ -142,19 +142,22 @@ def _stops_first(scene: Clause, text: Telling) -> bool:
     event = scene.event
     egos = [e for e in scene.actors if e.ego and Maneuver.OVERTAKE not in e.maneuvers]
     if event.name == "stop" and egos and not event.negated:
-        whom = [e for p in event.pps if p.value == "ahead" and p.who for e in p.who.entities]
-        return any(not text.context.placed(e, Approach.BEHIND) for e in whom)
+        whom = [p.target for p in event.pps if p.value == "ahead"]
+        met = [e for noun in whom if isinstance(noun, Mention) for e in noun.entities]
+        thing = any(lies_there(noun, text.context) for noun in whom)
+        return thing or any(not text.context.placed(e, Approach.BEHIND) for e in met)
     stops = any(s.event.name in {"stop", "brake"} for s in text.within(0, event.i))
     before = text.context.lows(event.i - _PAIR, event.i)
     return event.lemma == "reach" and stops and bool(scene.targets) and "before" in before
 
 
-def _gets_clear(scene: Clause) -> bool:
+def _gets_clear(scene: Clause, text: Telling) -> bool:
     """``changes lanes and avoids it``; what somebody does "to avoid it" may be in vain."""
     event = scene.event
     told = event.form in {"s", "ed"} and not (event.negated or event.modal)
     own = any(e.ego for e in (*scene.actors, *scene.targets))  # others may dodge a thing
-    return event.name == "avoid" and told and bool(scene.targets) and own
+    whom = bool(scene.targets) or lies_there(event.object, text.context)
+    return event.name == "avoid" and told and whom and own
 
 
 def _open(event: Event, text: Telling) -> bool:
@@ -216,6 +219,8 @@ def _between(scene: Clause, text: Telling) -> list[Entity]:
     if nobody and len(text.draft.entities) > _PAIR:
         return []  # none of them touches any other
     into = goal_of_contact(scene, text.context)
+    if any(isinstance(n, Thing) and lies_there(n, text.context) for n in scene.event.nouns()):
+        return []  # "avoids the pallet" that a lorry has lost
     who = [*scene.actors, *(scene.targets or touched(into))]
     alike = len({e.kind for e in scene.targets}) == 1 and len(scene.targets) > 1
     if alike and any(e.ego for e in scene.actors):

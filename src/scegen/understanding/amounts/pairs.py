@@ -63,6 +63,10 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     holder = [m for m, p in holds if p.fronted or m.i < figure.i]  # "10 m ahead of it a bus"
     if holder and len(holder[0].entities) == 1 and named:
         subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
+    for scene in text.within(figure.start, figure.i) if located else []:
+        out = any(p.outer == "from" or p.value == "between" for p in scene.event.pps)
+        if out and any(p.word is word and p.on_mention is None for p in scene.event.pps):
+            subject = scene.actors or subject  # "steps out from behind a van 20 m ahead of the ego"
     pronoun = isinstance(noun, Mention) and noun.pronoun is not None
     if pronoun and named == subject:
         named = []  # "and the ego, 15 m behind it": not behind itself
@@ -77,6 +81,8 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     by_verb = by_verb or (pronoun and figure.does == "follow")
     targets = figure.scene.targets if figure.scene is not None else []
     if by_verb and figure.actors and targets:
+        if figure.role == "lateral_offset" and subject == targets[:1]:
+            return targets[0], figure.actors[0]  # "approaches a van offset by 0.3 m"
         told = [e for e in figure.actors if subject == [e]]  # "one 15 m and the other 40 m behind"
         return (told or figure.actors)[0], targets[0]
     subject = [e for e in subject if e not in named] or [e for e in figure.actors if e not in named]

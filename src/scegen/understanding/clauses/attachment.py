@@ -107,7 +107,7 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = head
     if prep.value == "due" and state.events:
         prep.on_mention = None  # "a boy whom I can't see because of a van"
-    if whom is not None and _of_who_acts(prep, whom, state):
+    if whom is not None and (_of_who_acts(prep, whom, state) or _came_from(prep, whom, state)):
         prep.on_mention = None
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
@@ -122,8 +122,13 @@ def attach(prep: Prep, state: State) -> None:
 
 
 def _told_of(prep: Prep, state: State) -> Event:
-    """``passes a van, which does 60 km/h, on the left``: the comma closes what is put in."""
+    """``passes a van, which does 60 km/h, on the left``: the comma closes what is put in.
+
+    So it does in "steps out from behind a van parked there, 10 m ahead of the ego".
+    """
     last, closed = state.events[-1], "," in state.between and prep.names("side")
+    if "," in state.between and prep.who is not None and last.name == "park" and not last.finite:
+        return next((e for e in reversed(state.events) if e.finite), last)
     around = (e for e in reversed(state.events) if not e.embedded and e.name in _PASSING)
     return next(around, last) if closed and last.embedded else last
 
@@ -156,6 +161,14 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
         return True
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     return followed and verb is not None and verb.name == "follow" and prep.value == "behind"
+
+
+def _came_from(prep: Prep, whom: Mention, state: State) -> bool:
+    """``steps out from behind a van 20 m in front of the ego``: not the van is there."""
+    phrases = state.last.pps if state.last is not None and prep.who is not None else []
+    far = any(c.j == prep.word.i and c.cat == "quantity" for c in state.chunks)
+    out = [p for p in phrases if p.outer == "from" or (far and p.value == "between")]
+    return any(p.target is whom and p.value in {"behind", "ahead", "between"} for p in out)
 
 
 def _from_a_side(prep: Prep) -> bool:

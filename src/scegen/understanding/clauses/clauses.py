@@ -249,8 +249,9 @@ class ClauseReader:
             state.pending.append(event)
         elif not self._by_a_stranger(event):
             subjects.link(event, state)
-            event.pps += state.opening
-            state.opening = []
+            if event.form != "ing" or event.finite:  # "ahead of it a van doing 50 km/h brakes"
+                event.pps += state.opening
+                state.opening = []
         if by_follows(self._chunks, state.k):
             subjects.before_by(event)
         negated = any(word.startswith("neg:") for word in state.between)

@@ -24,11 +24,18 @@ def is_it(noun: object) -> TypeGuard[Mention]:
 def loci_of(mention: Mention) -> set[str]:
     """Where a noun is said to be: "the car behind" is not "the car in front".
 
-    "Hits the car from behind" tells how it is done, and not where the car is.
+    "Hits the car from behind" tells how it is done, and not where the car is; "in front of the
+    lead vehicle stands a van" makes the van no lead vehicle.
     """
-    told = (p for p in mention.pps if not (p.predicate or p.outer == "from"))
+    told = (p for p in mention.pps if not (p.predicate or p.outer == "from" or _by_another(p)))
     loci = {p.value for p in told if p.word.cat == "locus"}
     return loci | ({"elsewhere"} if mention.elsewhere else set())
+
+
+def _by_another(prep: Prep) -> bool:
+    """``ahead of the van stands a bus``: not as the ego sees it."""
+    by = prep.who.entities if prep.fronted and prep.who is not None else []
+    return bool(by) and not any(e.ego for e in by)
 
 
 def as_the_ego_sees(mention: Mention) -> bool:

@@ -95,6 +95,8 @@ def _from_a_side(chunks: list[Chunk], k: int) -> Mention | None:
         return None
     if not isinstance(who, Mention) or who.possessor or who.pronoun is not None:
         return None  # "rides across it from the left at 15 km/h"
+    if who.stands_after("of"):
+        return None  # "crosses the path of the ego from the left at 15 km/h"
     return who if any(p.target is side for p in who.pps) else None
 
 

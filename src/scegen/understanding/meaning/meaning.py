@@ -24,6 +24,7 @@ from scegen.understanding.semantics.roles import (
     without_nouns,
 )
 from scegen.understanding.semantics.rows import say
+from scegen.understanding.words.quantities import ends_a_quantity
 
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
@@ -31,6 +32,7 @@ _ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
+_INTO = frozenset({"lane_change", "cut_in", "cut_off", "merge"})
 _PASSING = frozenset({"bypass", "overtake", "block"})
 _PAIR = (Approach.LEFT, Approach.RIGHT)
 _ALL_TOLD = (
@@ -76,7 +78,9 @@ class Interpreter:
         Returns:
             What happens, in the order of the text.
         """
-        self._of_verbs = {id(p) for e in events for p in e.pps if _is_of_the_verb(p, e)}
+        self._of_verbs = {
+            id(p) for e in events for p in e.pps if _is_of_the_verb(p, e) or self._gone_to(p, e)
+        }
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
         )
@@ -98,6 +102,11 @@ class Interpreter:
         out_of_turn(chunks, events, self._context)
         self._all_told(chunks, nouns)
         return self._clauses
+
+    def _gone_to(self, prep: Prep, event: Event) -> bool:
+        """``10 m in front of it, a van changes lanes``: not there before."""
+        far = prep.fronted and ends_a_quantity(self._context.tokens, prep.word.i) is not None
+        return far and prep.value == "ahead" and event.name in _INTO
 
     def _all_told(self, chunks: list[Chunk], nouns: list[Clause]) -> None:
         """What follows once everything that happens is known."""

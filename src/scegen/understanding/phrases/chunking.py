@@ -6,6 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lanes_meant import count_lanes
 from scegen.understanding.phrases.naming import Namer
 from scegen.understanding.phrases.renamed import between_lanes, with_particles
@@ -139,8 +140,9 @@ class Chunker:
         head = self._term(m)
         owner = self._owner()
         if head is not None and head.cat == "actor":
-            if any(m.cat == "manner" for m in mods) and "speaks" in head.data:
-                return self._bare(mods, k)  # "so close I can't see it"
+            ours = self._tokens[head.i].low in word_list("first_person")
+            if ours and any(m.cat == "manner" or (m is mods[-1] and m.cat == "det") for m in mods):
+                return self._bare(mods, k)  # "so close I can't see it", "after that our car brakes"
             if self._side_before_number(mods):
                 return self._side(mods, k)
             return self._mention(mods, m, owner)

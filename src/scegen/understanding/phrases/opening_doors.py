@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends
 from scegen.understanding.words.terms import Term
@@ -36,7 +36,7 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if owned and isinstance(chunk, Event) and _door(chunk) and _called(chunk, found):
             found += owned
             ended = _opened_by(owned[0], chunk)
-            k += 1 + 2 * len(owned[::2])
+            k += 1 + len(owned) + bool(owned)
             continue
         object_ = chunk_at(chunks, k + 1)
         verbal = isinstance(chunk, Event) and tokens[chunk.i].low.startswith("open")
@@ -45,7 +45,7 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found.append(Event("door", chunk.i, object_.j, "s", lemma="open", mods=mods))
             k += 2
             continue
-        verb = k + 1 + 2 * len(owned[::2])
+        verb = k + 1 + len(owned) + bool(owned)
         while cat_at(chunks, verb) in _HELPS:
             verb += 1
         door = isinstance(chunk, Thing) and _door(chunk) and verb < len(chunks)
@@ -57,6 +57,7 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         before = chunk_at(found, len(found) - 1)
         if isinstance(before, Mention) and chunk.has("possessive", "genitive"):
             before.possessor = False
+            found[-1:] = owned or [before]  # "the driver's door of a van"
         else:
             found += owned or [_who(chunk, found)]
         shut = any(t.low in word_list("denying") for t in tokens[chunk.j : end])
@@ -71,12 +72,17 @@ def _door(chunk: Chunk) -> bool:
 
 
 def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
-    """``the door of a parked van``, ``… of the second of five vans``: from the first mention on."""
+    """``the door of a van parked there``, ``… of the second of five vans``: who, and where."""
     found: list[Chunk] = []
     for of, who in zip(chunks[k + 1 :: 2], chunks[k + 2 :: 2], strict=False):
         if of.value != "of" or not isinstance(who, Mention):
             break
         found += [of, who]
+    end = k + 1 + len(found)
+    parked = chunk_at(chunks, end) if found else None
+    if isinstance(parked, Event) and parked.name == "park":
+        where = chunk_at(chunks, end + 2)
+        found += chunks[end : end + (3 if isinstance(where, Place) else 1)]
     return found[1:]
 
 

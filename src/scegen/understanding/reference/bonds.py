@@ -18,7 +18,7 @@ from scegen.understanding.words.tokens import Token
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
 _ALONG = frozenset({"ahead", "behind"})
-_UNDERWAY = frozenset({"move", "wait"})
+_UNDERWAY = frozenset({"move", "wait", "approach"})
 _BEHIND = ("locus", "behind", None, None)
 _COMING_OUT = frozenset({"cross", "appear", "pull_out"})
 
@@ -81,7 +81,8 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         _done_to(event, mentions, found)
         _drives_along(event, found)
         _keeps_away(event, tokens, found)
-        if event.name == "approach" or any(p.value == "to" and p.who for p in event.pps):
+        comes = event.name == "approach" or any(d.value == "opposite" for d in event.dirs)
+        if comes or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
         if _comes_out(event):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
@@ -123,7 +124,7 @@ def _drives_along(event: Event, found: Bonds) -> None:
     astern = any((p.value, p.outer) == ("behind", "from") for p in event.pps)
     behind = event.name in _FOLLOWING or (event.name == "approach" and astern)
     for who in event.subject:
-        if event.name in _UNDERWAY:
+        if event.name in _UNDERWAY and not (whom is not None and behind):
             _stands_along(who, [p for p in event.pps if p.outer is None], found)
         elif whom is not None and event.name == "precede":
             _along(who, "ahead", whom, found)

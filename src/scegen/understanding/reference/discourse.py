@@ -184,7 +184,9 @@ class Discourse:
         if parked := opened(reading, mention, self.entities):
             return parked
         if (inside := vehicle_around(reading, mention)) is not None:
-            return self.resolve(inside, subject=False, exclude=[])
+            around = self.resolve(inside, subject=False, exclude=[])
+            self._roster.enrich(around, reading)
+            return around
         if kin(reading, mention):
             strangers = [e for e in self.entities if not e.named_by & reading.called]
             exclude = [*exclude, *strangers]  # "a man with his son"

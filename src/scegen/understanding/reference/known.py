@@ -148,7 +148,8 @@ def _definite(
         options = options or roster.cast(reading, loci)
     if reading.dirs:
         options = [e for e in options if _from_there(e, reading)]
-    options = [e for e in options if not (loci and e.loci) or loci & e.loci]
+    again = reading.called if mention.elsewhere and not (which or mention.narrowed) else set()
+    options = [e for e in options if not (loci and e.loci) or loci & e.loci or again & e.named_by]
     elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
     options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
     options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]

@@ -184,7 +184,7 @@ class Roster:
             kind = entity.is_vehicle and (not rides or reading.kind is _RIDDEN)
         else:
             kind = entity.kind is reading.kind or self._motorbike(entity, reading)
-            kind = kind or _shortened(entity, reading)
+        kind = kind or _called_so(entity, reading)
         if reading.labels and not reading.labels <= entity.labels:
             return False
         if entity.ego and "target" in " ".join(reading.called):
@@ -257,7 +257,7 @@ def _pick(count: int, groups: list[Group], may: Callable[[Entity], bool]) -> lis
     return []
 
 
-def _shortened(entity: Entity, reading: Reading) -> bool:
-    """``an electric scooter … the scooter``: the last word of its name."""
-    names = {name.rpartition(" ")[2] for name in entity.named_by if " " in name}
+def _called_so(entity: Entity, reading: Reading) -> bool:
+    """``a child on a bicycle … the child``; ``a kick scooter … the scooter``: its last word."""
+    names = {name.rpartition(" ")[2] for name in entity.named_by}
     return reading.det == "def" and bool(reading.called) and reading.called <= names

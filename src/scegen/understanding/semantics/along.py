@@ -26,7 +26,7 @@ def _keeps_along(clause: Clause, context: Context) -> bool:
     free = not any(Maneuver.CROSS in e.maneuvers for e in clause.walkers)
     along = (
         (event.name in {"walk", "move"} and any(_lengthwise(p, context) for p in event.pps))
-        or (free and event.how(ALONG, AGAINST) is not None)  # "the way the ego drives"
+        or (free and event.how(ALONG, AGAINST, "wrong_way") is not None)  # "the way the ego drives"
         or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
         or (walks and _ahead_in_a_lane(event.pps, context))
         or (walks and free and _the_same_way(clause, context))

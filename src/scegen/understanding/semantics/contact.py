@@ -40,15 +40,14 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
 
 def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     if isinstance(goal, Thing):
-        return any(goal is thing for thing in context.draft.lying)
+        return lies_there(goal, context)
     if isinstance(goal, Mention):
         mass = clause.event.lemma not in {"run", "drive"}  # "pulls out into the traffic"
         mass = mass and any("mass" in h.data for h in goal.heads)
         road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
         free = not (mass or road or goal.possessor)
         nobody = goal.negated or goal.pronoun in _NOBODY
-        lying = goal.pronoun == "it" and bool(context.draft.lying)  # "a crate …, drives into it"
-        return free and (nobody or lying or bool(goal.entities))
+        return free and (nobody or lies_there(goal, context) or bool(goal.entities))
     if not isinstance(goal, Place) or goal.kind not in _BODY:
         return False
     end = bool({"front", "rear"} & set(goal.dirs))
@@ -56,6 +55,13 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
     rests = clause.event.lemma in word_list("ending_up")  # "in its side"; "into its side" of a road
     return end or (owned and (named or rests))
+
+
+def lies_there(noun: object, context: Context) -> bool:
+    """Whether it is something in the way, or may be: ``a crate lies there …, drives into it``."""
+    lying = context.draft.lying
+    it = isinstance(noun, Mention) and noun.pronoun == "it" and bool(lying)
+    return it or any(noun is thing for thing in lying)
 
 
 def touched(goal: NounPhrase | None) -> list[Entity]:
