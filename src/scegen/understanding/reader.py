@@ -14,7 +14,7 @@ from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.undone import undone
 from scegen.understanding.building.viewpoint import choose_ego
 from scegen.understanding.chunks import Chunk
-from scegen.understanding.clauses.again import named_again, names_another, who_comes
+from scegen.understanding.clauses.again import named_again, names_another, said_of_one, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
 from scegen.understanding.clauses.own_measures import own_measures
@@ -125,6 +125,7 @@ def read(text: str) -> FunctionalScenario:
     who_comes(chunks, events)
     named_again(events)
     names_another(events)
+    said_of_one(chunks, events)
     own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
     draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None

@@ -57,10 +57,13 @@ def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basi
     """The sides that words name to which a movement leads; the other of the lane that it leaves."""
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
-    sources = [p.target for p in event.pps if p.value == "from" or p.outer == "from"]
+    # "merges out of the right lane"; who drifts out of it may do so to either side.
+    out = {"from", "out"} - ({"out"} if event.name == "swerve" else set())
+    sources = [p.target for p in event.pps if out & {p.value, p.outer, text.tokens[p.word.i].low}]
     # "moves one lane to the left", "leaves the lane to the left"
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
-    for goal in (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place)):
+    goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
+    for goal in (g for g in goals if all(g is not source for source in sources)):
         if not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
             # "from the lane to its right": from there
             sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]

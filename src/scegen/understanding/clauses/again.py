@@ -65,6 +65,16 @@ def names_another(events: list[Event]) -> None:
             event.subject = outer[-1].subject
 
 
+def said_of_one(chunks: list[Chunk], events: list[Event]) -> None:
+    """``the van ahead of the ego, both at 50 km/h, brakes``: the van, as "both" would brake."""
+    for event in (e for e in events if e.form == "s" and not e.nominal):
+        both = [m for m in event.subject if m.pronoun == "both" and m.head is None]
+        opens = max((c.i for c in chunks if c.value == "." and c.i < event.i), default=-1)
+        named = [c for c in chunks if isinstance(c, Mention) and opens < c.i < event.i and c.heads]
+        if both and named and not named[0].plural:
+            event.subject = named[:1]
+
+
 def _named_with(event: Event) -> list[Mention]:
     """Whom a verb takes, and who owns what it takes."""
     taken = [event.object, *(p.target for p in event.pps)]
