@@ -18,7 +18,7 @@ MAY_SHOW_THEM = {
     "claims/told.py": "names the words that a claim rests on",
     "claims/numbers.py": "hands them on",
     "cli/console.py": "a progress bar's own description",
-    "campaign/making.py": "names the description in a row",
+    "campaign/planning.py": "names the description in a row",
     "campaign/parameters.py": "says that a sweep replaces what a number rested on",
     "cli/parse_report.py": "says what was not expressed",
     "concretization/written.py": "hands them on",
