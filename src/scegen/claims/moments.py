@@ -14,7 +14,7 @@ from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.series import at, first
 from scegen.claims.told import Told
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import SPEED, Bools, Ints
+from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
 from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.concrete import door_of
 from scegen.scenario.logical import Drive
@@ -75,11 +75,23 @@ def sideways_begin(told: Told, act: Act, view: View) -> Ints:
     steps = np.arange(view.steps)
     since = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
     if earlier and earlier[-1].kind is ActKind.CHANGE_LANE:
-        over = np.sign(at(speed, since))[:, None] * speed <= ASIDE_MPS
-        since = straightened(view, act.participant, first(over & (steps > since[:, None])))
+        over = aside_over(told, earlier[-1], before, view)[-1]
+        since = straightened(view, act.participant, over)
     # Between two moves to one side it rests for a moment.
     rests = (there <= ASIDE_MPS) & (steps > since[:, None])
     return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS) & under_way)
+
+
+def aside_over(
+    told: Told, act: Act, begins: Ints, view: View
+) -> tuple[Floats, Floats, Floats, Ints]:
+    """Way and speed to the left (c, t), to which side it goes, and when it no longer does so."""
+    moved = lateral_m(view, act.participant, told.drive(act.participant))
+    steps = np.arange(view.steps)
+    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
+    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
+    sense = np.sign(at(speed, goes))[:, None]
+    return moved, speed, sense, first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))
 
 
 def straightened(view: View, name: str, over: Ints) -> Ints:
@@ -221,7 +233,6 @@ def _begins(told: Told, act: Act, view: View) -> Ints:
     never = np.full(view.count, view.steps, dtype=np.int64)
     if name not in view.index:
         return never
-    stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
     if act.kind is ActKind.SET_OFF:
         return sets_off(view, name, _rests_before(told, act))
     if act.kind is ActKind.WAIT:
@@ -248,6 +259,7 @@ def _begins(told: Told, act: Act, view: View) -> Ints:
         # Who crosses and moves from the start begins where it leaves the kerb.
         on = arms_of(view)[crossing.arm].on_it(boxes(view, name))
         begins = np.maximum(first(on) - 1, 0)
+    stands = view.speed_mps(name)[:, 0] <= STANDS_MPS
     return np.where(stands, sets_off(view, name), begins)
 
 

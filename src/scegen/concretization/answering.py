@@ -21,6 +21,7 @@ from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.concretization.traffic import Contact, Mover, Traffic, goes_along, leaves_room, unwanted
 from scegen.motion.trigger_steps import STEP_S
+from scegen.scenario.acts import Act
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 20.0
@@ -77,7 +78,8 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
     rest = [step for step in before if step is not own and step not in waits]
     who.steps = rest
     timed = who.timing()
-    answer, rates = _answer(traffic, contact, own)
+    said = tale.act(own.act) if own is not None and own.act is not None else None
+    answer, rates = _answer(traffic, contact, own, said)
 
     def brake(begins_s: float, rate: float) -> None:
         who.steps = [*rest, timed(replace(answer, rate_mps2=rate), begins_s)]
@@ -97,7 +99,6 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
         return False
     if own is not None and own.act is not None:
         traffic.put_off(own.act, found[0] - own.begins_s)
-    said = tale.act(own.act) if own is not None and own.act is not None else None
     if waits or (traffic.go_on and (own is None or (said is not None and falls_back(said)))):
         _go_on(traffic, contact, waits)
     return True
@@ -127,12 +128,11 @@ def _sees_s(traffic: Traffic, contact: Contact) -> Iterator[float]:
 
 
 def _answer(
-    traffic: Traffic, contact: Contact, own: SpeedChange | None
+    traffic: Traffic, contact: Contact, own: SpeedChange | None, said: Act | None
 ) -> tuple[SpeedChange, list[float]]:
     """The braking of one for another, as slow as that one at least, and how hard it may be."""
     tale, body = traffic.tale, traffic.movers[contact.who].body
     to_mps = _slowest_mps(traffic, contact)
-    said = tale.act(own.act) if own is not None and own.act is not None else None
     kinds = sorted(tale.kinds_by(contact.who) & BRAKING)
     if own is None:
         thing = all(each.id != contact.other for each in tale.functional.participants)

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     ASIDE_MPS,
     act_begins,
     act_run,
+    aside_over,
     is_level,
     passed,
     rest,
@@ -21,7 +21,7 @@ from scegen.claims.series import at, first
 from scegen.claims.told import Told
 from scegen.claims.tolerances import STANDS_MPS
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import SPEED, Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Ints
 from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
 
 SWERVES_M = 0.3
@@ -79,15 +79,3 @@ def _ends_aside(told: Told, act: Act, begins: Ints, view: View) -> Ints:
     there = first((sense * speed >= -ASIDE_MPS) & (steps > back[:, None]))
     either = act.kind is ActKind.OVERTAKE or (back - over) * view.dt_s <= _TURNS_BACK_S
     return np.where((there < view.steps) & either, there, over)
-
-
-def aside_over(
-    told: Told, act: Act, begins: Ints, view: View
-) -> tuple[Floats, Floats, Floats, Ints]:
-    """Way and speed to the left (c, t), to which side it goes, and when it no longer does so."""
-    moved = lateral_m(view, act.participant, told.drive(act.participant))
-    steps = np.arange(view.steps)
-    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
-    sense = np.sign(at(speed, goes))[:, None]
-    return moved, speed, sense, first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))

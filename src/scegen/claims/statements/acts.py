@@ -26,13 +26,14 @@ from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import (
     act_begins,
     act_run,
+    aside_over,
     passed,
     rest,
     sideways_begin,
     straightened,
 )
 from scegen.claims.series import at, first, greatest, least
-from scegen.claims.statements.act_ends import SWERVES_M, act_ends, aside_over
+from scegen.claims.statements.act_ends import SWERVES_M, act_ends
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.spacings import measure_at
 from scegen.claims.statements.touching import hit_s
