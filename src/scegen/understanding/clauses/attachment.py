@@ -88,7 +88,8 @@ def _before(prep: Prep, state: State) -> Prep | None:
 def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
     before, state.last_prep = _before(prep, state), prep
-    if prep.fronted:
+    cause = prep.value == "due" and not state.events and state.candidate is None
+    if prep.fronted or cause:  # "because of a parked van the ego does not see the child"
         _of_the_one_listed(prep, state)
         if not _counts_lanes(prep, before):
             state.fronted.append(prep)
@@ -324,4 +325,4 @@ def _side_after(chunks: list[Chunk], m: int) -> bool:
 
 def place_in_front(mention: Mention, state: State) -> None:
     """Gives the phrases that opened the clause to the participant that they place."""
-    mention.pps += [p for p in state.fronted if p.outer != "from"]
+    mention.pps += [p for p in state.fronted if p.outer != "from" and p.value != "due"]

@@ -181,7 +181,7 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
     if last and last.nominal and prep.value in done_by and (doer or not last.subject):
         last.subject = [mention]
-    named = prep.value in {"with", "due", "against"}
+    named = prep.value in {"with", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.partitive, prep.on_mention.whole = True, mention
         return
