@@ -255,8 +255,10 @@ def _opens_clause(state: State) -> bool:
         if not (begins or listed or "sub" in state.between):
             return False
         m = _behind_insertion(chunks, m + 1)
-    m += _word_of(chunks, m, frozenset({"aux", "copy"})) or _stands_before_subject(chunks, m)
-    return isinstance(chunk_at(chunks, m), Mention)
+    inverted = _stands_before_subject(chunks, m)
+    m += _word_of(chunks, m, frozenset({"aux", "copy"})) or inverted
+    # "50 m ahead of the ego lies a pedestrian crossing"
+    return isinstance(chunk_at(chunks, m), NounPhrase if inverted else Mention)
 
 
 def _behind_insertion(chunks: list[Chunk], m: int) -> int:

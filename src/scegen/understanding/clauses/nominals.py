@@ -206,6 +206,8 @@ def _owns_place(mention: Mention, state: State) -> bool:
 
 def read_noun(noun: NounPhrase, state: State) -> None:
     """A place or thing: what a preposition or verb governs."""
+    if state.prep is None and state.fronted and state.pending:
+        state.pending, state.fronted = [], []  # "ahead of the ego lies a crossing"
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     whole, behind = _whole(noun, state)
     if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):

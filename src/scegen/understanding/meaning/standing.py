@@ -15,6 +15,7 @@ from scegen.understanding.words.tokens import base_words
 
 _LINES = frozenset({"signal", "stop_sign", "stop_line", "yield_sign"})
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
+_HALTS = frozenset({"stop_line", "crosswalk", "junction"})
 _EDGE = noun(["place", "+edge", "+left|right"])
 _IN_LANE = frozenset({"road", "lane", "middle"})
 _SLOWING = frozenset({"brake", "hard_brake", "slow", "stop"})
@@ -77,6 +78,8 @@ def stand(clause: Clause, context: Context) -> None:
         lit = any(p.kind == "signal" for p in places)
         for entity in [e for e in clause.actors if lit or e.sets_off < 0]:
             entity.held = entity.held or clause.words
+    if any(p.kind in _HALTS for p in places) and _waits_there(event, context):
+        _stand_in_the_lane([e for e in vehicles if e.ego and e.sets_off < 0], clause.words)
     if not stands:
         return
     actors = _comes_to_rest(clause.actors, clause.words)
