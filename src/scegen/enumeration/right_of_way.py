@@ -83,7 +83,7 @@ def road_rules(junction: Junction, *, u_turns: bool = False) -> RoadRules:
         waits_to_cross=_on_foot(found, r.WaitsToCross),
         open_to_cross=_on_foot(found, r.OpenToCross),
         stuck=frozenset((fact.way[0], fact.way[1]) for fact in found if isinstance(fact, r.Stuck)),
-        kerb=Side(junction.driving_side.value),
+        kerb=junction.kerb,
     )
 
 

@@ -26,7 +26,7 @@ from scegen.export.openscenario_parameters import (
 )
 from scegen.export.openscenario_signals import controllers
 from scegen.export.openscenario_storyboard import storyboard
-from scegen.export.openscenario_text import header_description, indented, xml_text
+from scegen.export.openscenario_text import header_description, xml_text
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.wording import counted
@@ -159,4 +159,6 @@ def _library_writes(minor: int) -> Iterator[int]:
 
 
 def _document(root: ET.Element) -> bytes:
-    return f"<?xml version='1.0' encoding='utf-8'?>\n{indented(root)}\n".encode()
+    ET.indent(root)
+    text = ET.tostring(root, encoding="unicode")
+    return f"<?xml version='1.0' encoding='utf-8'?>\n{text}\n".encode()

@@ -8,7 +8,7 @@ from scegen.export.expressions import written
 from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
 from scegen.export.openscenario_numbers import Numbers, Start
-from scegen.export.openscenario_position import Polyline, first_position
+from scegen.export.openscenario_position import Polyline, world_position
 from scegen.export.openscenario_signals import first_lamps, lamp_act
 from scegen.export.openscenario_triggers import (
     at_end,
@@ -78,7 +78,7 @@ def _init(
     init.add_global_action(environment_action(concrete.environment, minor))
     for participant in concrete.participants:
         path = paths[participant.id]
-        place = first_position(path)
+        place = world_position(path.start)
         if start := numbers.starts.get(participant.id):
             place = xosc.TrajectoryPosition(
                 _trajectory(participant, start.path),
@@ -90,7 +90,7 @@ def _init(
         speed = written(numbers.speeds_mps[participant.id]) if _moves(path) else 0.0
         init.add_init_action(participant.id, _step_to(speed))
     for name, path in object_paths(concrete).items():
-        init.add_init_action(name, xosc.TeleportAction(first_position(path)))
+        init.add_init_action(name, xosc.TeleportAction(world_position(path.start)))
     return init
 
 

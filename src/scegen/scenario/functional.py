@@ -59,6 +59,7 @@ from scegen.scenario.vocabulary import (
     ParticipantKind,
     RoadSurface,
     Role,
+    Side,
     TimeOfDay,
     Visibility,
     Weather,
@@ -120,6 +121,11 @@ class Junction(CheckedModel):
         """Lanes that go on beside an auxiliary one; where none are said, as few as are usual."""
         usual = 2 if self.carriageway is Carriageway.DIVIDED else 1
         return self.lanes[0] if self.lanes else usual
+
+    @property
+    def kerb(self) -> Side:
+        """The side on which those who enter have the kerb."""
+        return Side(self.driving_side.value)
 
     @property
     def lanes_wide_m(self) -> float:

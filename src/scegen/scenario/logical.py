@@ -127,6 +127,10 @@ class ConflictKind(StrEnum):
     NONE = "none"
 
 
+MEETING = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
+"""Where two come into one place from different ways."""
+
+
 class Rule(StrEnum):
     """Why one of two gives way, or why it cannot be said in advance who does.
 

@@ -193,6 +193,11 @@ class Side(Word):
         "on its left",
     )
 
+    @property
+    def opposite(self) -> Side:
+        """The other one."""
+        return Side.LEFT if self is Side.RIGHT else Side.RIGHT
+
 
 class CrossedArm(Word):
     """Which arm one crosses, by the way of the one whom it meets (the ego, if nobody is named)."""
