@@ -9,10 +9,6 @@ Drive = fact(
     "drive(id: word, entry: int, move: int, manner: word)",
     "A vehicle's entry, symbolic move and manner.",
 )
-Two = fact(
-    "two(id: word, way: drive, other: word, other_way: drive)",
-    "The drives of two vehicles, each (entry, move, manner).",
-)
 GoesOnFoot = fact(
     "goes_on_foot(id: word, arm: int, way: word)",
     "The arm and the way of one who is not in the traffic.",
@@ -28,9 +24,6 @@ Wanted = fact(
 Needs = fact(
     "needs(statement: int, by: word, to: word, what: word)",
     "What a hazard demands of the one who causes it and the one who suffers it.",
-)
-TurnsAcross = fact(
-    "turns_across(statement: int, id: word)", "A hazard by which a vehicle turns left."
 )
 Dependent = fact("dependent(id: word)", "A vehicle whose move matters to others.")
 Meets = fact(

@@ -21,7 +21,7 @@ from scegen.enumeration.class_sizes import Choice, Chosen, ClassSizes, arrangeme
 from scegen.enumeration.patterns import Polynomial, Row, product
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import COUNTED, Solution
-from scegen.enumeration.solving import Space, states
+from scegen.enumeration.solving import states
 from scegen.enumeration.symmetry import Symmetry
 from scegen.enumeration.unrelated import Unrelated, unrelated_of
 from scegen.errors import InputError
@@ -193,17 +193,17 @@ class Census:
         return ways
 
 
-def census(space: Space, symmetry: Symmetry) -> Census:
+def census_of(problem: Problem, symmetry: Symmetry) -> Census:
     """Go through all states.
 
     Raises:
         InputError: there are too many states to count.
     """
-    alone = unrelated_of(space)
-    anchor = symmetry.anchor_among(set(space.problem.names) - alone)
-    unrelated = Unrelated(space.problem, symmetry, alone) if alone else None
-    out = Census(space.problem, symmetry, unrelated=unrelated, anchor=anchor)
-    for state in states(space, symmetry, anchor=anchor, without=alone):
+    alone = unrelated_of(problem)
+    anchor = symmetry.anchor_among(set(problem.names) - alone)
+    unrelated = Unrelated(problem, symmetry, alone) if alone else None
+    out = Census(problem, symmetry, unrelated=unrelated, anchor=anchor)
+    for state in states(problem, symmetry, anchor=anchor, without=alone):
         if out.states >= MAX_STATES:
             raise InputError(
                 f"more than {MAX_STATES:,} ways to place the participants on the arms: "

@@ -7,8 +7,7 @@ from clorm import ConstantStr, Predicate
 _TYPES = {
     "int": int,
     "word": ConstantStr,
-    "way": tuple[int, int],  # entry, exit
-    "drive": tuple[int, int, ConstantStr],  # entry, move, manner
+    "way": tuple[int, int],
 }
 
 

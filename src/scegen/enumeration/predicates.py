@@ -161,7 +161,3 @@ Turned = fact(
     "turned(arms: int, before: int, after: int)",
     "Turning by `arms` carries what stands in cell `before` to cell `after`.",
 )
-
-# --- reading ------------------------------------------------------------------------------
-
-Pair = fact("pair(first: word, second: word)", "Two vehicles whose drives are shown as one atom.")

@@ -150,13 +150,10 @@ def _maneuvers(out: Stated, vehicle: Participant, junction: Junction) -> None:
 
 
 def _approaches(out: Stated, functional: FunctionalScenario) -> None:
-    ego = functional.ego.id
     known = {m.id for m in (*functional.vehicles, *functional.crossers)}
     drivers = {v.id for v in functional.vehicles}
     reversing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
-    sayings = [(m.id, ego, m.approaches) for m in functional.participants if m.approaches]
-    sayings += [(r.participant, r.reference, r.approaches) for r in functional.relations]
-    for name, reference, approaches in sayings:
+    for name, reference, approaches in functional.sayings:
         if functional.participant(name).parked:
             continue  # where a parked vehicle stands is not enumerated
         said = [a for a in Approach if a in approaches]

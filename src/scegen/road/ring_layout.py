@@ -11,7 +11,7 @@ from math import cos, pi, radians, sin, tan
 
 from scegen.errors import RoadInfeasibleError
 from scegen.road.cross_section import lane_centre_m
-from scegen.road.spacing import MAX_DISTANCE_M, gap_to_next_deg, strip_distances_m
+from scegen.road.spacing import MAX_DISTANCE_M, gap_to_next_deg, narrowest_gap, strip_distances_m
 from scegen.scenario.concrete import ArmRoad, RoadParameters
 
 FIRST_RADIUS_M = {1: 15.0, 2: 20.0}
@@ -50,7 +50,7 @@ def lay_out_ring(parameters: RoadParameters) -> RingLayout:
             layout = _try(parameters, given, turn)
             if layout is not None:
                 return _checked(parameters, layout)
-        index = _narrowest(parameters)
+        index = narrowest_gap(parameters.arms)
         msg = (
             f"a ring of {given:g} m radius is too small for arms {index} and "
             f"{(index + 1) % len(parameters.arms)}, {gap_to_next_deg(parameters.arms, index):.1f} "
@@ -68,19 +68,13 @@ def lay_out_ring(parameters: RoadParameters) -> RingLayout:
             if layout is not None:
                 return _checked(parameters, layout)
             radius += 1.0
-    index = _narrowest(parameters)
+    index = narrowest_gap(parameters.arms)
     msg = (
         f"arms {index} and {(index + 1) % len(parameters.arms)} lie only "
         f"{gap_to_next_deg(parameters.arms, index):.1f} deg apart: even a ring of "
         f"{MAX_RING_RADIUS_M:g} m radius is too small for them"
     )
     raise RoadInfeasibleError(msg, where="arms")
-
-
-def _narrowest(parameters: RoadParameters) -> int:
-    return min(
-        range(len(parameters.arms)), key=lambda index: gap_to_next_deg(parameters.arms, index)
-    )
 
 
 def _checked(parameters: RoadParameters, layout: RingLayout) -> RingLayout:

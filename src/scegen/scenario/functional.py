@@ -454,6 +454,13 @@ class FunctionalScenario(CheckedModel):
                 return candidate
         raise KeyError(name)
 
+    @property
+    def sayings(self) -> tuple[tuple[str, str, frozenset[Approach]], ...]:
+        """Who comes from where: (who, seen from whom, in which words), as far as it is said."""
+        ego = self.ego.id
+        seen = [(p.id, ego, p.approaches) for p in self.participants if p.approaches]
+        return (*seen, *((r.participant, r.reference, r.approaches) for r in self.relations))
+
     def overtaken(self, name: str) -> tuple[str, ...]:
         """Whom somebody is said to pass, by an act or as a danger."""
         kind = ActKind.OVERTAKE

@@ -124,21 +124,17 @@ def _hazards() -> str:
     rows = [
         (
             f"`{kind}`",
-            _listed(row.causes),
-            _listed(row.suffers),
-            "; ".join(f"{case}: {_listed(needs)}" for case, needs in row.needs.items()),
+            ", ".join(row.causes),
+            ", ".join(row.suffers),
+            "; ".join(f"{case}: {', '.join(needs)}" for case, needs in row.needs.items()),
             row.breaks or "",
             row.moves,
-            _listed(row.acts),
+            ", ".join(row.acts),
         )
         for kind, row in HAZARDS.items()
     ]
     head = ("kind", "by", "to", "needs", "breaks", "moves", "acts")
     return _table(head, rows)
-
-
-def _listed(words: Iterable[str]) -> str:
-    return ", ".join(words)
 
 
 def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:

@@ -323,6 +323,11 @@ class Approach(Word):
     )
 
 
+def _exit(number: int, which: str) -> tuple[str, str, str, str]:
+    told = f"leaves the roundabout by the {which} exit that it reaches"
+    return f"exit_{number}", told, "", f"takes the {which} exit"
+
+
 class Maneuver(Word):
     """What a participant does; ``exit_k`` is the k-th exit of a roundabout in driving direction."""
 
@@ -382,42 +387,12 @@ class Maneuver(Word):
         "one that stops or sets off (an act); who waits at its light (`light`)",
         "a stationary car; somebody who waits and does not go on",
     )
-    EXIT_1 = (
-        "exit_1",
-        "leaves the roundabout by the first exit that it reaches",
-        "",
-        "takes the first exit",
-    )
-    EXIT_2 = (
-        "exit_2",
-        "leaves the roundabout by the second exit that it reaches",
-        "",
-        "takes the second exit",
-    )
-    EXIT_3 = (
-        "exit_3",
-        "leaves the roundabout by the third exit that it reaches",
-        "",
-        "takes the third exit",
-    )
-    EXIT_4 = (
-        "exit_4",
-        "leaves the roundabout by the fourth exit that it reaches",
-        "",
-        "takes the fourth exit",
-    )
-    EXIT_5 = (
-        "exit_5",
-        "leaves the roundabout by the fifth exit that it reaches",
-        "",
-        "takes the fifth exit",
-    )
-    EXIT_6 = (
-        "exit_6",
-        "leaves the roundabout by the sixth exit that it reaches",
-        "",
-        "takes the sixth exit",
-    )
+    EXIT_1 = _exit(1, "first")
+    EXIT_2 = _exit(2, "second")
+    EXIT_3 = _exit(3, "third")
+    EXIT_4 = _exit(4, "fourth")
+    EXIT_5 = _exit(5, "fifth")
+    EXIT_6 = _exit(6, "sixth")
 
 
 class HazardKind(StrEnum):
