@@ -49,7 +49,6 @@ class Census:
     unrelated: Unrelated | None = None
     anchor: str | None = None
     placed: Counter[tuple[Room, tuple[Row, ...], tuple[int, ...]]] = field(default_factory=Counter)
-    polynomial: Polynomial | None = None
 
     def __post_init__(self) -> None:
         slot = {name: place for place, name in enumerate(self.problem.names)}
@@ -66,7 +65,7 @@ class Census:
         if same is not None:
             row, number, _ = same
             return math.comb(number + len(row) - 1, number)
-        return len(self._patterns())
+        return len(self._patterns)
 
     def class_size(self, reduction: Reduction, solution: Solution) -> int:
         """Number of assignments that the reduction holds to be this scenario."""
@@ -77,7 +76,7 @@ class Census:
         counts = Counter(move for _, move, _ in solution.drives)
         same = self._one_row()
         if same is None:
-            return self._patterns()[tuple(counts[d] for d in range(self.problem.arms))]
+            return self._patterns[tuple(counts[d] for d in range(self.problem.arms))]
         row, number, entries = same
         ways = math.factorial(number)
         for move, manners in row:
@@ -110,10 +109,9 @@ class Census:
             return None
         return next(iter(rows)), len(self.problem.vehicles), sum(self.loose.values())
 
+    @cached_property
     def _patterns(self) -> Polynomial:
-        if self.polynomial is None:
-            self.polynomial = product(self.loose)
-        return self.polynomial
+        return product(self.loose)
 
     def _made(self, solution: Solution) -> tuple[Choice, ...]:
         """What everybody chose, and the places of those who have several to choose from."""

@@ -434,7 +434,4 @@ class ConcreteScenario(CheckedModel):
 
     def participant(self, name: str) -> ConcreteParticipant:
         """The participant with this id; KeyError if there is none."""
-        for candidate in self.participants:
-            if candidate.id == name:
-                return candidate
-        raise KeyError(name)
+        return {p.id: p for p in self.participants}[name]

@@ -11,14 +11,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from scegen.scenario.acts import (
-    Act,
-    ActKind,
-    AfterAct,
-    AfterDistance,
-    BeforeJunction,
-    WhenMeasure,
-)
+from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.bends import Bend
 from scegen.scenario.bodies import BODIES, LENGTHS_M, WIDTHS_M, Body
 from scegen.scenario.model import (
@@ -412,13 +405,8 @@ class FunctionalScenario(CheckedModel):
         for act in self.acts:
             if isinstance(act.when, AfterAct):
                 moments.append(act.when.act)
-            elif isinstance(act.when, AfterDistance | BeforeJunction) and act.when.participant:
-                named.append((act.when.participant, f"acts.{act.id}.when"))
-            elif isinstance(act.when, WhenMeasure):
-                named += [
-                    (name, f"acts.{act.id}.when")
-                    for name in (act.when.participant, act.when.reference)
-                ]
+            watched = (getattr(act.when, role, None) for role in ("participant", "reference"))
+            named += [(name, f"acts.{act.id}.when") for name in watched if name]
         for name, place in named:
             if name not in known:
                 msg = f"{place} names the unknown participant {name!r}; "
@@ -449,10 +437,7 @@ class FunctionalScenario(CheckedModel):
 
     def participant(self, name: str) -> Participant:
         """The participant with this id; KeyError if there is none."""
-        for candidate in self.participants:
-            if candidate.id == name:
-                return candidate
-        raise KeyError(name)
+        return {p.id: p for p in self.participants}[name]
 
     @property
     def sayings(self) -> tuple[tuple[str, str, frozenset[Approach]], ...]:

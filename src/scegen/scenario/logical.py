@@ -208,10 +208,7 @@ class LogicalScenario(FrozenModel):
 
     def assignment(self, participant: str) -> Assignment:
         """The assignment of one participant; KeyError if it has none."""
-        for candidate in self.assignments:
-            if candidate.participant == participant:
-                return candidate
-        raise KeyError(participant)
+        return {a.participant: a for a in self.assignments}[participant]
 
 
 class Certificate(FrozenModel):
