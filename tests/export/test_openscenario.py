@@ -29,9 +29,9 @@ from scegen.scenario.concrete import (
     StoodStill,
     Travelled,
 )
-from scegen.scenario.functional import Environment
+from scegen.scenario.environment import Environment, RoadSurface, TimeOfDay, Weather
 from scegen.scenario.objects import ObjectCategory
-from scegen.scenario.vocabulary import ParticipantKind, RoadSurface, Role, Side, TimeOfDay, Weather
+from scegen.scenario.vocabulary import ParticipantKind, Role, Side
 
 ROOT = FilePath(__file__).parents[2]
 SCHEMAS = sorted((ROOT / ".venv/asam").glob("lib/*/site-packages/qc_openscenario/schema"))

@@ -11,7 +11,8 @@ from scegen.scenario import acts, outcome, roadway, spacings, things, vocabulary
 from scegen.scenario.files import json_schema
 from scegen.scenario.functional import Participant
 from scegen.scenario.glossary import VOCABULARY, defined, meaning_of, page
-from scegen.scenario.vocabulary import BodySide, DrivingSide, Maneuver
+from scegen.scenario.outcome import BodySide
+from scegen.scenario.vocabulary import DrivingSide, Maneuver
 
 _HOMES = (vocabulary, roadway, acts, spacings, outcome, things)
 _WORDS = [word for words in VOCABULARY for word in words]

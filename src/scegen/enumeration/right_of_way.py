@@ -41,7 +41,7 @@ from scegen.scenario.control import (
     oncoming_arms,
     signal_phases,
 )
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, Rule
 from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver, Side
 

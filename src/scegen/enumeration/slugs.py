@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from scegen.scenario.arms import ring_move
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Assignment, Crossing, Drive
 from scegen.scenario.vocabulary import JunctionKind, Maneuver
 

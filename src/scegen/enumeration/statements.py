@@ -13,7 +13,8 @@ from scegen.enumeration import predicates as p
 from scegen.enumeration.backing import backs_square, passes_behind
 from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, ring_move, seen_from, turn_deg, turn_name
-from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import (
     Approach,

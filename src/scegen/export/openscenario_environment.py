@@ -11,8 +11,7 @@ from math import radians
 
 from scegen.export.library import xosc
 from scegen.motion.friction import friction_of
-from scegen.scenario.functional import Environment
-from scegen.scenario.vocabulary import TimeOfDay, Visibility, Weather
+from scegen.scenario.environment import Environment, TimeOfDay, Visibility, Weather
 
 
 @dataclass(frozen=True, slots=True)

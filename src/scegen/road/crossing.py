@@ -31,7 +31,7 @@ from scegen.road.model import (
     RouteStep,
 )
 from scegen.road.spacing import CLOSE_DISTANCE_M, MAX_DISTANCE_M, arm_distances_m
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 
 MIN_RADIUS_M = 3.0
 """No connecting road bends tighter than this."""

@@ -6,9 +6,9 @@ from collections.abc import Set as AbstractSet
 from math import ceil, radians
 
 from scegen.scenario.arms import arm_angles_deg
-from scegen.scenario.concrete import ArmRoad, Auxiliary, RoadParameters
 from scegen.scenario.control import controlled_arms
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
+from scegen.scenario.road_parameters import ArmRoad, Auxiliary, RoadParameters
 from scegen.scenario.roadway import BAYS, Carriageway, Strip
 from scegen.scenario.speed_limits import usual_limit_mps
 

@@ -39,7 +39,7 @@ from scegen.road.model import (
     Route,
     RouteStep,
 )
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane
 
 RAMP_RADIUS_M = 300.0

@@ -15,7 +15,7 @@ import numpy as np
 from scegen.errors import RoadInfeasibleError
 from scegen.road.cross_section import lane_centre_m
 from scegen.road.spacing import MAX_DISTANCE_M, gap_to_next_deg, narrowest_gap, strip_distances_m
-from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 
 FIRST_RADIUS_M = {1: 15.0, 2: 20.0}
 """Radius of the outermost lane's centre to start from, by number of ring lanes."""

@@ -34,7 +34,7 @@ from scegen.road.model import (
     RouteStep,
 )
 from scegen.road.ring_layout import RingLayout, lay_out_ring
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 
 
 def build_roundabout(parameters: RoadParameters, name: str) -> RoadNetwork:

@@ -6,7 +6,7 @@ from math import cos, radians, sin, tan
 
 from scegen.errors import RoadInfeasibleError
 from scegen.road.cross_section import ALL_STRIPS, KERBED, arm_lanes, half_width_m
-from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 
 MAX_DISTANCE_M = 60.0
 """Arms that part farther from the centre than this are too close to each other."""

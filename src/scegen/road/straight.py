@@ -27,7 +27,7 @@ from scegen.road.model import (
     Route,
 )
 from scegen.road.ramps import build_ramp, gore_m
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane
 
 BEND_RADIUS_M = 50.0

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import Approach, DrivingSide, JunctionKind, Maneuver
 
 URBAN_LIMIT_MPS = 50 / 3.6

@@ -6,7 +6,8 @@ from math import ceil, inf, sqrt
 
 from scegen.scenario.arms import URBAN_LIMIT_MPS
 from scegen.scenario.bends import COMFORTABLE_LATERAL_MPS2
-from scegen.scenario.functional import FunctionalScenario, Junction
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 

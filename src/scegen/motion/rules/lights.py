@@ -12,7 +12,8 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import RoadRule
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import AtLight, Control
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Control
 
 RED_FOR_S = 0.5
 """Who goes over the line so long after amber has ended runs the light, and did not just hurry."""
