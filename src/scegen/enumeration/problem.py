@@ -43,7 +43,8 @@ class Problem:
     """Everything that the encodings and the counting need.
 
     ``entries`` are the arms to which a participant is limited, absent where the text leaves
-    them open. ``wanted[vehicle, entry]`` are the choices that the words allow there. ``dependent``
+    them open. ``settled`` says that every entry is known and every move open, so nothing need be
+    solved. ``wanted[vehicle, entry]`` are the choices that the words allow there. ``dependent``
     are the vehicles whose moves matter to others; the moves of all others are independent.
     ``sides`` are both sides of each danger as far as they are said or presumed, ``presumed`` the
     dangers, by statement, of which something is presumed.
@@ -54,6 +55,7 @@ class Problem:
     words: tuple[str, ...]
     notes: tuple[str, ...]
     entries: dict[str, tuple[int, ...]]
+    settled: bool
     wanted: dict[tuple[str, int], tuple[Choice, ...]]
     demands: tuple[Demand, ...]
     dependent: frozenset[str]
@@ -118,12 +120,17 @@ def build_problem(
     vehicles = functional.vehicles
     _check_size(functional)
     said = stated(functional)
+    wordless = _wordless(functional)
     sides = tuple(
         parties(functional, hazard, left_open=index in left_open)
         for index, hazard in enumerate(functional.hazards)
     )
-    presumed = say_dangers(said, functional, sides, left_open, ranked=ranked)
-    derived = consequences(said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.Dependent))
+    presumed: dict[int, int] = {}
+    derived: list[Predicate] = []
+    if not wordless:
+        presumed = say_dangers(said, functional, sides, left_open, ranked=ranked)
+        shown = (a.Wanted, a.Needs, a.Dependent)
+        derived = consequences(said.facts, (Part.ARMS, Part.WORDS), shown)
     demands = _demands(derived)
     said.facts += _besides(said.facts, demands)
     entries = {
@@ -138,7 +145,8 @@ def build_problem(
         words=tuple(said.words),
         notes=(*said.notes, *_given_up(functional, left_open)),
         entries=entries,
-        wanted=_wanted(derived),
+        settled=wordless and all(len(entries.get(v.id, ())) == 1 for v in vehicles),
+        wanted=_every_move(functional) if wordless else _wanted(derived),
         demands=demands,
         # Of a group whose members are related to others, who does what is said matters to all.
         dependent=frozenset(
@@ -168,6 +176,19 @@ def _given_up(functional: FunctionalScenario, left_open: frozenset[int]) -> list
     return notes
 
 
+def _wordless(functional: FunctionalScenario) -> bool:
+    """Whether the text leaves all moves open and nobody's matters to anybody else."""
+    return not (
+        functional.hazards
+        or functional.relations
+        or functional.groups
+        or functional.acts
+        or functional.outcome
+        or functional.crossers
+        or any(v.maneuvers or v.approaches or v.lanes for v in functional.vehicles)
+    )
+
+
 def _besides(facts: Iterable[Predicate], demands: Iterable[Demand]) -> list[Predicate]:
     """Who comes into another's lane starts beside it, where no words say where it starts."""
     facts = tuple(facts)
@@ -184,6 +205,13 @@ def _besides(facts: Iterable[Predicate], demands: Iterable[Demand]) -> list[Pred
             found.append(p.ComesBeside(demand.statement, demand.by, demand.to))
             placed.add(frozenset((demand.by, demand.to)))
     return found
+
+
+def _every_move(functional: FunctionalScenario) -> dict[tuple[str, int], tuple[Choice, ...]]:
+    """What words.lp derives where nothing is said: any move but the U-turn."""
+    arms = functional.junction.arms
+    moves = tuple((move, "plain") for move in range(1, arms))
+    return {(v.id, entry): moves for v in functional.vehicles for entry in range(arms)}
 
 
 def _demands(derived: Iterable[Predicate]) -> tuple[Demand, ...]:

@@ -10,7 +10,7 @@ from clorm.clingo import Control
 from scegen.enumeration import predicates as p
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.programs import PROBLEM_PARTS, Part, grounded, satisfiable
-from scegen.enumeration.reading import Solution, read_solutions
+from scegen.enumeration.reading import COUNTED, Solution, read_solutions
 from scegen.enumeration.symmetry import Symmetry
 from scegen.scenario.vocabulary import Reduction
 
@@ -22,6 +22,8 @@ _AT_RANDOM = ("--rand-freq=1", "--sign-def=rnd", "--restart-on-model", "--enum-m
 
 def has_solution(problem: Problem) -> bool:
     """Whether there is an assignment that satisfies a problem."""
+    if problem.settled:
+        return True
     # Where a group counts its members, everybody's move matters to whether there is a solution.
     deciding = problem.names if problem.functional.groups else sorted(problem.dependent)
     decides = (p.Decides(name) for name in deciding)
@@ -72,6 +74,11 @@ def states(
     about the vehicles named in ``without``, whose entries are set to no arm. With an anchor a
     state stands for as many as there are rotations: one of each turned set.
     """
+    if problem.settled:
+        yield Solution(
+            tuple((problem.entries[v.id][0], COUNTED, "none") for v in problem.vehicles), (), ()
+        )
+        return
     facts = [f for f in problem.facts if not isinstance(f, ABOUT_ONE) or f.id not in without]
     facts += group_facts(problem, symmetry)
     facts += [p.Decides(name) for name in sorted(problem.dependent)]

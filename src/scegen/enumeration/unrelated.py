@@ -21,6 +21,8 @@ from scegen.enumeration.symmetry import Symmetry
 
 def unrelated_of(problem: Problem) -> frozenset[str]:
     """Vehicles about whose way and place nothing is said in relation to others."""
+    if problem.settled:
+        return frozenset()
     related = problem.dependent | related_among(problem.facts)
     return frozenset(v.id for v in problem.vehicles) - related
 

@@ -16,10 +16,10 @@ def legal(text: str) -> str:
     return _ILLEGAL.sub("", text)
 
 
-def xml_text(text: str, longest: int = LONGEST_TEXT) -> str:
-    """``text`` on one line, without the characters that XML forbids, cut to ``longest``."""
-    line = _SPACES.sub(" ", legal(text[: 4 * longest])).strip()
-    return line if len(line) <= longest else line[: longest - 1].rstrip() + "…"
+def xml_text(text: str) -> str:
+    """``text`` on one line, without the characters that XML forbids, cut to the longest."""
+    line = _SPACES.sub(" ", legal(text[: 4 * LONGEST_TEXT])).strip()
+    return line if len(line) <= LONGEST_TEXT else line[: LONGEST_TEXT - 1].rstrip() + "…"
 
 
 def header_description(name: str) -> str:
