@@ -74,7 +74,7 @@ class Builder:
                 "acts": self._acts(assignments),
                 "conflicts": conflicts,
                 "deadlock": self._sharing.deadlock(shares),
-                "parameters": (*(p for p in parameters if p is not None), *self._numbers),
+                "parameters": (*(one for one in parameters if one is not None), *self._numbers),
             },
             _FIELDS,
         )
