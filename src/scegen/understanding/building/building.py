@@ -6,25 +6,13 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
-from scegen.scenario.functional import (
-    Environment,
-    FunctionalScenario,
-    Hazard,
-    Junction,
-    Participant,
-    Relation,
-    Unsupported,
-)
+from scegen.scenario.environment import Environment
+from scegen.scenario.evidence import Unsupported
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant, Relation
+from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import Strip
-from scegen.scenario.vocabulary import (
-    Approach,
-    AtLight,
-    Control,
-    HazardKind,
-    JunctionKind,
-    Maneuver,
-    Role,
-)
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, JunctionKind, Maneuver, Role
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.in_lane import (

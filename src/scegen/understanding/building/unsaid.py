@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import (
     ANIMALS,
     ON_FOOT,
