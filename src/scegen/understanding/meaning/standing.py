@@ -74,12 +74,8 @@ def stand(clause: Clause, context: Context) -> None:
     if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
         _stand_in_the_lane([e for e in vehicles if e.sets_off < 0], clause.words)
         return
-    if any(p.kind in _LINES for p in places) and _waits_there(event, context):
-        lit = any(p.kind == "signal" for p in places)
-        for entity in [e for e in clause.actors if lit or e.sets_off < 0]:
-            entity.held = entity.held or clause.words
-    if any(p.kind in _HALTS for p in places) and _waits_there(event, context):
-        _stand_in_the_lane([e for e in vehicles if e.ego and e.sets_off < 0], clause.words)
+    if _waits_there(event, context):
+        _wait_at_a_line(clause, {p.kind for p in places})
     if not stands:
         return
     actors = _comes_to_rest(clause.actors, clause.words)
@@ -93,6 +89,16 @@ def stand(clause: Clause, context: Context) -> None:
         walks = not entity.is_vehicle and not entity.parked
         if walks and Maneuver.CROSS not in entity.maneuvers:
             context.draft.maneuver(entity, {Maneuver.STAY}, clause.words)
+
+
+def _wait_at_a_line(clause: Clause, at: set[str]) -> None:
+    """``waits at a red light``, ``the ego waits at the stop line``."""
+    if at & _LINES:
+        lit = "signal" in at
+        for entity in [e for e in clause.actors if lit or e.sets_off < 0]:
+            entity.held = entity.held or clause.words
+    if at & _HALTS:
+        _stand_in_the_lane([e for e in clause.actors if e.ego and e.sets_off < 0], clause.words)
 
 
 def _beside_the_lanes(actors: list[Entity], clause: Clause, context: Context) -> None:

@@ -71,7 +71,8 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         id(m)
         for e in events
         for m in e.subject
-        if not (aside(e, events) or _of_who_is_there(e, chunks, there)) and (e.finite or not (id(m) in objects or m.prep is not None))
+        if not (aside(e, events) or _of_who_is_there(e, chunks, there))
+        and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     found = Bonds(
         subjects=(subjects | there) - _in_reasons(chunks, tokens),
