@@ -38,7 +38,7 @@ def of_nouns(text: Telling) -> list[Ending]:
     What is denied of something else denies no contact: "neither brakes; collision".
     """
     tokens, found = text.tokens, []
-    for k in (k for k, t in enumerate(tokens) if t.low in word_list("impacts")):
+    for k in (k for k, t in enumerate(tokens) if t.base in word_list("impacts")):
         begin = k
         while begin and tokens[begin - 1].low in word_list("before_impacts"):
             begin -= 1
