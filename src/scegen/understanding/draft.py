@@ -150,6 +150,11 @@ class Entity:
         return self.stands is not None and self.sets_off < 0 and not goes
 
     @property
+    def numbered(self) -> bool:
+        """Whether it is called by a number ("V1")."""
+        return any(label.startswith("#") for label in self.labels)
+
+    @property
     def moving_vehicle(self) -> bool:
         """Whether it may be the ego."""
         return self.is_vehicle and not self.parked

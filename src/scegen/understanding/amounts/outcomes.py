@@ -29,6 +29,7 @@ from scegen.understanding.words.quantities import ends_a_quantity
 _BEFORE, _PAIR = 4, 2
 _WHOLE, _HALF = 100.0, 50.0
 _BODY = frozenset({"side", "middle", "front", "portion", "flank"})
+_STRIPS = frozenset({"sidewalk", "centerline", "shoulder"})
 _NOBODY = frozenset({"neither", "nobody"})
 
 
@@ -68,6 +69,8 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     clear = _gets_clear(scene, text) or _stops_first(scene, text)
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
+    if _only_things(scene, text):
+        return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
     nearly = _narrowly(event, start, text)
     vain = parent is not None and in_vain(parent)
@@ -90,12 +93,31 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     return Ending(kind, basis, _between(scene, text))
 
 
+def _only_things(scene: Clause, text: Telling) -> bool:
+    """``hits a guardrail``, ``crashes into a tree``: nobody is touched, nothing in the way."""
+    event = scene.event
+    met = [event.object, *(p.target for p in event.pps if p.value in {"into", "with", "against"})]
+    things = [n for n in met if isinstance(n, Thing) and n.kind == "object"]
+    strips = [n for n in met if isinstance(n, Place) and n.kind in _STRIPS and n.owner is None]
+    said = bool(things or strips) and not event.passive and not scene.targets
+    acting = [m for s in text.scenes for m in s.event.subject]
+    rest = [m for m in text.mentions if event.j <= m.i < text.bounds(event.i)[1] and m.entities]
+    said = said and all(m in acting for m in rest)  # "clips a mailbox and then the ego"
+    for strip in strips if said else []:
+        text.draft.note(strip.i, strip.j, "a contact with the edge of the road is not looked for")
+    return said and not any(lies_there(n, text.context) for n in things)
+
+
 def _meets(scene: Clause, text: Telling) -> bool:
     """Verbs of contact; "meets head-on"; "just misses"; "slides into it"."""
     event, lemma = scene.event, scene.event.lemma
     if event.name == "overlook" and lemma == "miss":
         return _narrowly(event, max(0, event.i - _BEFORE), text) is not None
     meets = lemma == "meet" and (event.how("head_on") is not None or _bodies([event.object]))
+    away = any(isinstance(n, Place) and n.kind in {"lane", "road"} for n in event.nouns())
+    shoved = event.name == "send" and isinstance(event.object, Mention) and not away
+    shoved = shoved and any(e.is_vehicle for e in scene.actors)
+    meets |= shoved and lemma in word_list("shoving")  # "pushes the ego into a van"
     own = (p.target for p in event.pps if p.value in {"with", "in"})
     meets |= lemma == "catch" and _bodies(own)  # "catches him with its front"
     meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)

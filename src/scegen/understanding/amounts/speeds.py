@@ -143,14 +143,14 @@ def relative(figure: Figure) -> bool:
     text, by = figure.text, figure.quantity.exact
     word = text.low(figure.j, figure.j + 1).strip()
     who = next((e for e in (*figure.actors, *figure.subject) if e.speed is None), None)
-    if word not in {"slower", "faster"} or who is None:
+    if who is None:
         return False
     than = [e for e in text.spoken_of(figure.j + 1, text.bounds(figure.j)[1]) if e is not who]
     other = than[0] if than else text.counterpart(who, text.spoken_of(0, figure.i))
     if other is None or other.speed is None:
         return False
-    sign = 1 if word == "faster" else -1
+    sign = 1 if word in word_list("faster_than") else -1
     low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
     who.speed = Interval(low=low, high=high)
-    who.speed_basis = figure.amount.basis.because(f"so much {word} than the other")
+    who.speed_basis = figure.amount.basis.because("measured from the speed of the other")
     return True

@@ -32,6 +32,8 @@ def struck(ending: Ending, text: Telling) -> None:
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
         if place.opening == "with" and place.i < (ending.basis.i or 0):
             continue  # "with his back to the ego he is hit"
+        if place.opening == "from":
+            continue  # "approaches from the rear and hits it": no part
         of_road = any(c.i == place.j + 1 for c in roads) and text.tokens[place.j].low == "of"
         if text.tokens[place.i - 2].low == "overlap" or of_road:
             continue
@@ -70,7 +72,8 @@ def _by_the_verb(ending: Ending, text: Telling) -> None:
     egos = text.ego in hit.actors
     if egos or text.ego in hit.targets or ending.other in hit.actors:
         ending.struck = BodySide.FRONT if egos else BodySide.REAR
-        ending.struck_basis = ending.basis
+        ends = [ending.basis.j or 0, *(p.place.j for p in hit.event.pps if p.place is not None)]
+        ending.struck_basis = Basis(ending.basis.i, max(ends))
 
 
 def _hit(place: Place, ending: Ending, text: Telling) -> bool:

@@ -68,10 +68,10 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     sides = _SIDEWAYS if alone else _ALONG
     exposed = walkers or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
+    sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides
     sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
     if all(_seen(draft, e, sides) for e in candidates):
-        reason = "positions are given as seen from a vehicle that is not named; a car is added"
-        return _added(draft, reason)
+        return _numbered(draft, vehicles, candidates)
     if alone and not crossing and _endangers_unnamed(draft):
         return _added(draft, "the only vehicle endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
@@ -84,6 +84,17 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
             if placement.reference is None and not facing:
                 placement.reference = afoot[0]
     return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _numbered(draft: Draft, vehicles: list[Entity], seen: list[Entity]) -> tuple[Entity, Basis]:
+    """``V1 stood there when V2 came from behind``: a car is added only if none has a number."""
+    parties = [e for e in vehicles if e.numbered]
+    here = [e for e in parties if e not in seen] or parties
+    if len(here) != 1:
+        reason = "positions are given as seen from a vehicle that is not named; a car is added"
+        return _added(draft, reason)
+    here[0].ego = True
+    return here[0], Basis(reason="the text names no ego; it numbers this vehicle")
 
 
 def _endangers_unnamed(draft: Draft) -> bool:
@@ -141,13 +152,21 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     if entity.entries or entity.heading is not None:
         return False
     after = [t.low for t in draft.tokens[entity.basis.j or 0 :][:1]]
-    return (entity.basis.j is not None and after == ["ahead"]) or any(
-        p.reference is None and p.approaches <= seen for p in draft.placements_of(entity)
+    told = [p.approaches for p in draft.placements_of(entity) if p.reference is None]
+    lane = entity.start_lane or entity.by_ramp
+    beside = {Approach.ADJACENT} in told and lane is None  # "in the next lane"
+    ahead = entity.basis.j is not None and after == ["ahead"]
+    return (
+        ahead
+        or (beside and Approach.ADJACENT in seen)
+        or any(approaches <= seen - {Approach.ADJACENT} for approaches in told)
     )
 
 
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     placed = [p.entity for p in draft.placements if p.reference is None]
+    # "a lorry would not let driver 1 in": who has a number is told of
+    candidates = [e for e in candidates if e.numbered] or candidates
     free = [e for e in candidates if e not in placed] or candidates
     facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
     if facing is not None:

@@ -213,7 +213,8 @@ class ClauseReader:
         if event.nominal:
             return False
         if _is_thing(before):
-            return event.form == "ing" and not self._state.between
+            there = "copy" in self._state.between  # "we stop, there's a crate lying in the lane"
+            return event.form == "ing" and (there or not self._state.between)
         if event.name == "wait" and _is_thing(self._state.at(1)):
             return True  # "60 m ahead of the ego lies a mattress"
         view = view_of(self._state.before(3))
@@ -229,6 +230,7 @@ class ClauseReader:
                 continue
             event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention])
             event.premod_of = mention
+            event.mods = [m for m in mention.ways if m.j == mod.i]
             event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
             event.sentence = self._sentence
             self.events.append(event)
@@ -254,6 +256,9 @@ class ClauseReader:
                 state.opening = []
         if by_follows(self._chunks, state.k):
             subjects.before_by(event)
+        apart = {"aux:do", "conj"} <= state.between and event.form in {"s", "ed"}
+        if apart:  # "the van behind doesn't and overtakes us"
+            state.between -= {word for word in state.between if word.startswith("neg:")}
         negated = any(word.startswith("neg:") for word in state.between)
         if event.nominal and isinstance(state.anchor, Event) and state.anchor.name == "light":
             negated = negated or state.anchor.negated

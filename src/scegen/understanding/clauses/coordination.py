@@ -39,7 +39,7 @@ def told_beside(state: State, *words: str) -> Mention | None:
 def coordinate(event: Event, state: State) -> None:
     """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
     helped = auxiliary(state)
-    wanted = "finite" if helped else _SHAPES.get(event.form, "finite")
+    wanted = "finite" if helped or _in_the_past(event, state) else _SHAPES.get(event.form, "finite")
     verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
     main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
     if "," in state.between and main:
@@ -77,6 +77,13 @@ def coordinate(event: Event, state: State) -> None:
         event.parent, event.link = parallel.parent, parallel.link
         event.modal = event.modal or parallel.modal
     alternative(event, parallel, state)
+
+
+def _in_the_past(event: Event, state: State) -> bool:
+    """``failed to stop and hit the van``: a past tense that looks like an infinitive."""
+    told = next((e for e in reversed(state.events) if e.finite and not e.link), None)
+    hits = event.form == "base" and event.name == "collide"
+    return hits and told is not None and told.form == "ed" and not told.modal
 
 
 def _no_jam(event: Event, subject: list[Mention], state: State) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Word
 from scegen.understanding.clauses.state import State
 
 _OPENING = frozenset({"against", "in", "with", "of"})
@@ -72,8 +72,18 @@ def nominal(event: Event, state: State) -> None:
         alternative(event, state.events[-1], state)
     elif state.prep is not None and not event.subject and not _opens(state):
         _in_a_phrase(event, state)
+    elif not event.subject and state.last is not None and _in_time(state):
+        done = state.last.subject  # "stops after a cut-in"; "the ego brakes after a cut-in"
+        own = any(m.cat == "possessive" for m in event.mods)
+        event.subject = [] if not own and any(m.is_ego for m in done) else done
     elif not event.subject and not state.events and ("sub" in state.between or _opens(state)):
         state.pending.append(event)  # "after a right turn, the car …"
+
+
+def _in_time(state: State) -> bool:
+    """``after a cut-in``: the word before the noun."""
+    word = state.at(-1)
+    return isinstance(word, Word) and word.value in {"after", "before"} and word.cat == "sub"
 
 
 def _opens(state: State) -> bool:
@@ -103,6 +113,7 @@ def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
     anchor, who = state.anchor, state.waiting
     if parent is None:
         parent = anchor if isinstance(anchor, Event) else state.last
+        parent = _forced(parent, state) or parent
     if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
         event.subject = chain(who)  # "a van passes and the ego has a second to brake"
         event.modal = "aux:have" in state.between
@@ -120,6 +131,16 @@ def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
         event.name = "inert" if parent.name == "inert" else event.name  # "no time to brake"
     else:
         _share_subject(event, parent, state)
+
+
+def _forced(last: Event | None, state: State) -> Event | None:
+    """``is forced by a van merging from the right to brake``: not the van."""
+    agents = last.subject if last is not None and last.form == "ing" and not last.finite else []
+    for verb in state.events if agents else []:
+        by = [p.who for p in verb.pps if p.value == "by"]
+        if verb.control == "object" and not verb.object and by[-1:] == agents[-1:]:
+            return verb
+    return None
 
 
 def _first_said_of(phrase: Mention | NounPhrase | Event | None, event: Event, state: State) -> None:

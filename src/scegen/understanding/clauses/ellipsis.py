@@ -27,7 +27,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         tokens: its tokens.
     """
     for event in events:
-        event.lemma = tokens[event.i].forms[-1][0]
+        event.lemma = tokens[event.j - 1 if event.nominal else event.i].forms[-1][0]
     _likewise(events, tokens)
     acting = {id(m) for e in events for m in (*e.subject, e.object)}
     found = [*events, *_denied(chunks, events)]

@@ -47,6 +47,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     _vehicles_of_parties(chunks)
     _drivers(events)
     _ridden(chunks, tokens)
+    _own_people(chunks, events, tokens)
     _left_standing(events)
     _done_already(events, tokens)
     _besides_the_ego(chunks, events)
@@ -276,6 +277,23 @@ def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
             if what is not None and what.same_as is None and _vehicle(what):
                 what.same_as = teller
                 teller.drives = True
+
+
+def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``my wife brakes``: at the wheel, if the teller is not; ``my wife screams``: aboard."""
+    own = [(e, m) for e in events for m in e.subject if tells(m)]
+    drives = any(tokens[m.i].low == "i" or e.name in ONLY_VEHICLES for e, m in own)
+    drives |= any(isinstance(c, Mention) and tokens[c.i].low == "me" for c in chunks)
+    for who in [c for c in chunks if isinstance(c, Mention) and c.opened_by("first_person")]:
+        if tokens[who.j - 1].low not in word_list("relatives") or who.pps or who.prep:
+            continue
+        done = [e for e in events if who in e.subject]
+        at_wheel = any(e.name in _DRIVEN or e.drives for e in done) and not who.walks
+        if at_wheel and not drives:
+            wheel = Term("actor", "ego", who.i, who.j, data={"ego": True})
+            who.same_as = Mention(who.i, who.j, [], wheel, heads=[wheel])
+        elif done and all(e.name in {"inert", "unknown", "warn", "light", "note"} for e in done):
+            who.negated = True
 
 
 def _takes_a_turn(event: Event) -> bool:

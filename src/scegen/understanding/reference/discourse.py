@@ -84,6 +84,7 @@ class Discourse:
             same = mention.same_as  # "riding a moped, I …": whom comes later
             mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
             refine(mention, self._roster.draft)
+            self._as_somebody(mention)
             if mention.pronoun is not None:
                 self._roster.spoken_of(mention.entities, subject=subject, settled=settled)
             return mention.entities
@@ -106,11 +107,18 @@ class Discourse:
             entity.loci |= loci_of(mention)
             entity.sides |= mention.sides
             entity.named_by |= states_of(mention)
+        self._as_somebody(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
         self._roster.stands_near(mention, found)
         if subject and mention.joined is not None:
             self._roster.joined = [*mention.joined.entities, *found]
         return found
+
+    def _as_somebody(self, mention: Mention) -> None:
+        """``the driver of a van``, ``my wife``: "she" means them before any vehicle."""
+        if mention.is_person or any("driver" in h.data for h in mention.heads):
+            for entity in mention.entities:
+                entity.named_by.add("somebody")
 
     def _of_two(self, mention: Mention) -> list[Entity]:
         """``both vehicles``, ``the two``: of two who are known already."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ANIMALS, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.draft import Basis, Entity
@@ -107,15 +107,20 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
 def _persons(
     roster: Roster, mention: Mention, known: list[Entity], options: list[Entity]
 ) -> list[Entity]:
-    """``he``, ``she``: somebody on foot or on two wheels before any vehicle.
+    """``he``, ``she``: somebody on foot, on two wheels or called a driver before any vehicle.
 
-    "The ego hits a cyclist; he rides …"; "a van had hidden her, and the ego hit her".
+    "The ego hits a cyclist; he rides …"; "the driver of a van saw a truck stop; she braked".
     """
     if _word(roster, mention) not in word_list("persons"):
         return options
+    known = [e for e in known if e.kind not in ANIMALS] or known
     people = [e for e in known if _person(roster, e)]
-    if mention.walks and not mention.drives:
+    drivers = [e for e in known if "somebody" in e.named_by and e.is_vehicle]
+    if mention.drives:
+        people = drivers or [e for e in people if e.is_vehicle] or people
+    elif mention.walks:
         people = [e for e in people if not e.is_vehicle] or people
+    people = people or drivers
     told = [e for e in options if e in people]
     return told or people[-1:] or options
 

@@ -86,6 +86,9 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: Bonds) -> None:
     known = discourse.entities
     egos = [e for e in known if e.ego]
     hides = id(mention) in bonds.hiding and is_it(mention) and len(egos) < len(known)
+    still = [e for e in known if e.still or "stationary" in e.named_by]
+    if hides and still:
+        exclude += [e for e in known if e not in still]  # "passes a halted bus …, out behind it"
     if hides or any(m.is_ego for m in unlike):
         exclude += egos  # who looks on hides nobody from itself
     discourse.resolve(

@@ -32,7 +32,7 @@ def out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
         something_else = bool(m) and after[m - 1] in {"a", "an", "the"}
         if m < _BROKEN_NEAR and word in word_list("broken") and not something_else:
             return Basis(i, j + m + 1)
-        for phrase in sorted(word_list("switched_off")):
+        for phrase in sorted(word_list("switched_off"), key=len, reverse=True):
             length = len(phrase.split())
             if " ".join(after[m : m + length]) == phrase:
                 return Basis(i, j + m + length)

@@ -70,7 +70,8 @@ def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
         return frozenset(sides)
     if "front" in dirs:
         return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
-    if place.kind == "side" and not dirs and prep == "from" and place.head is not None:
+    from_a_side = prep == "from" or (other and prep == "in")  # "stands on the other side"
+    if place.kind == "side" and not dirs and from_a_side and place.head is not None:
         return BY_DIR["opposite" if other else "lateral"]
     if "same" in dirs and prep != "from":
         return frozenset()  # "in the same direction" is the way of those on one road anyway

@@ -25,8 +25,10 @@ def into_rear(event: Event, context: Context) -> bool:
 
 
 def from_the_rear(event: Event, context: Context) -> bool:
-    """``rear-ends``, ``hits from behind``: without naming a part."""
+    """``rear-ends``, ``hits from behind``, ``… from the rear``: without naming a part."""
     behind = any(p.value == "behind" and p.outer == "from" for p in event.pps)
+    places = [p.place for p in event.pps if p.value == "from" and p.place is not None]
+    behind = behind or any("rear" in place.dirs for place in places)
     return behind or _rear_inside(event, context)
 
 

@@ -96,7 +96,6 @@ _FILTERS: dict[str, NounTest] = {
     "different": _said("different", "another"),
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
     "unprotected": _said("unprotected"),
-    "compound": lambda n, _: n.head is not None and n.head.j - n.head.i > 1,
     "gap": _head("gap"),
     "leads_off": _head("auxiliary", ["off_ramp"]),
     "plural": lambda n, _: n.head is not None and n.head.form == "s",

@@ -12,6 +12,8 @@ from scegen.understanding.words.tokens import Token, low_at
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|t|car|cv|obj|tgt|gvt)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
+_LONGEST = 4
+"""So many words a name of a road has, at most."""
 _ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
 
 
@@ -50,6 +52,20 @@ def _road_number(tokens: list[Token], i: int) -> Term | None:
     joined = after is not None and after.kind == "number" and after.start <= token.end + gap
     named = joined and token.text.isupper() and _ROAD.match(f"{token.low}1")
     return Term("place", kind, i, i + 2) if named else None
+
+
+def street_name(tokens: list[Token], i: int) -> Term | None:
+    """``Elm Street``, ``North Baker Avenue``: a road.
+
+    Args:
+        tokens: the tokens of the text.
+        i: where it may begin.
+    """
+    if not tokens[i].text[0].isupper():
+        return None
+    j = next((j for j in range(i, len(tokens)) if not tokens[j].text[0].isupper()), len(tokens))
+    ends = [k for k in range(i + 1, min(j, i + _LONGEST)) if tokens[k].text in word_list("streets")]
+    return Term("place", "road", i, ends[0] + 1) if ends else None
 
 
 def _aged(tokens: list[Token], i: int) -> Term | None:

@@ -8,7 +8,7 @@ from functools import lru_cache
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.collectives import gather
-from scegen.understanding.words.labels import named_at
+from scegen.understanding.words.labels import named_at, street_name
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
@@ -135,7 +135,7 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     walker = longest_match(tokens, term.i, term.i + 1)
     if walker is None or not walker.has("actor"):
         return False  # "the zebra crossing that …"
-    if _crossed(tokens, term.j):
+    if _crossed(tokens, term.j) or (term.j < len(tokens) and street_name(tokens, term.j)):
         return True
     counted = len(terms) > 2 and terms[-1].cat in {"det", "num"}
     return counted and begins(tokens, term.j, "det")  # "a pedestrian crossing the road"
@@ -253,6 +253,8 @@ def _measured_or_named(tokens: list[Token], i: int, previous: Term | None) -> Te
 
 def _by_lexicon(tokens: list[Token], i: int, previous: Term | None) -> Term:
     token = tokens[i]
+    if street := street_name(tokens, i):
+        return street
     number = number_at(tokens, i)
     match = _match_at(tokens, i, previous) if _first_person(tokens, i) else None
     counted = number is not None and match is not None and match.has("shape", "label")
