@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.concretization.backing import (
+    apart_m,
     back_out,
     back_up,
     back_up_to,
     brakes_from,
-    in_each_others_way,
 )
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import culprits, same_arm, victims
@@ -112,10 +112,10 @@ def reverse(scene: Setup) -> list[Meeting]:
 
 def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     """The one is so far when the other has to brake."""
-    s, its, touching = in_each_others_way(draft, other)
+    s, its, room_m = apart_m(draft, other)
     begins_s, ends_s = draft.laid.path.backwards[0]
     back = (s >= begins_s) & (s <= ends_s)
-    meets = touching[back]
+    meets = room_m[back] < 0.0
     if not meets.any():
         raise MotionInfeasibleError(
             f"does not come into the way of {other.id} where it reverses", where=draft.id
