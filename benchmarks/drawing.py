@@ -13,7 +13,8 @@ import numpy as np
 
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import NoScenarioError
-from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import ARM_COUNTS, Junction
 from scegen.scenario.logical import Assignment, ConflictKind, Drive, LogicalScenario
 from scegen.scenario.vocabulary import (
     Control,

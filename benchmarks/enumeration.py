@@ -33,7 +33,7 @@ from scegen.enumeration import (
     plain_crossing,
 )
 from scegen.enumeration.problem import build_problem
-from scegen.enumeration.solving import listing_program, space_of
+from scegen.enumeration.solving import listing_program
 from scegen.enumeration.symmetry import symmetry_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.vocabulary import ArmsMode, Reduction
@@ -64,7 +64,7 @@ def paper(entries: list[int], arms: int) -> int:
 def raw(functional: FunctionalScenario, reduction: Reduction) -> int:
     problem = build_problem(functional)
     symmetry = symmetry_of(problem, ArmsMode.EQUAL)
-    return models(listing_program(space_of(problem), symmetry, reduction))
+    return models(listing_program(problem, symmetry, reduction))
 
 
 def whole(functional: FunctionalScenario, reduction: Reduction) -> int:

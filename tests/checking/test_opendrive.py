@@ -9,7 +9,7 @@ from lxml import etree
 
 from scegen.checking.opendrive import check_opendrive
 from scegen.checking.results import CheckStatus, Severity
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 
 

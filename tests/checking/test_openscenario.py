@@ -12,7 +12,7 @@ from lxml import etree
 from scegen.checking import CheckStatus, check_folder
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.files import load, to_yaml
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import JunctionKind
 
 OWN = ("opendrive", "openscenario")

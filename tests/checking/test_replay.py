@@ -32,13 +32,8 @@ from scegen.motion.model import Trace
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
 from scegen.scenario.files import load, to_yaml
-from scegen.scenario.functional import (
-    ARM_COUNTS,
-    FunctionalScenario,
-    Hazard,
-    Junction,
-    Participant,
-)
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import ARM_COUNTS, Junction
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind, Role
 
 EACH = 4

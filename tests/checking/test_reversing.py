@@ -19,7 +19,8 @@ from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, ParticipantKind, Role
 

@@ -8,7 +8,7 @@ from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
 from scegen.export.opendrive import write_opendrive
 from scegen.road import build_network
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 
 @pytest.fixture(scope="module")

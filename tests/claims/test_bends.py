@@ -8,7 +8,7 @@ from scegen.claims.straightened import Axis, straightened
 from scegen.motion.batch.arrays import COS, HEADING, SIN, TRACK_ROWS, X, Y
 from scegen.road import build_network, plan_road
 from scegen.road.geometry import ReferenceLine
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 
 def centre_line(side, radius):

@@ -6,7 +6,8 @@ from saying import made, missed
 from sayings import BRAKES, CROSSES, CUTS_AND_BRAKES, CUTS_IN, EVERY, HIDES, STANDS, WALKS
 
 from scegen.scenario.concrete import AtTime, ConcreteParticipant, SpeedPhase, Travelled
-from scegen.scenario.vocabulary import Control, ParticipantKind, Side, Weather
+from scegen.scenario.environment import Weather
+from scegen.scenario.vocabulary import Control, ParticipantKind, Side
 
 
 def swapped_starts(c):

@@ -8,7 +8,8 @@ from scegen.criticality import raise_criticality
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion import build_paths
 from scegen.road import build_network
-from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver, Role
 
 

@@ -15,8 +15,8 @@ from scegen.report.corners import thing_corners
 from scegen.report.lane_shapes import road_shapes
 from scegen.road import build_network
 from scegen.road.model import LaneType
-from scegen.scenario.functional import Evidence
-from scegen.scenario.vocabulary import DrivingSide, EvidenceSource, HazardKind
+from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.vocabulary import DrivingSide, HazardKind
 
 WALKER = [("occlusion", (), ()), ("crossing_pedestrian", ("ped_0",), ("ego",))]
 

@@ -11,7 +11,8 @@ from scegen.motion import build_paths, simulate
 from scegen.motion.batch import stack_traces
 from scegen.road import build_network
 from scegen.scenario.concrete import StandingMotion
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import (
     Approach,
     HazardKind,

@@ -17,7 +17,8 @@ from scegen.pipeline.picking import pick
 from scegen.road import build_network
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ArrivalBelow, Travelled
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Role
 from scegen.understanding import read
 

@@ -14,7 +14,8 @@ from scegen.measures.conflict_areas import area_table
 from scegen.measures.tables import build_tables
 from scegen.motion.model import Path
 from scegen.road import build_network
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, ParticipantKind, Role
 

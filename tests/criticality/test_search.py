@@ -15,22 +15,11 @@ from scegen.motion.batch import stack_traces
 from scegen.pipeline.picking import pick
 from scegen.road import build_network
 from scegen.scenario.concrete import ArrivalBelow, DriveMotion, StoodStill
-from scegen.scenario.functional import (
-    Environment,
-    FunctionalScenario,
-    Hazard,
-    Junction,
-    Participant,
-)
+from scegen.scenario.environment import Environment, RoadSurface
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import (
-    Control,
-    HazardKind,
-    JunctionKind,
-    Maneuver,
-    RoadSurface,
-    Role,
-)
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver, Role
 from scegen.understanding import read
 
 SENTENCES = {

@@ -14,7 +14,8 @@ from types import SimpleNamespace
 import pytest
 
 from scegen.scenario.arms import arm_angles_deg, seen_from, turn_deg, turn_name
-from scegen.scenario.functional import FunctionalScenario, Junction
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import (
     Approach,
     ArmsMode,

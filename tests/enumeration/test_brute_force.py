@@ -7,8 +7,9 @@ from hypothesis import strategies as st
 
 from scegen.enumeration import count_scenarios, enumerate_scenarios
 from scegen.errors import NoScenarioError
-from scegen.scenario.functional import FunctionalScenario, Group, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Group, Hazard, Participant
 from scegen.scenario.hazards import FROM_BESIDE
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 
 JUNCTIONS = [

@@ -18,7 +18,7 @@ from scegen.enumeration.right_of_way import road_rules
 from scegen.enumeration.wide_curves import CLOSE_DEG, NEAR_M, curves_that_meet
 from scegen.errors import RoadInfeasibleError
 from scegen.road import build_network, plan_road
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import ConflictKind
 from scegen.scenario.vocabulary import JunctionKind
 

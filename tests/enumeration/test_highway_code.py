@@ -23,7 +23,7 @@ from __future__ import annotations
 import pytest
 
 from scegen.enumeration.right_of_way import road_rules
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import ConflictKind, Rule
 
 LETTERS = {

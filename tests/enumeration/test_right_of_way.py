@@ -13,7 +13,7 @@ from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.right_of_way import road_rules
 from scegen.enumeration.wide_curves import curves_that_meet
 from scegen.scenario.control import signal_phases
-from scegen.scenario.functional import ARM_COUNTS, Junction
+from scegen.scenario.junction import ARM_COUNTS, Junction
 from scegen.scenario.logical import Conflict, ConflictKind
 from scegen.scenario.vocabulary import Control, DrivingSide, JunctionKind, Reduction
 

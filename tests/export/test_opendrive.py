@@ -11,7 +11,7 @@ from lxml import etree
 from scegen.export.opendrive import write_opendrive
 from scegen.road import build_network, plan_road
 from scegen.road.fillet import wrapped
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import Control
 
 SCHEMAS = sorted(

@@ -1,7 +1,6 @@
 """The OpenSCENARIO writer: what stands in the file, and that it follows the standard."""
 
 import re
-import xml.etree.ElementTree as ET
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 from pathlib import Path as FilePath
@@ -14,7 +13,7 @@ from things import thing
 
 from scegen.errors import InputError
 from scegen.export.openscenario import write_openscenario
-from scegen.export.openscenario_text import LONGEST_TEXT, indented, xml_text
+from scegen.export.openscenario_text import LONGEST_TEXT, xml_text
 from scegen.motion.model import Path
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
@@ -30,9 +29,9 @@ from scegen.scenario.concrete import (
     StoodStill,
     Travelled,
 )
-from scegen.scenario.functional import Environment
+from scegen.scenario.environment import Environment, RoadSurface, TimeOfDay, Weather
 from scegen.scenario.objects import ObjectCategory
-from scegen.scenario.vocabulary import ParticipantKind, RoadSurface, Role, Side, TimeOfDay, Weather
+from scegen.scenario.vocabulary import ParticipantKind, Role, Side
 
 ROOT = FilePath(__file__).parents[2]
 SCHEMAS = sorted((ROOT / ".venv/asam").glob("lib/*/site-packages/qc_openscenario/schema"))
@@ -336,12 +335,3 @@ def test_the_end_waits_for_an_ego_that_is_late_but_not_for_ever():
     (act,) = root.findall(".//Act/StopTrigger")
     # scenario_runner ends an act when any condition of a group holds: there is one only.
     assert len(act.findall(".//Condition")) == 1
-
-
-def test_elements_are_written_as_the_standard_library_writes_them():
-    root = ET.Element("A", {"plain": "1.5", "odd": 'a"b<c>&\n\t\r é'})
-    ET.SubElement(ET.SubElement(root, "B"), "C", {"x": ""})
-    ET.SubElement(root, "D", {"name": "'"})
-    ours = indented(root)
-    ET.indent(root, "  ")
-    assert ours == ET.tostring(root, encoding="unicode")

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.concrete import (
-    ArmRoad,
-    ConcreteParticipant,
-    ConcreteScenario,
-    RoadParameters,
-)
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 from scegen.scenario.vocabulary import JunctionKind
 
 

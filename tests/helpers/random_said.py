@@ -6,7 +6,7 @@ from random import Random
 
 from saying import KMH, person, said
 
-from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import Control, DrivingSide, HazardKind, JunctionKind
 
 FOUR_WHEELS = ["car", "car", "van", "truck", "bus", "emergency_vehicle"]

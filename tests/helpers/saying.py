@@ -14,7 +14,8 @@ from scegen.motion.friction import friction_of
 from scegen.pipeline.picking import pick
 from scegen.pipeline.raising import chosen_target
 from scegen.road import build_network
-from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
 
 KMH = 1 / 3.6

@@ -8,7 +8,8 @@ from scegen.enumeration import enumerate_scenarios
 from scegen.pipeline.attempts import make_some
 from scegen.pipeline.options import Options
 from scegen.pipeline.picking import pick
-from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
 
 

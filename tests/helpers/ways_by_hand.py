@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 
 from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Standing
 from scegen.scenario.vocabulary import (
     HazardKind,

@@ -7,7 +7,7 @@ from scegen.motion.paths import lay_drive
 from scegen.road import build_network, plan_road
 from scegen.road.ramps import gore_m
 from scegen.scenario.concrete import DriveMotion, LaneChange
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 ARM_M = 500.0
 

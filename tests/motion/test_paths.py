@@ -12,7 +12,7 @@ from scegen.motion.paths import END_MARGIN_M, build_path, lay_drive
 from scegen.road import build_network, plan_road
 from scegen.road.model import RoadNetwork, Route
 from scegen.scenario.concrete import CrossingMotion, DriveMotion, LaneChange, StandingMotion
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, ParticipantKind, Side
 
 CAR = ParticipantKind.CAR

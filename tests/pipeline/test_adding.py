@@ -114,7 +114,7 @@ RULE = """
 from scegen.checking.opendrive import RULES, check_opendrive
 from scegen.export.opendrive import write_opendrive
 from scegen.road import build_network, plan_road
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import JunctionKind
 assert [rule for rule in RULES if rule.__name__ == "check_narrow"]
 network = build_network(plan_road(Junction(kind=JunctionKind.FOUR_WAY, arms=4)))

@@ -12,7 +12,8 @@ from scegen.export.openscenario import write_openscenario
 from scegen.motion import build_paths
 from scegen.road import build_network
 from scegen.scenario.files import to_yaml
-from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import ARM_COUNTS, Junction
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, ParticipantKind
 
 OWN = ("opendrive", "openscenario")

@@ -4,7 +4,8 @@ import pytest
 
 from scegen.errors import InputError
 from scegen.pipeline.picking import pick
-from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Certificate, Conflict, Drive, LogicalScenario, LogicalSet
 
 KINDS = ("none", "crossing", "merging", "crossing")

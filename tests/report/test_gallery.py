@@ -15,7 +15,8 @@ from scegen.report.gallery import PAGE, draw_tiles, gallery_svg
 from scegen.report.plan import arrow_head, crossing_line, drive_line, make_plan, standing_box
 from scegen.report.tile import moves_words, tile_svg
 from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
-from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import (
     Certificate,
     Conflict,

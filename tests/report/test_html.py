@@ -15,25 +15,18 @@ from scegen.report.evidence import LONGEST_SHOWN, field_rows, spans
 from scegen.report.html import report_html
 from scegen.report.tables import tables
 from scegen.scenario.concrete import (
-    ArmRoad,
     AtTime,
     Change,
     ConcreteParticipant,
     ConcreteScenario,
     DriveMotion,
     LaneChange,
-    RoadParameters,
     SpeedPhase,
 )
-from scegen.scenario.functional import (
-    Environment,
-    Evidence,
-    FunctionalScenario,
-    Hazard,
-    Junction,
-    Participant,
-    Unsupported,
-)
+from scegen.scenario.environment import Environment, Weather
+from scegen.scenario.evidence import Evidence, EvidenceSource, Unsupported
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import (
     Certificate,
     Conflict,
@@ -43,16 +36,15 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.parameters import ParameterRange
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 from scegen.scenario.vocabulary import (
     ArmsMode,
-    EvidenceSource,
     HazardKind,
     JunctionKind,
     Maneuver,
     ParticipantKind,
     Reduction,
     Role,
-    Weather,
 )
 from scegen.understanding import read
 

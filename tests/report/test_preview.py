@@ -23,16 +23,16 @@ from scegen.road import build_network, plan_road
 from scegen.road.model import LaneType
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import (
-    ArmRoad,
     ConcreteParticipant,
     ConcreteScenario,
     CrossingMotion,
     DriveMotion,
-    RoadParameters,
     StandingMotion,
 )
-from scegen.scenario.functional import Hazard, Junction
+from scegen.scenario.functional import Hazard
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind, Role, Side
 
 

@@ -19,7 +19,8 @@ from scegen.report.tile import describe, tile_svg
 from scegen.report.words import participant_words
 from scegen.road import build_network
 from scegen.road.model import LaneType
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Role
 

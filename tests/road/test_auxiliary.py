@@ -10,7 +10,7 @@ from scegen.errors import RoadInfeasibleError
 from scegen.export.opendrive import write_opendrive
 from scegen.road import build_network, plan_road
 from scegen.road.sections import sections
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 KINDS = ("on_ramp", "off_ramp", "lane_drop")
 CASES = list(product(KINDS, ("right", "left"), ("divided", "undivided", "one_way"), (1, 3)))

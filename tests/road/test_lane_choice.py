@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scegen.road.lane_choice import lane_ways
-from scegen.scenario.concrete import ArmRoad
+from scegen.scenario.road_parameters import ArmRoad
 from scegen.scenario.vocabulary import DrivingSide
 
 CROSS = (0.0, 90.0, 180.0, 270.0)

@@ -12,7 +12,7 @@ from scegen.road.fillet import wrapped
 from scegen.road.model import LaneType
 from scegen.road.straight import curve_of
 from scegen.scenario.bends import usual_radius_m
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 
 def planned(**junction):

@@ -13,8 +13,8 @@ from scegen.road import build_network
 from scegen.road.crossing import MIN_RADIUS_M
 from scegen.road.fillet import smallest_radius_m, wrapped
 from scegen.road.model import ContactPoint, LaneType
-from scegen.scenario.concrete import ArmRoad, RoadParameters
-from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.junction import ARM_COUNTS
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 
 GAP_M = 0.01

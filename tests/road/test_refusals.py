@@ -4,8 +4,8 @@ import pytest
 
 from scegen.errors import RoadInfeasibleError
 from scegen.road import build_network, plan_road
-from scegen.scenario.concrete import Turn
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
+from scegen.scenario.road_parameters import Turn
 
 
 def plan(kind="four_way", arms=4, angles=(), **more):

@@ -6,7 +6,7 @@ import pytest
 
 from scegen.road import build_network, plan_road
 from scegen.road.model import LaneType
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 
 def network(kind, arms, *, plan=None, **junction):

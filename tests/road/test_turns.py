@@ -7,8 +7,8 @@ import pytest
 from scegen.road import build_network, plan_road
 from scegen.road.fillet import connect, smallest_radius_m
 from scegen.road.geometry import Pose
-from scegen.scenario.concrete import Turn
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
+from scegen.scenario.road_parameters import Turn
 
 
 def network(kind, arms, turns, **more):

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from scegen.scenario.arms import arm_angles_deg, exit_arm, seen_from, turn_deg, turn_name
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 FOUR = (0.0, 90.0, 180.0, 270.0)
 T = (0.0, 180.0, 270.0)

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from scegen.errors import InputError, VocabularyError
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import from_data, json_schema, load, load_any, to_json, to_yaml
-from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.parsing import parse
 from scegen.scenario.vocabulary import Approach, Maneuver

@@ -3,14 +3,9 @@
 import pytest
 from pydantic import ValidationError
 
-from scegen.scenario.functional import (
-    Evidence,
-    FunctionalScenario,
-    Hazard,
-    Junction,
-    Participant,
-    Relation,
-)
+from scegen.scenario.evidence import Evidence
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant, Relation
+from scegen.scenario.junction import Junction
 
 
 def scenario(**changes):

@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from inspect import getmembers, isclass
 
 import pytest
 
-from scegen.scenario import acts, outcome, roadway, spacings, things, vocabulary
+from scegen.scenario.definitions import Word
 from scegen.scenario.files import json_schema
 from scegen.scenario.functional import Participant
 from scegen.scenario.glossary import VOCABULARY, defined, meaning_of, page
-from scegen.scenario.vocabulary import BodySide, DrivingSide, Maneuver
+from scegen.scenario.outcome import BodySide
+from scegen.scenario.vocabulary import DrivingSide, HazardKind, Maneuver
 
-_HOMES = (vocabulary, roadway, acts, spacings, outcome, things)
 _WORDS = [word for words in VOCABULARY for word in words]
 _ALONE = {*BodySide, *DrivingSide, *(m for m in Maneuver if m.startswith("exit_"))}
 
 
 def test_no_list_of_words_is_left_out():
-    lists = {
-        found
-        for module in _HOMES
-        for _, found in getmembers(module, isclass)
-        if issubclass(found, StrEnum) and len(found) > 0
-    }
+    lists = {HazardKind, *(words for words in Word.__subclasses__() if len(words) > 0)}
     assert lists == set(VOCABULARY)
 
 

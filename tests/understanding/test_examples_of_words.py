@@ -7,33 +7,29 @@ from enum import StrEnum
 import pytest
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.environment import RoadSurface, TimeOfDay, Visibility, Weather
+from scegen.scenario.evidence import EvidenceSource
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import VOCABULARY, meaning_of
-from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
+from scegen.scenario.signals import AtLight
 from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
     ANIMALS,
     Approach,
     ArmsMode,
-    AtLight,
-    BodySide,
     Control,
     CrossedArm,
     DrivingSide,
-    EvidenceSource,
     HazardKind,
     JunctionKind,
     Maneuver,
     ParticipantKind,
     Reduction,
-    RoadSurface,
     Role,
     Side,
-    TimeOfDay,
-    Visibility,
-    Weather,
 )
 from scegen.understanding import read
 

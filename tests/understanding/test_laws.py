@@ -4,8 +4,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scegen.errors import ScegenError
+from scegen.scenario.evidence import EvidenceSource
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.vocabulary import Approach, EvidenceSource, Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding import passages, read, report_on
 from scegen.understanding.words.tokens import tokenize
 

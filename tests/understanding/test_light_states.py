@@ -2,7 +2,8 @@
 
 import pytest
 
-from scegen.scenario.vocabulary import AtLight, Control, HazardKind
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Control, HazardKind
 from scegen.understanding import read
 
 

@@ -4,7 +4,8 @@ import pytest
 from compact_functional import compact
 
 from scegen.scenario.roadway import Strip
-from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, Maneuver
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding import read
 
 

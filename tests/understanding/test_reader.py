@@ -1,10 +1,10 @@
 import pytest
 
 from scegen.errors import InfeasibleError, InputError, NotTrafficError
+from scegen.scenario.evidence import EvidenceSource
 from scegen.scenario.vocabulary import (
     Approach,
     Control,
-    EvidenceSource,
     HazardKind,
     JunctionKind,
     Maneuver,

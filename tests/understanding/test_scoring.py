@@ -1,4 +1,5 @@
-from scegen.scenario.functional import FunctionalScenario, Hazard, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, Role
 from scegen.understanding import score
 

@@ -1,6 +1,6 @@
 import pytest
 
-from scegen.scenario.vocabulary import EvidenceSource
+from scegen.scenario.evidence import EvidenceSource
 from scegen.understanding import read
 from scegen.understanding.lexicon import load, word_lists
 from scegen.understanding.words.spelling import meant, one_slip

@@ -10,11 +10,11 @@ import numpy as np
 
 from scegen.campaign.order import Sweep
 from scegen.errors import InputError
+from scegen.scenario.evidence import Evidence, EvidenceSource
 from scegen.scenario.files import from_data
-from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import EvidenceSource
 from scegen.units import SPEED_UNITS_MPS
 
 _UNITS = {"_kph": ("_mps", SPEED_UNITS_MPS["km/h"]), "_mph": ("_mps", SPEED_UNITS_MPS["mph"])}

@@ -15,7 +15,7 @@ from scegen.road import build_network
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M, median_half_m
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, Road
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.vocabulary import DrivingSide
 
 

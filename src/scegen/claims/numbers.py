@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import Junction
 
 
 def described_by(concrete: ConcreteScenario) -> FunctionalScenario:

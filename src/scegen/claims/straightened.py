@@ -18,7 +18,8 @@ from scegen.road import build_network
 from scegen.road.geometry import ReferenceLine, Segment
 from scegen.road.ramps import gore_m
 from scegen.road.straight import curve_of
-from scegen.scenario.concrete import ConcreteScenario, DriveMotion, RoadParameters
+from scegen.scenario.concrete import ConcreteScenario, DriveMotion
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.vocabulary import JunctionKind
 
 _ON_RAMP_M = 2.5

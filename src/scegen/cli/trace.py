@@ -11,8 +11,8 @@ from scegen.cli.console import result
 from scegen.cli.options import OutputFile, ScenarioOption
 from scegen.cli.writing import write_bytes
 from scegen.errors import InputError
+from scegen.pipeline.options import TraceFormat, TracePlayer
 from scegen.pipeline.place import scenario_file
-from scegen.pipeline.trace_options import TraceFormat, TracePlayer
 
 CONCRETE_FILE = "concrete.yaml"
 

@@ -39,7 +39,8 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _ATTEMPTS = 30
 _ARM_STEP_M = 10.0

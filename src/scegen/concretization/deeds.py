@@ -30,7 +30,8 @@ from scegen.scenario.acts import (
     BeforeJunction,
 )
 from scegen.scenario.logical import Reverses
-from scegen.scenario.vocabulary import AtLight, HazardKind, Maneuver
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""

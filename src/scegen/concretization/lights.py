@@ -27,8 +27,8 @@ from scegen.motion.rules.intergreen import (
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.control import LIGHTS, oncoming_arms
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.signals import SignalGroup, SignalPlan
-from scegen.scenario.vocabulary import ANIMALS, AtLight, Control, JunctionKind
+from scegen.scenario.signals import AtLight, SignalGroup, SignalPlan
+from scegen.scenario.vocabulary import ANIMALS, Control, JunctionKind
 
 _ROOM_S: Mapping[AtLight, tuple[float, float]] = {
     AtLight.GREEN: (3.0, 2.5),

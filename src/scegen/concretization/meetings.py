@@ -9,8 +9,8 @@ from math import cos, sin
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.measures.conflict_areas import least_gap_m
 from scegen.measures.grounds import grounds
+from scegen.measures.nearest import least_gap_m
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
 from scegen.scenario.bodies import Body

@@ -9,11 +9,11 @@ from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.road import build_network, plan_road
 from scegen.road.ring_layout import MAX_RING_RADIUS_M, lay_out_ring
-from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import has_crosswalk
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.logical import Drive, LogicalScenario, Standing
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.vocabulary import HazardKind, JunctionKind

@@ -14,11 +14,11 @@ from scegen.concretization.tale import Tale
 from scegen.errors import MotionInfeasibleError
 from scegen.road.model import RoadNetwork, Route
 from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
-from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.objects import StaticObject
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 

@@ -16,9 +16,9 @@ from scegen.concretization.tale import outward, side_of
 from scegen.errors import MotionInfeasibleError
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.arms import arm_angles_deg, seen_from
-from scegen.scenario.concrete import RoadParameters, Turn
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
+from scegen.scenario.road_parameters import RoadParameters, Turn
 from scegen.scenario.vocabulary import Approach, DrivingSide, JunctionKind, Maneuver
 from scegen.scenario.wording import counted, with_article
 

@@ -17,7 +17,6 @@ from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,
     Motion,
-    RoadParameters,
     SpeedPhase,
     Travelled,
     Trigger,
@@ -25,6 +24,7 @@ from scegen.scenario.concrete import (
 from scegen.scenario.functional import Hazard
 from scegen.scenario.model import middles
 from scegen.scenario.objects import StaticObject
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.signals import SignalPlan
 
 _MOVES_MPS, _SURE_S = 2.0, 1.0

@@ -24,8 +24,8 @@ from math import inf
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.conflict_areas import nearest_points
 from scegen.measures.distance import distance_series
+from scegen.measures.nearest import nearest_points
 from scegen.measures.occlusion import occlusion_series
 from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Bools, Floats, S, X, Y
 from scegen.motion.model import Path

@@ -13,7 +13,7 @@ from scegen.enumeration.reading import Solution
 from scegen.enumeration.statements import ALONG_WORDS
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.spacings import START, Measure
-from scegen.scenario.vocabulary import Approach, DrivingSide, Maneuver, Side
+from scegen.scenario.vocabulary import Approach, Maneuver, Side
 
 _IN_LINE = frozenset({"ahead", "behind"})
 
@@ -113,8 +113,8 @@ def queues(problem: Problem, solution: Solution) -> list[Queue]:
 def in_entering_lane(problem: Problem, way: str) -> bool:
     """Whether one who goes this way on foot is in a lane of those who enter on the arm."""
     along = ALONG.get(way)
-    kerb = problem.functional.junction.driving_side.value
-    return along is not None and along.in_lane and along.side.value == kerb
+    kerb = problem.functional.junction.kerb
+    return along is not None and along.in_lane and along.side is kerb
 
 
 def _sayings(problem: Problem, solution: Solution) -> list[tuple[str, str, str]]:
@@ -152,11 +152,8 @@ def lanes_of(
     lanes = {v.id: min(v.lanes) for v in problem.functional.participants if len(v.lanes) == 1}
     if not lanes:
         return lanes
-    left = -1 if problem.functional.junction.driving_side is DrivingSide.RIGHT else 1
-    off = [
-        (name, other, left if side is Side.LEFT else -left)
-        for name, (other, side) in beside.items()
-    ]
+    kerb = problem.functional.junction.kerb
+    off = [(name, other, 1 if side is kerb else -1) for name, (other, side) in beside.items()]
     off += [(name, other, 0) for name, other, word in solution.places if word in _IN_LINE]
     off += [(other, name, -by) for name, other, by in off]
     for _ in off:

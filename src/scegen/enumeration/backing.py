@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.in_line import words_between
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
@@ -30,15 +31,8 @@ def backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
 
 def passes_behind(functional: FunctionalScenario, name: str, reference: str) -> bool:
     """Whether somebody comes from one side of another, who reverses towards it."""
-    sides = [
-        r.approaches
-        for r in functional.relations
-        if (r.participant, r.reference) == (name, reference)
-    ]
-    if reference == functional.ego.id:
-        sides.append(functional.participant(name).approaches)
-    aside = any(said and said <= _ASIDE for said in sides)
-    return aside and any(
+    said = words_between(functional, name, reference)
+    return frozenset() < said <= _ASIDE and any(
         hazard.kind is HazardKind.REVERSING
         and reference in hazard.by
         and (not hazard.to or name in hazard.to)

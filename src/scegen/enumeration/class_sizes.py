@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from operator import itemgetter
 
 from scegen.enumeration.symmetry import Symmetry
@@ -18,11 +19,8 @@ Choice = tuple[int | str, ...]
 Chosen = tuple[tuple[Choice, ...], ...]
 """What the members of each group chose."""
 
-
 MOST_KEPT = 32_768
-"""Choices of bunches that are kept; a stream of millions must not fill the memory."""
-BUNCH = 6
-"""So many participants are looked up together: few enough to come back, more are fewer look-ups."""
+"""Choices of groups that are kept; a stream of millions must not fill the memory."""
 
 
 class ClassSizes:
@@ -38,7 +36,7 @@ class ClassSizes:
         searched = self._turns[1:] if symmetry.anchor is None else ()
         self._prime = tuple(t for t in searched if _is_prime(arms // math.gcd(arms, t)))
         self._groups = tuple(_picker(places) for places in groups)
-        self._bunches = [_Bunch(self, tuple(groups[i] for i in b), b) for b in _bunches(groups)]
+        self._part = lru_cache(maxsize=MOST_KEPT)(self._part_of)
 
     def groups(self, made: Sequence[Choice]) -> Chosen:
         """What the members of each group chose, of what everybody chose."""
@@ -51,9 +49,8 @@ class ClassSizes:
         at, and all turned copies are different ones.
         """
         size, changes = len(self._turns), []
-        for bunch in self._bunches:
-            chosen = bunch.pick(made)
-            ways, change = bunch.kept.get(chosen) or bunch.known(chosen)
+        for group, members in enumerate(self.groups(made)):
+            ways, change = self._part(group, members)
             size *= ways
             changes.append(change)
         if 0 in map(sum, zip(*changes, strict=True)):
@@ -68,16 +65,20 @@ class ClassSizes:
         """The multiset of choices after every rotation."""
         chosen = self.groups(made)
         return [
-            sum(self.code(group, members, turn) for group, members in enumerate(chosen))
+            sum(self._code(group, members, turn) for group, members in enumerate(chosen))
             for turn in self._turns
         ]
 
-    def changes(self, group: int, members: tuple[Choice, ...]) -> tuple[int, ...]:
-        """What each rotation of prime order adds to the multiset; for no change all are 0."""
-        still = self.code(group, members, 0)
-        return tuple([self.code(group, members, turn) - still for turn in self._prime])
+    def _part_of(self, group: int, members: tuple[Choice, ...]) -> tuple[int, tuple[int, ...]]:
+        """The arrangements of a group, and what each rotation of prime order adds to the multiset.
 
-    def code(self, group: int, members: tuple[Choice, ...], turn: int) -> int:
+        For no change all are 0.
+        """
+        still = self._code(group, members, 0)
+        changes = tuple([self._code(group, members, turn) - still for turn in self._prime])
+        return arrangements(members), changes
+
+    def _code(self, group: int, members: tuple[Choice, ...], turn: int) -> int:
         """The part of the turned multiset that these members make."""
         image = self._symmetry.rotations[turn][group]
         return sum(self._digit_of(image, choice, turn) for choice in members)
@@ -88,53 +89,12 @@ class ClassSizes:
         return 1 << (self._digit * place)
 
 
-class _Bunch:
-    """Some groups that are looked up together."""
-
-    __slots__ = ("_groups", "_pickers", "_sizes", "kept", "pick")
-
-    def __init__(
-        self, sizes: ClassSizes, places: Sequence[Sequence[int]], groups: Sequence[int]
-    ) -> None:
-        self._sizes = sizes
-        self._groups = tuple(groups)
-        flat = [place for group in places for place in group]
-        self.pick = _picker(flat)
-        self._pickers = tuple(_picker([flat.index(p) for p in group]) for group in places)
-        self.kept: dict[tuple[Choice, ...], tuple[int, tuple[int, ...]]] = {}
-
-    def known(self, chosen: tuple[Choice, ...]) -> tuple[int, tuple[int, ...]]:
-        """The arrangements of these groups, and their part of what turning changes."""
-        if len(self.kept) >= MOST_KEPT:
-            self.kept.clear()
-        ways, changes = 1, []
-        for group, pick in zip(self._groups, self._pickers, strict=True):
-            members = pick(chosen)
-            ways *= arrangements(members)
-            changes.append(self._sizes.changes(group, members))
-        found = self.kept[chosen] = ways, tuple(map(sum, zip(*changes, strict=True)))
-        return found
-
-
 def arrangements(chosen: tuple[Choice, ...]) -> int:
     """Ways to hand out these choices to the members of a group, who are told apart by name."""
     ways = math.factorial(len(chosen))
     for times in Counter(chosen).values():
         ways //= math.factorial(times)
     return ways
-
-
-def _bunches(groups: Sequence[Sequence[int]]) -> list[list[int]]:
-    """Neighbouring groups together, up to so many members; none is parted."""
-    out: list[list[int]] = []
-    members = BUNCH
-    for number, group in enumerate(groups):
-        if members + len(group) > BUNCH:
-            out.append([])
-            members = 0
-        out[-1].append(number)
-        members += len(group)
-    return out
 
 
 def _picker(places: Sequence[int]) -> Callable[[Sequence[Choice]], tuple[Choice, ...]]:

@@ -6,10 +6,16 @@ from collections.abc import Set as AbstractSet
 from functools import lru_cache
 
 from scegen.enumeration.right_of_way import RoadRules, right_of_way
-from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Crossing, Drive, Rule
+from scegen.scenario.logical import (
+    MEETING,
+    Assignment,
+    Conflict,
+    ConflictKind,
+    Crossing,
+    Drive,
+    Rule,
+)
 from scegen.scenario.vocabulary import Maneuver
-
-_MEET = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 
 
 def conflict_between(
@@ -27,9 +33,9 @@ def conflict_between(
         return None
     names = first.participant, second.participant
     others = [name for name in names if name not in on_call]
-    if kind in _MEET and len(others) == 1:
+    if kind in MEETING and len(others) == 1:
         return _met(*names, kind, others[0], Rule.ON_CALL)
-    return _met(first.participant, second.participant, kind, *right_of_way(rules, first, second))
+    return _met(*names, kind, *right_of_way(rules, first, second))
 
 
 @lru_cache(maxsize=65_536)

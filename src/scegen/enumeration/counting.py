@@ -21,7 +21,7 @@ from scegen.enumeration.class_sizes import Choice, Chosen, ClassSizes, arrangeme
 from scegen.enumeration.patterns import Polynomial, Row, product
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import COUNTED, Solution
-from scegen.enumeration.solving import Space, states
+from scegen.enumeration.solving import states
 from scegen.enumeration.symmetry import Symmetry
 from scegen.enumeration.unrelated import Unrelated, unrelated_of
 from scegen.errors import InputError
@@ -49,7 +49,6 @@ class Census:
     unrelated: Unrelated | None = None
     anchor: str | None = None
     placed: Counter[tuple[Room, tuple[Row, ...], tuple[int, ...]]] = field(default_factory=Counter)
-    polynomial: Polynomial | None = None
 
     def __post_init__(self) -> None:
         slot = {name: place for place, name in enumerate(self.problem.names)}
@@ -66,7 +65,7 @@ class Census:
         if same is not None:
             row, number, _ = same
             return math.comb(number + len(row) - 1, number)
-        return len(self._patterns())
+        return len(self._patterns)
 
     def class_size(self, reduction: Reduction, solution: Solution) -> int:
         """Number of assignments that the reduction holds to be this scenario."""
@@ -77,7 +76,7 @@ class Census:
         counts = Counter(move for _, move, _ in solution.drives)
         same = self._one_row()
         if same is None:
-            return self._patterns()[tuple(counts[d] for d in range(self.problem.arms))]
+            return self._patterns[tuple(counts[d] for d in range(self.problem.arms))]
         row, number, entries = same
         ways = math.factorial(number)
         for move, manners in row:
@@ -110,10 +109,9 @@ class Census:
             return None
         return next(iter(rows)), len(self.problem.vehicles), sum(self.loose.values())
 
+    @cached_property
     def _patterns(self) -> Polynomial:
-        if self.polynomial is None:
-            self.polynomial = product(self.loose)
-        return self.polynomial
+        return product(self.loose)
 
     def _made(self, solution: Solution) -> tuple[Choice, ...]:
         """What everybody chose, and the places of those who have several to choose from."""
@@ -193,17 +191,17 @@ class Census:
         return ways
 
 
-def census(space: Space, symmetry: Symmetry) -> Census:
+def census_of(problem: Problem, symmetry: Symmetry) -> Census:
     """Go through all states.
 
     Raises:
         InputError: there are too many states to count.
     """
-    alone = unrelated_of(space)
-    anchor = symmetry.anchor_among(set(space.problem.names) - alone)
-    unrelated = Unrelated(space.problem, symmetry, alone) if alone else None
-    out = Census(space.problem, symmetry, unrelated=unrelated, anchor=anchor)
-    for state in states(space, symmetry, anchor=anchor, without=alone):
+    alone = unrelated_of(problem)
+    anchor = symmetry.anchor_among(set(problem.names) - alone)
+    unrelated = Unrelated(problem, symmetry, alone) if alone else None
+    out = Census(problem, symmetry, unrelated=unrelated, anchor=anchor)
+    for state in states(problem, symmetry, anchor=anchor, without=alone):
         if out.states >= MAX_STATES:
             raise InputError(
                 f"more than {MAX_STATES:,} ways to place the participants on the arms: "

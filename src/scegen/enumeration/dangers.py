@@ -50,13 +50,15 @@ def say_dangers(
         number = out.number(f"hazard {hazard.kind} (by {_told(hazard.by, both.by)}; "
                             f"to {_told(hazard.to, both.to)})")  # fmt: skip
         _say(out, number, hazard.kind, both)
+        if index in left_open:
+            continue
         meet = bool(hazard.by and hazard.to) and not HAZARDS[hazard.kind].needs
-        if meet and index not in left_open:
+        if meet:
             out.facts.append(p.MustMeet(number))
-        owes = index not in left_open and _owes_way(functional, hazard.kind, both, ranked=ranked)
+        owes = _owes_way(functional, hazard.kind, both, ranked=ranked)
         if owes:
             out.facts.append(p.OwesWay(number))
-        if both.presumed or owes or (meet and index not in left_open):
+        if both.presumed or owes or meet:
             presumed[number] = index
     if any(isinstance(fact, p.OwesWay) for fact in out.facts):
         turns_back = any(Maneuver.U_TURN in v.maneuvers for v in functional.vehicles)

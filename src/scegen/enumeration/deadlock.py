@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from scegen.enumeration.right_of_way import RoadRules
-from scegen.scenario.logical import Assignment, Conflict, ConflictKind, Drive
+from scegen.scenario.logical import MEETING, Assignment, Conflict, Drive
 from scegen.scenario.vocabulary import Maneuver
-
-_AT_THE_LINE = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 
 
 def may_be_stuck(rules: RoadRules, assignment: Assignment) -> bool:
@@ -34,7 +32,7 @@ def deadlock_among(names: Sequence[str], conflicts: Iterable[Conflict]) -> tuple
     number = {name: index for index, name in enumerate(names)}
     behind = [0] * len(names)  # a bit for everybody who is waited for
     for conflict in conflicts:
-        if conflict.yields is None or conflict.kind not in _AT_THE_LINE:
+        if conflict.yields is None or conflict.kind not in MEETING:
             continue
         other = conflict.second if conflict.yields == conflict.first else conflict.first
         if other in number and conflict.yields in number:

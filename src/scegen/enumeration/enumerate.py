@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 from scegen.enumeration.building import Builder
 from scegen.enumeration.choosing.where import where as where_test
-from scegen.enumeration.counting import Census, census
+from scegen.enumeration.counting import Census, census_of
 from scegen.enumeration.feasibility import feasible
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import Solution
 from scegen.enumeration.ruled import MAX_LISTED, RuledClasses, ruled_classes
 from scegen.enumeration.selection import covering, selected
-from scegen.enumeration.solving import Space, solutions
-from scegen.enumeration.symmetry import Symmetry, symmetry_of
+from scegen.enumeration.solving import solutions
+from scegen.enumeration.symmetry import symmetry_of
 from scegen.enumeration.symmetry_words import symmetry_in_words
 from scegen.errors import InputError
 from scegen.scenario.functional import FunctionalScenario
@@ -28,15 +28,6 @@ LIST_LIMIT = 2_000
 """More scenarios than this are not listed unless more are asked for."""
 MOST_SELECTED = 20_000
 """Whoever wants more than this of even more gets the first ones."""
-
-
-@dataclass(frozen=True)
-class _Prepared:
-    problem: Problem
-    space: Space
-    symmetry: Symmetry
-    arms: ArmsMode
-    census: Census
 
 
 def enumerate_scenarios(
@@ -76,7 +67,7 @@ def enumerate_scenarios(
 class Listing:
     """A listing under way: iterate to get the scenarios one by one, then ask for the rest."""
 
-    prepared: _Prepared
+    census: Census
     reduction: Reduction
     arms: ArmsMode
     limit: int | None
@@ -94,21 +85,19 @@ class Listing:
         return (
             self.where is None
             and limit is not None
+            and limit <= MOST_SELECTED
             and limit < self._count
-            and (limit <= MOST_SELECTED)
         )
 
     @property
     def expected(self) -> int:
         """How many scenarios will be looked at."""
-        if self.ruled is not None:
-            return len(self.ruled.solutions)
-        count = self.prepared.census.count(self.reduction)
-        return min(count, self.limit) if self.limit and self.where is None else count
+        listed = self.limit if self.ruled is None and self.where is None else None
+        return min(self._count, listed or self._count)
 
     def __iter__(self) -> Iterator[LogicalScenario]:
-        keep = where_test(self.prepared.problem.functional, self.where) if self.where else None
-        for scenario in _built(self.prepared, self._solutions()):
+        keep = where_test(self.census.problem.functional, self.where) if self.where else None
+        for scenario in _built(self.census.problem, self._solutions()):
             self.seen += 1
             self.assignments += scenario.class_size
             if keep is None or keep(scenario):
@@ -124,14 +113,13 @@ class Listing:
 
     def finished(self, scenarios: tuple[LogicalScenario, ...]) -> LogicalSet:
         """The set, once iteration has ended, with its certificate."""
-        prepared, reduction = self.prepared, self.reduction
         if self.limit is None and self.where is None and len(scenarios) != self._count:
             raise AssertionError(
                 f"{len(scenarios)} scenarios listed, {self._count} counted: the two must agree"
             )
         return LogicalSet(
-            functional=prepared.problem.functional,
-            reduction=reduction,
+            functional=self.census.problem.functional,
+            reduction=self.reduction,
             arms=self.arms,
             certificate=self.certificate(),
             notes=self.notes,
@@ -141,7 +129,7 @@ class Listing:
     def certificate(self) -> Certificate:
         """What the listing claims, as far as iteration has come."""
         if self.ruled is None:
-            whole = _certificate(self.prepared, self.reduction, listed=self.seen)
+            whole = _certificate(self.census, self.reduction, self.arms, listed=self.seen)
         else:
             whole = self.ruled.certificate(complete=self.exhausted)
         whole = whole.model_copy(update={"looked_at": self.assignments})
@@ -158,42 +146,44 @@ class Listing:
     @property
     def notes(self) -> tuple[str, ...]:
         """What else there is to say about the set."""
-        ruled = self.ruled.notes if self.ruled else ()
-        notes = (*_notes(self.prepared, self.reduction), *ruled)
-        if not self.selects:
-            return notes
-        listed = (
-            f"Listed are {self.listed:,} of {self._count:,}: a selection with as many different "
-            "ways, and pairs of ways, as so many scenarios can show."
-        )
-        return (*notes, listed)
+        notes = [*self.census.problem.notes]
+        if self.reduction is Reduction.PATTERN:
+            notes.append(
+                "The reduction pattern tells scenarios apart by how many vehicles make each move, "
+                "and by nothing else; each stands for class_size assignments."
+            )
+        notes += self.ruled.notes if self.ruled else ()
+        if self.selects:
+            notes.append(
+                f"Listed are {self.listed:,} of {self._count:,}: a selection with as many "
+                "different ways, and pairs of ways, as so many scenarios can show."
+            )
+        return tuple(notes)
 
     @property
     def _count(self) -> int:
         if self.ruled is not None:
             return len(self.ruled.solutions)
-        return self.prepared.census.count(self.reduction)
+        return self.census.count(self.reduction)
 
     @property
     def _total(self) -> int:
-        return self.prepared.census.total if self.ruled is None else self.ruled.total
+        return self.census.total if self.ruled is None else self.ruled.total
 
     def _solutions(self) -> Iterator[tuple[Solution, int]]:
         """What is to be built, with its class size."""
-        prepared, reduction = self.prepared, self.reduction
+        census, reduction = self.census, self.reduction
         if self.ruled is not None and self.limit is not None and self.selects:
             sizes = dict(self.ruled.solutions)
-            chosen = covering(prepared.space.problem, prepared.symmetry, list(sizes), self.limit)
+            chosen = covering(census, list(sizes), self.limit)
             yield from ((solution, sizes[solution]) for solution in chosen)
         elif self.ruled is not None:
             yield from self.ruled.solutions[: self.limit if self.where is None else None]
         elif self.limit is not None and self.selects:
-            for solution in selected(
-                prepared.space, prepared.symmetry, prepared.census, reduction, self.limit
-            ):
-                yield solution, prepared.census.class_size(reduction, solution)
+            for solution in selected(census, reduction, self.limit):
+                yield solution, census.class_size(reduction, solution)
         else:
-            yield from _stream(prepared, reduction, self.limit if self.where is None else None)
+            yield from _stream(census, reduction, self.limit if self.where is None else None)
 
 
 def open_listing(
@@ -210,11 +200,11 @@ def open_listing(
         raise InputError(f"a limit of {limit} lists nothing", hint="Use a limit of at least 1.")
     if where is not None:
         where_test(functional, where)  # before anything is enumerated
-    prepared = _prepare(functional, arms)
+    census = _prepare(functional, arms)
     ruled = None
     if rules is not None:
-        ruled = ruled_classes(prepared.space, prepared.census, reduction, rules)
-    return Listing(prepared, reduction, arms, limit, where, ruled)
+        ruled = ruled_classes(census, reduction, rules)
+    return Listing(census, reduction, arms, limit, where, ruled)
 
 
 @contextmanager
@@ -237,15 +227,13 @@ def iterate_scenarios(
     limit: int | None = None,
 ) -> Iterator[LogicalScenario]:
     """All scenarios in order as a stream, for sets too large to hold; the first with a limit."""
-    prepared = _prepare(functional, arms)
-    yield from _built(prepared, _stream(prepared, reduction, limit))
+    census = _prepare(functional, arms)
+    yield from _built(census.problem, _stream(census, reduction, limit))
 
 
-def _built(
-    prepared: _Prepared, listed: Iterable[tuple[Solution, int]]
-) -> Iterator[LogicalScenario]:
+def _built(problem: Problem, listed: Iterable[tuple[Solution, int]]) -> Iterator[LogicalScenario]:
     """The scenarios of solutions with their class sizes, numbered in this order."""
-    builder = Builder(prepared.problem)
+    builder = Builder(problem)
     for index, (solution, size) in enumerate(listed):
         yield builder.scenario(solution, index=index, class_size=size)
 
@@ -257,28 +245,27 @@ def count_scenarios(
     arms: ArmsMode = ArmsMode.DISTINCT,
 ) -> Certificate:
     """How many there are, without listing them."""
-    return _certificate(_prepare(functional, arms), reduction, listed=None)
+    return _certificate(_prepare(functional, arms), reduction, arms, listed=None)
 
 
-def _prepare(functional: FunctionalScenario, arms: ArmsMode) -> _Prepared:
-    problem, space = feasible(functional, ranked=arms is ArmsMode.DISTINCT)
-    symmetry = symmetry_of(problem, arms)
-    return _Prepared(problem, space, symmetry, arms, census(space, symmetry))
+def _prepare(functional: FunctionalScenario, arms: ArmsMode) -> Census:
+    problem = feasible(functional, ranked=arms is ArmsMode.DISTINCT)
+    return census_of(problem, symmetry_of(problem, arms))
 
 
 def _stream(
-    prepared: _Prepared, reduction: Reduction, limit: int | None = None
+    census: Census, reduction: Reduction, limit: int | None = None
 ) -> Iterator[tuple[Solution, int]]:
     """The scenarios in order, the first ones with a limit, with their class sizes."""
-    count = prepared.census.count(reduction)
+    count = census.count(reduction)
     if reduction is Reduction.PATTERN and count <= MAX_LISTED:
         # Projection finds patterns out of order; they are few, so they are sorted here.
-        every = solutions(prepared.space, prepared.symmetry, reduction)
+        every = solutions(census.problem, census.symmetry, reduction)
         found = iter(sorted(every, key=lambda solution: solution.pattern)[:limit])
     else:
-        found = solutions(prepared.space, prepared.symmetry, reduction, limit=limit or 0)
+        found = solutions(census.problem, census.symmetry, reduction, limit=limit or 0)
     for solution in found:
-        yield solution, prepared.census.class_size(reduction, solution)
+        yield solution, census.class_size(reduction, solution)
 
 
 _METHODS = {
@@ -288,8 +275,10 @@ _METHODS = {
 }
 
 
-def _certificate(prepared: _Prepared, reduction: Reduction, *, listed: int | None) -> Certificate:
-    count = prepared.census.count(reduction)
+def _certificate(
+    census: Census, reduction: Reduction, arms: ArmsMode, *, listed: int | None
+) -> Certificate:
+    count = census.count(reduction)
     method = _METHODS[reduction]
     if listed is not None:
         method = f"answer sets listed by clingo; {method}"
@@ -297,23 +286,13 @@ def _certificate(prepared: _Prepared, reduction: Reduction, *, listed: int | Non
     if reduction is Reduction.NONE:
         order, words = 1, "every assignment is a scenario of its own"
     elif reduction is Reduction.EXACT:
-        order = prepared.symmetry.order
-        words = symmetry_in_words(prepared.problem, prepared.symmetry, prepared.arms)
+        order = census.symmetry.order
+        words = symmetry_in_words(census.problem, census.symmetry, arms)
     return Certificate(
-        total=prepared.census.total,
+        total=census.total,
         count=count,
         complete=listed is None or listed == count,
         method=method,
         group_order=order,
         symmetry=words,
     )
-
-
-def _notes(prepared: _Prepared, reduction: Reduction) -> tuple[str, ...]:
-    notes = list(prepared.problem.notes)
-    if reduction is Reduction.PATTERN:
-        notes.append(
-            "The reduction pattern tells scenarios apart by how many vehicles make each move, "
-            "and by nothing else; each stands for class_size assignments."
-        )
-    return tuple(notes)

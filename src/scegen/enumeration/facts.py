@@ -1,20 +1,25 @@
-"""How facts for the solver are declared: a line each, as clorm types."""
+"""How facts for the solver are declared: by their signature, as clorm types."""
 
 from __future__ import annotations
 
 from clorm import ConstantStr, Predicate
 
-WORD = ConstantStr
-WAYS = {"entry": int, "exit": int, "other_entry": int, "other_exit": int}
-"""The ways of two: from which arm to which."""
+_TYPES = {
+    "int": int,
+    "word": ConstantStr,
+    "way": tuple[int, int],
+}
 
 
-def fact(name: str, means: str, **fields: type) -> type[Predicate]:
-    """The type of the facts ``name(…)`` with these fields, in this order, and what they say."""
+def fact(signature: str, means: str) -> type[Predicate]:
+    """The type of the facts of a signature such as ``enters(id: word, arm: int)``."""
+    name, _, fields = signature.removesuffix(")").partition("(")
+    told = (field.split(": ") for field in fields.split(", ") if field)
+    annotations = {field: _TYPES[kind] for field, kind in told}
     made: type[Predicate] = type(Predicate)(
         name,
         (Predicate,),
-        {"__module__": __name__, "__doc__": means, "__annotations__": fields},
+        {"__module__": __name__, "__doc__": means, "__annotations__": annotations},
         name=name,
     )
     return made

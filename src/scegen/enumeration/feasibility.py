@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from scegen.enumeration.explaining import clashing, contradiction
 from scegen.enumeration.problem import Problem, build_problem
-from scegen.enumeration.solving import Space, space_of
+from scegen.enumeration.solving import has_solution
 from scegen.errors import NoScenarioError
 from scegen.scenario.functional import FunctionalScenario
 
 
-def feasible(functional: FunctionalScenario, *, ranked: bool = True) -> tuple[Problem, Space]:
-    """The problem and its solutions; what was presumed and given up is told in its notes.
+def feasible(functional: FunctionalScenario, *, ranked: bool = True) -> Problem:
+    """The problem, which has solutions; what was presumed and given up is told in its notes.
 
     What the text states is never given up.
 
@@ -25,9 +25,8 @@ def feasible(functional: FunctionalScenario, *, ranked: bool = True) -> tuple[Pr
     refusal: NoScenarioError | None = None  # of the description as it was
     while True:
         problem = build_problem(functional, left_open, ranked=ranked)
-        space = space_of(problem)
-        if space is not None:
-            return problem, space
+        if has_solution(problem):
+            return problem
         clash = clashing(problem)
         refusal = refusal or contradiction(problem, clash)
         presumed = [problem.presumed[number] for number in clash if number in problem.presumed]

@@ -22,22 +22,16 @@ class AlongWay(NamedTuple):
     heading: Heading | None
 
 
-CROSSINGS = {side.value: side for side in (Side.RIGHT, Side.LEFT)}
+CROSSINGS = {side.value: side for side in Side}
 ALONG: dict[str, AlongWay] = (
-    {
-        f"stands_{side.value}": AlongWay(side, in_lane=True, heading=None)
-        for side in (Side.RIGHT, Side.LEFT)
-    }
+    {f"stands_{side.value}": AlongWay(side, in_lane=True, heading=None) for side in Side}
     | {
         f"walks_{side.value}_{place}_{heading.value}": AlongWay(side, place == IN_LANE, heading)
-        for side in (Side.RIGHT, Side.LEFT)
+        for side in Side
         for place in (IN_LANE, AT_EDGE)
         for heading in Heading
     }
-    | {
-        f"waits_{side.value}": AlongWay(side, in_lane=False, heading=None)
-        for side in (Side.RIGHT, Side.LEFT)
-    }
+    | {f"waits_{side.value}": AlongWay(side, in_lane=False, heading=None) for side in Side}
 )
 
 

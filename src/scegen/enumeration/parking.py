@@ -37,14 +37,13 @@ def standing(
     arm = next(entry_of[name] for name in hindered if name in entry_of)
     if parked.entries and arm not in parked.entries:
         arm = min(parked.entries)
-    kerb = Side(functional.junction.driving_side.value)
     said = parked.approaches & {Approach.LEFT, Approach.RIGHT}
     hides = any(h.kind is HazardKind.OCCLUSION and parked.id in h.by for h in functional.hazards)
     if len(said) == 1:
         side = Side(next(iter(said)).value)
     else:
         hidden = _sides(functional, arm, crossed, entry_of.values()) if hides else set()
-        side = hidden.pop() if len(hidden) == 1 else kerb
+        side = hidden.pop() if len(hidden) == 1 else functional.junction.kerb
     opens = any(a.kind is ActKind.OPEN_DOOR for a in functional.acts if a.participant == parked.id)
     blocks = any(h.kind in BLOCKING and parked.id in h.by for h in functional.hazards)
     blocks = (blocks or _is_run_into(functional, parked)) and not (parked.pulls_out or opens)
@@ -71,9 +70,8 @@ def _sides(
 ) -> set[Side]:
     """From where they come who cross the road of an arm, seen by who enters there; else others."""
     plain_road = functional.junction.kind is JunctionKind.STRAIGHT
-    other = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
     found = {side for there, side in crossed if there == arm}
-    found |= {other[side] for there, side in crossed if plain_road and there != arm}
+    found |= {side.opposite for there, side in crossed if plain_road and there != arm}
     angles_deg = arm_angles_deg(functional.junction)
     turns = {turn_name(angles_deg, arm, (entry - arm) % len(angles_deg)) for entry in entries}
     return found or {Side(turn) for turn in turns & {Maneuver.LEFT, Maneuver.RIGHT}}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from scegen.errors import InputError
-from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario, Junction, Participant
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import ARM_COUNTS, Junction
 from scegen.scenario.vocabulary import JunctionKind, Role
 
 _KINDS = {2: JunctionKind.STRAIGHT, 3: JunctionKind.Y, 4: JunctionKind.FOUR_WAY}

@@ -2,219 +2,162 @@
 
 from __future__ import annotations
 
-from scegen.enumeration.facts import WAYS, WORD, fact
+from scegen.enumeration.facts import fact
 
 # --- the junction -------------------------------------------------------------------------
 
-Arms = fact("arms", "The junction has the arms 0..number-1.", number=int)
+Arms = fact("arms(number: int)", "The junction has the arms 0..number-1.")
 Turn = fact(
-    "turn", "Who enters at `entry` and makes `move` turns `word`.", entry=int, move=int, word=WORD
+    "turn(entry: int, move: int, word: word)",
+    "Who enters at `entry` and makes `move` turns `word`.",
 )
-Straightest = fact("straightest", "The move that bends least.", entry=int, move=int)
+Straightest = fact("straightest(entry: int, move: int)", "The move that bends least.")
 Sees = fact(
-    "sees",
+    "sees(reference: int, other: int, word: word)",
     "Who enters at `reference` says that one entering at `other` comes from `word`.",
-    reference=int,
-    other=int,
-    word=WORD,
 )
 Lanes = fact(
-    "lanes",
+    "lanes(arm: int, number: int)",
     "Lanes of an arm in the entering direction, where the text gives them.",
-    arm=int,
-    number=int,
 )
 Ring = fact("ring", "The junction is a roundabout.")
 LeftHand = fact("left_hand", "Traffic keeps left.")
 
 # --- who takes part -----------------------------------------------------------------------
 
-Vehicle = fact("vehicle", "One who enters and leaves the junction.", id=WORD)
-Crosser = fact("crosser", "One who crosses an arm.", id=WORD)
-OnStrip = fact("on_strip", "A vehicle on a strip beside the lanes at first.", id=WORD)
+Vehicle = fact("vehicle(id: word)", "One who enters and leaves the junction.")
+Crosser = fact("crosser(id: word)", "One who crosses an arm.")
+OnStrip = fact("on_strip(id: word)", "A vehicle on a strip beside the lanes at first.")
 SquareToRoad = fact(
-    "square_to_road",
+    "square_to_road(id: word)",
     "A vehicle that goes straight back, square to the road, if it backs out.",
-    id=WORD,
 )
-Ego = fact("ego", "The vehicle under test.", id=WORD)
-Kind = fact("kind", "What a participant is; for users' rules.", id=WORD, word=WORD)
-VehicleCount = fact("vehicle_count", "Number of vehicles.", number=int)
+Ego = fact("ego(id: word)", "The vehicle under test.")
+Kind = fact("kind(id: word, word: word)", "What a participant is; for users' rules.")
+VehicleCount = fact("vehicle_count(number: int)", "Number of vehicles.")
 Position = fact(
-    "position",
+    "position(id: word, number: int)",
     "Place of a participant in the listing order, from 1; vehicles come first.",
-    id=WORD,
-    number=int,
 )
 Decides = fact(
-    "decides", "The move of this vehicle is chosen by the solver, not counted outside.", id=WORD
+    "decides(id: word)", "The move of this vehicle is chosen by the solver, not counted outside."
 )
 
 # --- statements: numbered, so that a contradiction can be told in words ----------------------
 
-Statement = fact("statement", "Number of something that the functional scenario says.", number=int)
-Entries = fact("entries", "A statement limits the arms of a participant.", statement=int, id=WORD)
-Entry = fact("entry", "An arm that is allowed.", id=WORD, arm=int)
-Maneuvers = fact("maneuvers", "A statement limits what a vehicle does.", statement=int, id=WORD)
-Wants = fact("wants", "A word that is allowed.", id=WORD, word=WORD)
-WantsMove = fact("wants_move", "A symbolic move that is allowed.", id=WORD, move=int)
+Statement = fact("statement(number: int)", "Number of something that the functional scenario says.")
+Entries = fact("entries(statement: int, id: word)", "A statement limits the arms of a participant.")
+Entry = fact("entry(id: word, arm: int)", "An arm that is allowed.")
+Maneuvers = fact("maneuvers(statement: int, id: word)", "A statement limits what a vehicle does.")
+Wants = fact("wants(id: word, word: word)", "A word that is allowed.")
+WantsMove = fact("wants_move(id: word, move: int)", "A symbolic move that is allowed.")
 Approach = fact(
-    "approach",
+    "approach(statement: int, id: word, reference: word)",
     "A statement says where a participant comes from, seen from a reference.",
-    statement=int,
-    id=WORD,
-    reference=WORD,
 )
 Says = fact(
-    "says", "A word that is allowed for where it comes from.", id=WORD, reference=WORD, word=WORD
+    "says(id: word, reference: word, word: word)", "A word that is allowed for where it comes from."
 )
-Hazard = fact("hazard", "A hazard.", statement=int, kind=WORD)
-By = fact("by", "Who causes it.", statement=int, id=WORD)
-To = fact("to", "Who suffers it.", statement=int, id=WORD)
+Hazard = fact("hazard(statement: int, kind: word)", "A hazard.")
+By = fact("by(statement: int, id: word)", "Who causes it.")
+To = fact("to(statement: int, id: word)", "Who suffers it.")
 Row = fact(
-    "row",
+    "row(kind: word, case: int, what: word)",
     "A hazard of a kind needs something of the ways of both, in a case of scenario.hazards.",
-    kind=WORD,
-    case=int,
-    what=WORD,
 )
-LeavesLane = fact("leaves_lane", "Who causes a hazard of this kind leaves its lane.", kind=WORD)
+LeavesLane = fact("leaves_lane(kind: word)", "Who causes a hazard of this kind leaves its lane.")
 MustMeet = fact(
-    "must_meet",
+    "must_meet(statement: int)",
     "A hazard that needs nothing by its kind: the ways of the two that are named meet.",
-    statement=int,
 )
 OwesWay = fact(
-    "owes_way",
+    "owes_way(statement: int)",
     "Who causes this hazard does not have right of way before who suffers it.",
-    statement=int,
 )
 GoesFirst = fact(
-    "goes_first",
+    "goes_first(entry: int, exit: int, other_entry: int, other_exit: int)",
     "Who drives `entry` -> `exit` goes before the other one, by the rules of the junction.",
-    **WAYS,
 )
-Outcome = fact("outcome", "A statement says how it ends.", statement=int)
+Outcome = fact("outcome(statement: int)", "A statement says how it ends.")
 MayMeet = fact(
-    "may_meet",
+    "may_meet(statement: int, id: word, other: word)",
     "Between these two an outcome may come about, a vehicle first.",
-    statement=int,
-    id=WORD,
-    other=WORD,
 )
 ComesBeside = fact(
-    "comes_beside",
+    "comes_beside(statement: int, id: word, reference: word)",
     "Who comes into another's lane starts beside it, where both enter by one arm.",
-    statement=int,
-    id=WORD,
-    reference=WORD,
 )
 ComesInto = fact(
-    "comes_into",
+    "comes_into(statement: int, id: word, reference: word)",
     "Somebody comes into another's lane from beside it.",
-    statement=int,
-    id=WORD,
-    reference=WORD,
 )
-Changes = fact("changes", "Somebody changes lane, by an act.", id=WORD)
-Goes = fact("goes", "The side to which somebody changes lane.", id=WORD, side=WORD)
+Changes = fact("changes(id: word)", "Somebody changes lane, by an act.")
+Goes = fact("goes(id: word, side: word)", "The side to which somebody changes lane.")
 InLanes = fact(
-    "in_lanes", "A statement says in which lanes somebody may be.", statement=int, id=WORD
+    "in_lanes(statement: int, id: word)", "A statement says in which lanes somebody may be."
 )
 Lane = fact(
-    "lane", "A lane in which somebody may be, counted from the centre line.", id=WORD, number=int
+    "lane(id: word, number: int)", "A lane in which somebody may be, counted from the centre line."
 )
 SomeOf = fact(
-    "some_of",
+    "some_of(statement: int, group: int, number: int, members: int)",
     "A statement says how many of a group do something.",
-    statement=int,
-    group=int,
-    number=int,
-    members=int,
 )
-InGroup = fact("in_group", "Somebody is one of a group.", group=int, id=WORD)
+InGroup = fact("in_group(group: int, id: word)", "Somebody is one of a group.")
 GroupWay = fact(
-    "group_way",
+    "group_way(group: int, entry: int, move: int, manner: word)",
     "Of who does this, it counts as what the group says.",
-    group=int,
-    entry=int,
-    move=int,
-    manner=WORD,
 )
 OnFoot = fact(
-    "on_foot", "A way that the words allow one who is not in the traffic.", id=WORD, way=WORD
+    "on_foot(id: word, way: word)", "A way that the words allow one who is not in the traffic."
 )
-Over = fact("crossing", "A way over an arm, from a side.", way=WORD, side=WORD)
+Over = fact("crossing(way: word, side: word)", "A way over an arm, from a side.")
 Along = fact(
-    "along",
+    "along(way: word, side: word, lane: word, heading: word)",
     "A way along an arm: on which side, in a lane or at the edge, headed inward or outward.",
-    way=WORD,
-    side=WORD,
-    lane=WORD,
-    heading=WORD,
 )
-Nth = fact("nth", "Ways on foot in the order of the listing.", way=WORD, number=int)
+Nth = fact("nth(way: word, number: int)", "Ways on foot in the order of the listing.")
 DefaultPlace = fact(
-    "default_place",
+    "default_place(statement: int, id: word)",
     "Nothing else being said, a crosser crosses where the ego drives.",
-    statement=int,
-    id=WORD,
 )
 SaysArm = fact(
-    "says_arm",
+    "says_arm(statement: int, id: word, which: word)",
     "A statement says which arm a crosser crosses: the `entry` or `exit` of whom it meets.",
-    statement=int,
-    id=WORD,
-    which=WORD,
 )
 QueueLimit = fact(
-    "queue_limit", "So many vehicles fit on one approach road.", statement=int, vehicles=int
+    "queue_limit(statement: int, vehicles: int)", "So many vehicles fit on one approach road."
 )
 
 # --- symmetry -------------------------------------------------------------------------------
 
-Member = fact("member", "A vehicle belongs to a group of interchangeable ones.", id=WORD, group=int)
-Size = fact("size", "Members of a group.", group=int, number=int)
+Member = fact(
+    "member(id: word, group: int)", "A vehicle belongs to a group of interchangeable ones."
+)
+Size = fact("size(group: int, number: int)", "Members of a group.")
 Next = fact(
-    "next", "Two members of a group, the second right after the first.", first=WORD, second=WORD
+    "next(first: word, second: word)", "Two members of a group, the second right after the first."
 )
 OpenPlace = fact(
-    "open_place",
+    "open_place(id: word, reference: word)",
     "On one arm with its reference, a vehicle has more than one place to choose from.",
-    id=WORD,
-    reference=WORD,
 )
 Trades = fact(
-    "trades",
+    "trades(first: word, second: word)",
     "Two vehicles that may trade their moves without changing a pattern.",
-    first=WORD,
-    second=WORD,
 )
 Rotation = fact(
-    "rotation",
+    "rotation(arms: int)",
     "Turning the junction by so many arms maps it and its facts onto themselves.",
-    arms=int,
 )
 Anchor = fact(
-    "anchor", "One of a kind: it turns along, so it shows how far the junction is turned.", id=WORD
+    "anchor(id: word)", "One of a kind: it turns along, so it shows how far the junction is turned."
 )
 Cell = fact(
-    "cell",
+    "cell(number: int, group: int, entry: int, move: int, manner: word)",
     "A choice that members of a group may make, numbered.",
-    number=int,
-    group=int,
-    entry=int,
-    move=int,
-    manner=WORD,
 )
 Turned = fact(
-    "turned",
+    "turned(arms: int, before: int, after: int)",
     "Turning by `arms` carries what stands in cell `before` to cell `after`.",
-    arms=int,
-    before=int,
-    after=int,
 )
-
-# --- reading ------------------------------------------------------------------------------
-
-Pair = fact("pair", "Two vehicles whose drives are shown as one atom.", first=WORD, second=WORD)

@@ -135,9 +135,7 @@ def _placed(
     functional: FunctionalScenario, word: Approach, inverse: Approach, seen_from: tuple[str, ...]
 ) -> list[str]:
     """Who is said to be there, seen from one of these, in one word and no other."""
-    ego = functional.ego.id
-    said = [(p.id, ego, p.approaches) for p in functional.participants if p.approaches]
-    said += [(r.participant, r.reference, r.approaches) for r in functional.relations]
+    said = functional.sayings
     found = [who for who, of, words in said if of in seen_from and words == {word}]
     found += [of for who, of, words in said if who in seen_from and words == {inverse}]
     return found

@@ -129,9 +129,8 @@ def build_problem(
     derived: list[Predicate] = []
     if not wordless:
         presumed = say_dangers(said, functional, sides, left_open, ranked=ranked)
-        derived = consequences(
-            said.facts, (Part.ARMS, Part.WORDS), (a.Wanted, a.Needs, a.TurnsAcross, a.Dependent)
-        )
+        shown = (a.Wanted, a.Needs, a.Dependent)
+        derived = consequences(said.facts, (Part.ARMS, Part.WORDS), shown)
     demands = _demands(derived)
     said.facts += _besides(said.facts, demands)
     entries = {

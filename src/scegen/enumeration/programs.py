@@ -32,7 +32,6 @@ class Part(StrEnum):
     EXPLAIN = "explain"
     ORDER = "order"
     STATE = "state"
-    BUNDLES = "bundles"
     COVER = "cover"
     RULES = "rules"
 
@@ -48,6 +47,8 @@ SCENARIO_PARTS = (
     Part.GROUPS,
 )
 """What makes an assignment a scenario, without symmetry and without who decides."""
+PROBLEM_PARTS = (*SCENARIO_PARTS, Part.HOLDS)
+"""The same, where all statements hold."""
 
 
 def grounded(

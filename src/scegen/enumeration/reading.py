@@ -17,7 +17,7 @@ COUNTED = -1
 Way = tuple[int, int, str]
 """Entry, move and manner of a vehicle."""
 
-_SHOWN = (a.Drive, a.Two, a.Enters, a.GoesOnFoot, a.Place)
+_SHOWN = (a.Drive, a.Enters, a.GoesOnFoot, a.Place)
 _UNSET: Way = (-1, COUNTED, "")
 
 
@@ -48,50 +48,37 @@ class Reader:
     def __init__(self, problem: Problem) -> None:
         self._slots = {vehicle.id: slot for slot, vehicle in enumerate(problem.vehicles)}
         self._walkers = {crosser.id: slot for slot, crosser in enumerate(problem.crossers)}
-        self._ways: dict[Symbol, list[tuple[int, Way]]] = {}
+        self._ways: dict[Symbol, tuple[int, Way]] = {}
         self._facts: dict[Symbol, Predicate] = {}
         self._equal: dict[Way, Way] = {}  # equal ways are one object, so they compare at once
 
     def solution(self, shown: Iterable[Symbol]) -> Solution:
         """The solution that the shown atoms of one answer set say."""
         drives: list[Way] = [_UNSET] * len(self._slots)
-        others: list[Symbol] = []
+        others: list[Predicate] = []
         find = self._ways.get
         for symbol in shown:
             found = find(symbol)
-            if found is None:
-                others.append(symbol)
+            if found is not None:
+                drives[found[0]] = found[1]
+                continue
+            fact = self._fact(symbol)
+            if isinstance(fact, a.Drive):
+                slot, way = self._slots[fact.id], (fact.entry, fact.move, fact.manner)
+                self._ways[symbol] = slot, self._equal.setdefault(way, way)
+                drives[slot] = self._ways[symbol][1]
             else:
-                for slot, way in found:
-                    drives[slot] = way
-        if not others:
-            return Solution(tuple(drives), (), ())
+                others.append(fact)
         on_foot: list[tuple[int, str]] = [(0, "")] * len(self._walkers)
         places: list[tuple[str, str, str]] = []
-        for symbol in others:
-            fact = self._fact(symbol)
-            ways = self._driven(fact)
-            if ways:
-                self._ways[symbol] = ways
-                for slot, way in ways:
-                    drives[slot] = way
-            elif isinstance(fact, a.GoesOnFoot):
+        for fact in others:
+            if isinstance(fact, a.GoesOnFoot):
                 on_foot[self._walkers[fact.id]] = (fact.arm, fact.way)
             elif isinstance(fact, a.Place):
                 places.append((fact.id, fact.reference, fact.word))
             elif isinstance(fact, a.Enters) and drives[self._slots[fact.id]] is _UNSET:
                 drives[self._slots[fact.id]] = (fact.arm, COUNTED, "none")
         return Solution(tuple(drives), tuple(on_foot), tuple(sorted(places)))
-
-    def _driven(self, fact: Predicate) -> list[tuple[int, Way]]:
-        """The ways that an atom tells, of one vehicle or of two."""
-        if isinstance(fact, a.Drive):
-            told = [(fact.id, (fact.entry, fact.move, fact.manner))]
-        elif isinstance(fact, a.Two):
-            told = [(fact.id, tuple(fact.way)), (fact.other, tuple(fact.other_way))]
-        else:
-            told = []
-        return [(self._slots[name], self._equal.setdefault(way, way)) for name, way in told]
 
     def _fact(self, symbol: Symbol) -> Predicate:
         if symbol not in self._facts:

@@ -15,9 +15,9 @@ from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Party
 from scegen.scenario.logical import (
+    MEETING,
     Assignment,
     Conflict,
-    ConflictKind,
     Drive,
     InLine,
     Standing,
@@ -25,8 +25,6 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
-
-_MEETING = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 
 
 def hazard_resolver(
@@ -209,4 +207,4 @@ def _oncoming(scene: _View, name: str, others: tuple[str, ...]) -> bool:
 
 
 def _meet(scene: _View, one: str, other: str) -> bool:
-    return any({c.first, c.second} == {one, other} and c.kind in _MEETING for c in scene.conflicts)
+    return any({c.first, c.second} == {one, other} and c.kind in MEETING for c in scene.conflicts)

@@ -24,6 +24,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 from clorm import Predicate
 
@@ -40,7 +41,7 @@ from scegen.scenario.control import (
     oncoming_arms,
     signal_phases,
 )
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, Rule
 from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver, Side
 
@@ -76,14 +77,16 @@ def road_rules(junction: Junction, *, u_turns: bool = False) -> RoadRules:
     )  # fmt: skip
     found = consequences(rule_facts(junction, u_turns=u_turns), parts, wanted)
     return RoadRules(
-        kinds={_ways(fact): ConflictKind(fact.kind) for fact in found if isinstance(fact, a.Meets)},
-        gives_way=_between_drivers(found, r.GivesWay),
-        open=_between_drivers(found, r.Open),
-        lets_cross=_on_foot(found, r.LetsCross),
-        waits_to_cross=_on_foot(found, r.WaitsToCross),
-        open_to_cross=_on_foot(found, r.OpenToCross),
+        kinds={
+            tuple(fact)[:-1]: ConflictKind(fact.kind) for fact in found if isinstance(fact, a.Meets)
+        },
+        gives_way=_rules(found, r.GivesWay),
+        open=_rules(found, r.Open),
+        lets_cross=_rules(found, r.LetsCross),
+        waits_to_cross=_rules(found, r.WaitsToCross),
+        open_to_cross=_rules(found, r.OpenToCross),
         stuck=frozenset((fact.way[0], fact.way[1]) for fact in found if isinstance(fact, r.Stuck)),
-        kerb=Side(junction.driving_side.value),
+        kerb=junction.kerb,
     )
 
 
@@ -159,17 +162,6 @@ def _with_crosser(
     return None, rules.open_to_cross.get(footing)
 
 
-def _ways(fact: Predicate) -> Ways:
-    return fact.entry, fact.exit, fact.other_entry, fact.other_exit
-
-
-def _between_drivers(found: Iterable[Predicate], kind: type[Predicate]) -> dict[Ways, Rule]:
-    return {_ways(fact): Rule(fact.rule) for fact in found if isinstance(fact, kind)}
-
-
-def _on_foot(found: Iterable[Predicate], kind: type[Predicate]) -> dict[Footing, Rule]:
-    return {
-        (fact.entry, fact.exit, fact.arm): Rule(fact.rule)
-        for fact in found
-        if isinstance(fact, kind)
-    }
+def _rules(found: Iterable[Predicate], kind: type[Predicate]) -> dict[Any, Rule]:
+    """The rules that facts of a kind tell, by the ways of whom."""
+    return {tuple(fact)[:-1]: Rule(fact.rule) for fact in found if isinstance(fact, kind)}

@@ -2,52 +2,47 @@
 
 from __future__ import annotations
 
-from scegen.enumeration.facts import WAYS, WORD, fact
+from scegen.enumeration.facts import fact
 
 # --- facts ----------------------------------------------------------------------------------
 
-Minor = fact("minor", "A yield or stop sign stands at an arm.", arm=int)
-Phase = fact("phase", "An arm has green in a phase.", arm=int, number=int)
-Oncoming = fact("oncoming", "The traffic of two arms comes towards each other.", arm=int, other=int)
+Minor = fact("minor(arm: int)", "A yield or stop sign stands at an arm.")
+Phase = fact("phase(arm: int, number: int)", "An arm has green in a phase.")
+Oncoming = fact(
+    "oncoming(arm: int, other: int)", "The traffic of two arms comes towards each other."
+)
 RightOf = fact(
-    "right_of", "Who enters at `arm` has the traffic of `other` to its right.", arm=int, other=int
+    "right_of(arm: int, other: int)", "Who enters at `arm` has the traffic of `other` to its right."
 )
 EntryFirst = fact(
     "entry_first", "A roundabout where those who come in go before those on the ring."
 )
-Crosswalk = fact("crosswalk", "Who crosses this arm does so on a marked crosswalk.", arm=int)
+Crosswalk = fact("crosswalk(arm: int)", "Who crosses this arm does so on a marked crosswalk.")
 CurvesMeet = fact(
-    "curves_meet", "As drawn, two ways cross although their ends do not interleave.", **WAYS
+    "curves_meet(entry: int, exit: int, other_entry: int, other_exit: int)",
+    "As drawn, two ways cross although their ends do not interleave.",
 )
 
 # --- answers --------------------------------------------------------------------------------
 
 GivesWay = fact(
-    "gives_way", "The driver on `entry` -> `exit` gives way to the other one.", **WAYS, rule=WORD
+    "gives_way(entry: int, exit: int, other_entry: int, other_exit: int, rule: word)",
+    "The driver on `entry` -> `exit` gives way to the other one.",
 )
-Open = fact("open", "Of two drivers nobody can say in advance who gives way.", **WAYS, rule=WORD)
+Open = fact(
+    "open(entry: int, exit: int, other_entry: int, other_exit: int, rule: word)",
+    "Of two drivers nobody can say in advance who gives way.",
+)
 LetsCross = fact(
-    "lets_cross",
+    "lets_cross(entry: int, exit: int, arm: int, rule: word)",
     "A driver gives way to one who crosses an arm.",
-    entry=int,
-    exit=int,
-    arm=int,
-    rule=WORD,
 )
 WaitsToCross = fact(
-    "waits_to_cross",
+    "waits_to_cross(entry: int, exit: int, arm: int, rule: word)",
     "One who crosses an arm gives way to a driver.",
-    entry=int,
-    exit=int,
-    arm=int,
-    rule=WORD,
 )
 OpenToCross = fact(
-    "open_to_cross",
+    "open_to_cross(entry: int, exit: int, arm: int, rule: word)",
     "Between a driver and one who crosses, the light decides.",
-    entry=int,
-    exit=int,
-    arm=int,
-    rule=WORD,
 )
-Stuck = fact("stuck", "A way that a deadlock may hold up.", way=tuple[int, int])
+Stuck = fact("stuck(way: way)", "A way that a deadlock may hold up.")

@@ -14,7 +14,6 @@ from itertools import islice
 
 from scegen.enumeration.counting import Census
 from scegen.enumeration.reading import Solution
-from scegen.enumeration.solving import Space
 from scegen.enumeration.user_rules import ruled_solutions
 from scegen.errors import InputError, NoScenarioError
 from scegen.scenario.logical import Certificate
@@ -43,9 +42,7 @@ class RuledClasses:
         )
 
 
-def ruled_classes(
-    space: Space, census: Census, reduction: Reduction, rules: RuleFile
-) -> RuledClasses:
+def ruled_classes(census: Census, reduction: Reduction, rules: RuleFile) -> RuledClasses:
     """List what the rules allow, and reduce it.
 
     Raises:
@@ -54,7 +51,7 @@ def ruled_classes(
     """
     first: dict[Hashable, Solution] = {}
     sizes: dict[Hashable, int] = {}
-    for solution in islice(ruled_solutions(space, rules), MAX_LISTED + 1):
+    for solution in islice(ruled_solutions(census.problem, rules), MAX_LISTED + 1):
         key = census.class_key(reduction, solution)
         first.setdefault(key, solution)
         sizes[key] = sizes.get(key, 0) + 1

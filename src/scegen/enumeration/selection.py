@@ -20,7 +20,7 @@ from scegen.enumeration import answers as a
 from scegen.enumeration.counting import Census
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import Solution, Way, read_solutions
-from scegen.enumeration.solving import Space, listing_program, solutions
+from scegen.enumeration.solving import listing_program, solutions
 from scegen.enumeration.symmetry import Symmetry
 from scegen.scenario.vocabulary import Reduction
 
@@ -31,36 +31,32 @@ Feature = tuple[object, ...]
 """What somebody does, or what two do together; those who are alike are not told apart."""
 
 
-def selected(
-    space: Space, symmetry: Symmetry, census: Census, reduction: Reduction, number: int
-) -> list[Solution]:
+def selected(census: Census, reduction: Reduction, number: int) -> list[Solution]:
     """So many different scenarios, sorted as a whole listing would be."""
     if census.count(reduction) <= DRAWN * number:
-        pool = list(solutions(space, symmetry, reduction))
+        pool = list(solutions(census.problem, census.symmetry, reduction))
     else:
-        pool = _drawn(space, symmetry, census, reduction, DRAWN * number)
-    return covering(space.problem, symmetry, pool, number)
+        pool = _drawn(census, reduction, DRAWN * number)
+    return covering(census, pool, number)
 
 
-def _drawn(
-    space: Space, symmetry: Symmetry, census: Census, reduction: Reduction, number: int
-) -> list[Solution]:
+def _drawn(census: Census, reduction: Reduction, number: int) -> list[Solution]:
     """About so many scenarios by chance, and those that show what chance did not."""
-    control = listing_program(space, symmetry, Reduction.NONE, at_random=True)
+    problem = census.problem
+    control = listing_program(problem, census.symmetry, Reduction.NONE, at_random=True)
     found: dict[Hashable, Solution] = {}
     seen = set[Feature]()
-    for solution in islice(read_solutions(space.problem, control), number):
+    for solution in islice(read_solutions(problem, control), number):
         found.setdefault(census.class_key(reduction, solution), solution)
-        seen.update(zip(space.problem.names, solution.drives, strict=False))
-    for solution in _asked_for(space, symmetry, seen):
+        seen.update(zip(problem.names, solution.drives, strict=False))
+    for solution in _asked_for(problem, census.symmetry, seen):
         found.setdefault(census.class_key(reduction, solution), solution)
     return list(found.values())
 
 
-def _asked_for(space: Space, symmetry: Symmetry, seen: set[Feature]) -> Iterator[Solution]:
+def _asked_for(problem: Problem, symmetry: Symmetry, seen: set[Feature]) -> Iterator[Solution]:
     """An assignment for each way that was never drawn, where there is one."""
-    problem = space.problem
-    control = listing_program(space, symmetry, Reduction.NONE, at_random=True)
+    control = listing_program(problem, symmetry, Reduction.NONE, at_random=True)
     for (name, entry), choices in problem.wanted.items():
         for move, manner in choices:
             if (name, (entry, move, manner)) not in seen:
@@ -68,14 +64,12 @@ def _asked_for(space: Space, symmetry: Symmetry, seen: set[Feature]) -> Iterator
                 yield from read_solutions(problem, control, limit=1, assumed=asked)
 
 
-def covering(
-    problem: Problem, symmetry: Symmetry, pool: list[Solution], number: int
-) -> list[Solution]:
+def covering(census: Census, pool: list[Solution], number: int) -> list[Solution]:
     """Of all in the pool those that show something new, then those that show what is rarest."""
-    kinds = {name: i for i, group in enumerate(symmetry.groups) for name in group.members}
+    kinds = {name: i for i, group in enumerate(census.symmetry.groups) for name in group.members}
     numbered: defaultdict[Feature, int] = defaultdict(lambda: len(numbered))
     features = [
-        np.array([numbered[f] for f in _features(problem, kinds, solution)], dtype=np.intp)
+        np.array([numbered[f] for f in _features(census.problem, kinds, solution)], dtype=np.intp)
         for solution in pool
     ]
     shown = np.zeros(len(numbered), dtype=np.int64)

@@ -7,7 +7,6 @@ participant does; two parts determine their conflict, and when the one arrives a
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import combinations
 from typing import Any, TypeVar
 
 from scegen.enumeration.conflicts import conflict_between
@@ -82,13 +81,12 @@ class Share:
         )
 
 
-def _conflicts_among(shares: tuple[Share, ...]) -> list[Conflict]:
+def conflicts_among(shares: tuple[Share, ...]) -> tuple[Conflict, ...]:
     """All pairs whose paths meet, in the order of the participants."""
-    return [
-        conflict
-        for first, second in combinations(shares, 2)
-        if (conflict := first.conflicts[second]) is not None
-    ]
+    found: list[Conflict | None] = []
+    for place, first in enumerate(shares, start=1):
+        found += map(first.conflicts.__getitem__, shares[place:])
+    return tuple([conflict for conflict in found if conflict is not None])
 
 
 class Sharing:
@@ -121,7 +119,7 @@ class Sharing:
         if changes_to is None and place.beside is not None:
             other, side = place.beside
             if (vehicle.id, other) in self._problem.besides:
-                changes_to = Side.LEFT if side is Side.RIGHT else Side.RIGHT
+                changes_to = side.opposite
         return Drive(
             participant=vehicle.id,
             entry=entry,
@@ -145,12 +143,13 @@ class Sharing:
         """Whether a participant can be in a deadlock."""
         return may_be_stuck(self._rules, assignment)
 
-    def deadlock(self, line: tuple[Share, ...]) -> tuple[str, ...]:
+    def deadlock(self, shares: tuple[Share, ...]) -> tuple[str, ...]:
         """Those of whom each must wait for another of them, among those who may be stuck."""
+        line = tuple([share for share in shares if share.may_be_stuck])
         found = self._deadlocks.get(line)
         if found is None:
             names = [share.assignment.participant for share in line]
-            found = deadlock_among(names, _conflicts_among(line))
+            found = deadlock_among(names, conflicts_among(line))
             if len(self._deadlocks) >= MOST_DEADLOCKS:
                 self._deadlocks.clear()
             self._deadlocks[line] = found

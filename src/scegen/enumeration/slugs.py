@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 
-from scegen.scenario.functional import Junction
+from scegen.scenario.arms import ring_move
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Assignment, Crossing, Drive
-from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 MAX_LENGTH = 40
 MOST_SPELT_OUT = 4
@@ -37,7 +38,5 @@ def _word(junction: Junction, drive: Drive) -> str:
 
 def _way(junction: Junction, drive: Drive) -> str:
     if junction.kind is JunctionKind.ROUNDABOUT:
-        right = junction.driving_side is DrivingSide.RIGHT
-        count = drive.move if right else junction.arms - drive.move
-        return f"exit{count % junction.arms or junction.arms}"
+        return f"exit{ring_move(junction, drive.move) or junction.arms}"
     return "uturn" if drive.turn is Maneuver.U_TURN else drive.turn.value

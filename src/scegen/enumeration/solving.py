@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from clorm import Predicate
 from clorm.clingo import Control
 
 from scegen.enumeration import predicates as p
 from scegen.enumeration.problem import Problem
-from scegen.enumeration.programs import SCENARIO_PARTS, Part, grounded, satisfiable
+from scegen.enumeration.programs import PROBLEM_PARTS, Part, grounded, satisfiable
 from scegen.enumeration.reading import COUNTED, Solution, read_solutions
 from scegen.enumeration.symmetry import Symmetry
 from scegen.scenario.vocabulary import Reduction
@@ -20,45 +19,31 @@ ABOUT_ONE = (p.Vehicle, p.Position, p.Entries, p.Entry, p.Maneuvers, p.Wants, p.
 
 _AT_RANDOM = ("--rand-freq=1", "--sign-def=rnd", "--restart-on-model", "--enum-mode=record")
 
-MOST_COMBINATIONS = 49
-"""Two vehicles are shown in one atom if together they have no more choices than this."""
 
-
-@dataclass(frozen=True)
-class Space:
-    """The assignments that satisfy the problem: its facts and encodings."""
-
-    problem: Problem
-    facts: tuple[Predicate, ...]
-    parts: tuple[Part, ...]
-
-
-def space_of(problem: Problem) -> Space | None:
-    """The problem's space; None if it has no solution."""
-    space = Space(problem, problem.facts, (*SCENARIO_PARTS, Part.HOLDS))
+def has_solution(problem: Problem) -> bool:
+    """Whether there is an assignment that satisfies a problem."""
     if problem.settled:
-        return space
+        return True
     # Where a group counts its members, everybody's move matters to whether there is a solution.
     deciding = problem.names if problem.functional.groups else sorted(problem.dependent)
-    decides = tuple(p.Decides(name) for name in deciding)
-    return space if satisfiable(grounded((*space.facts, *decides), space.parts)) else None
+    decides = (p.Decides(name) for name in deciding)
+    return satisfiable(grounded((*problem.facts, *decides), PROBLEM_PARTS))
 
 
 def solutions(
-    space: Space, symmetry: Symmetry, reduction: Reduction, *, limit: int = 0
+    problem: Problem, symmetry: Symmetry, reduction: Reduction, *, limit: int = 0
 ) -> Iterator[Solution]:
     """Every scenario once, in rising order; ``limit`` 0 means all."""
-    control = listing_program(space, symmetry, reduction)
-    yield from read_solutions(space.problem, control, limit=limit)
+    control = listing_program(problem, symmetry, reduction)
+    yield from read_solutions(problem, control, limit=limit)
 
 
 def listing_program(
-    space: Space, symmetry: Symmetry, reduction: Reduction, *, at_random: bool = False
+    problem: Problem, symmetry: Symmetry, reduction: Reduction, *, at_random: bool = False
 ) -> Control:
     """The grounded program whose answer sets are the scenarios, in order or at random."""
-    problem = space.problem
-    facts = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
-    parts = [*space.parts]
+    facts = [*problem.facts, *(p.Decides(v.id) for v in problem.vehicles)]
+    parts = [*PROBLEM_PARTS]
     options = list(_AT_RANDOM)
     if not at_random:
         parts.append(Part.ORDER)
@@ -73,26 +58,11 @@ def listing_program(
         if len(symmetry.rotations) > 1:
             facts += _rotation_facts(problem, symmetry)
             parts.append(Part.ROTATIONS)
-    if not at_random:
-        facts += _pairs(problem)
-    return grounded(facts, [*parts, Part.BUNDLES], *options)
-
-
-def _pairs(problem: Problem) -> list[Predicate]:
-    """Vehicles next to each other in the listing, two by two where few choices are theirs."""
-    facts: list[Predicate] = []
-    for first, second in zip(problem.vehicles[::2], problem.vehicles[1::2], strict=False):
-        combinations = 1
-        for vehicle in (first, second):
-            entries = problem.entries.get(vehicle.id, range(problem.arms))
-            combinations *= sum(len(problem.wanted.get((vehicle.id, e), ())) for e in entries)
-        if combinations <= MOST_COMBINATIONS:
-            facts.append(p.Pair(first.id, second.id))
-    return facts
+    return grounded(facts, parts, *options)
 
 
 def states(
-    space: Space,
+    problem: Problem,
     symmetry: Symmetry,
     *,
     anchor: str | None = None,
@@ -104,16 +74,15 @@ def states(
     about the vehicles named in ``without``, whose entries are set to no arm. With an anchor a
     state stands for as many as there are rotations: one of each turned set.
     """
-    problem = space.problem
     if problem.settled:
         yield Solution(
             tuple((problem.entries[v.id][0], COUNTED, "none") for v in problem.vehicles), (), ()
         )
         return
-    facts = [f for f in space.facts if not isinstance(f, ABOUT_ONE) or f.id not in without]
+    facts = [f for f in problem.facts if not isinstance(f, ABOUT_ONE) or f.id not in without]
     facts += group_facts(problem, symmetry)
     facts += [p.Decides(name) for name in sorted(problem.dependent)]
-    parts = [*space.parts, Part.INTERCHANGEABLE, Part.STATE]
+    parts = [*PROBLEM_PARTS, Part.INTERCHANGEABLE, Part.STATE]
     if anchor is not None:
         facts += [p.Anchor(anchor), *(p.Rotation(turn) for turn in symmetry.rotations if turn)]
         parts.append(Part.ROTATIONS)

@@ -12,8 +12,9 @@ from clorm import Predicate
 from scegen.enumeration import predicates as p
 from scegen.enumeration.backing import backs_square, passes_behind
 from scegen.enumeration.on_foot import way_facts, ways_of
-from scegen.scenario.arms import arm_angles_deg, seen_from, turn_deg, turn_name
-from scegen.scenario.functional import FunctionalScenario, Junction, Participant
+from scegen.scenario.arms import arm_angles_deg, ring_move, seen_from, turn_deg, turn_name
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import (
     Approach,
@@ -22,7 +23,6 @@ from scegen.scenario.vocabulary import (
     HazardKind,
     JunctionKind,
     Maneuver,
-    Side,
 )
 
 QUEUE_LIMIT = 12
@@ -137,14 +137,11 @@ def _maneuvers(out: Stated, vehicle: Participant, junction: Junction) -> None:
     out.facts.append(p.Maneuvers(number, vehicle.id))
     for word in words:
         if word.startswith("exit_"):
-            if int(word.removeprefix("exit_")) <= junction.arms:
-                out.facts.append(p.WantsMove(vehicle.id, ring_move(junction, word)))
+            if (number := int(word.removeprefix("exit_"))) <= junction.arms:
+                out.facts.append(p.WantsMove(vehicle.id, ring_move(junction, number)))
         elif word in {Maneuver.MERGE, Maneuver.EXIT}:
-            kerb, centre = (Side.RIGHT, Side.LEFT)
-            if junction.driving_side is DrivingSide.LEFT:
-                kerb, centre = centre, kerb
             out.facts.append(p.Wants(vehicle.id, Maneuver.LANE_CHANGE.value))
-            side = centre if word is Maneuver.MERGE else kerb
+            side = junction.kerb if word is Maneuver.EXIT else junction.kerb.opposite
             out.facts.append(p.Goes(vehicle.id, side.value))
         elif word is Maneuver.CROSS:
             # A set with other words in it is a vehicle's: it crosses the junction.
@@ -153,24 +150,11 @@ def _maneuvers(out: Stated, vehicle: Participant, junction: Junction) -> None:
             out.facts.append(p.Wants(vehicle.id, word.value))
 
 
-def ring_move(junction: Junction, word: Maneuver) -> int:
-    """The symbolic move to the k-th exit of a ring.
-
-    Traffic goes round counter-clockwise where it keeps right, clockwise where left.
-    """
-    number = int(word.removeprefix("exit_"))
-    right = junction.driving_side is DrivingSide.RIGHT
-    return (number if right else junction.arms - number) % junction.arms
-
-
 def _approaches(out: Stated, functional: FunctionalScenario) -> None:
-    ego = functional.ego.id
     known = {m.id for m in (*functional.vehicles, *functional.crossers)}
     drivers = {v.id for v in functional.vehicles}
     reversing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
-    sayings = [(m.id, ego, m.approaches) for m in functional.participants if m.approaches]
-    sayings += [(r.participant, r.reference, r.approaches) for r in functional.relations]
-    for name, reference, approaches in sayings:
+    for name, reference, approaches in functional.sayings:
         if functional.participant(name).parked:
             continue  # where a parked vehicle stands is not enumerated
         said = [a for a in Approach if a in approaches]
@@ -226,7 +210,7 @@ def group_ways(
     found: set[tuple[int, str]] = set()
     for word in words:
         if word.startswith("exit_"):
-            found.add((ring_move(junction, word), "plain"))
+            found.add((ring_move(junction, int(word.removeprefix("exit_"))), "plain"))
         elif word in MANNERS:
             found |= {(move, manner) for move in arms for manner in MANNERS[word]}
         else:

@@ -15,14 +15,12 @@ from scegen.enumeration.patterns import Row
 from scegen.enumeration.problem import Problem, related_among
 from scegen.enumeration.reading import COUNTED, Solution
 from scegen.enumeration.sharing import Kept
-from scegen.enumeration.solving import Space
 from scegen.enumeration.statements import QUEUE_LIMIT, group_ways
 from scegen.enumeration.symmetry import Symmetry
 
 
-def unrelated_of(space: Space) -> frozenset[str]:
+def unrelated_of(problem: Problem) -> frozenset[str]:
     """Vehicles about whose way and place nothing is said in relation to others."""
-    problem = space.problem
     if problem.settled:
         return frozenset()
     related = problem.dependent | related_among(problem.facts)

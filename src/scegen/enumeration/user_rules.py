@@ -18,9 +18,9 @@ from clingo import ast
 from clorm import Predicate
 
 from scegen.enumeration import predicates as p
-from scegen.enumeration.programs import ENCODINGS, Part, grounded
+from scegen.enumeration.problem import Problem
+from scegen.enumeration.programs import ENCODINGS, PROBLEM_PARTS, Part, grounded
 from scegen.enumeration.reading import Solution, read_solutions
-from scegen.enumeration.solving import Space
 from scegen.errors import InputError
 from scegen.scenario.rule_file import RuleFile
 
@@ -62,17 +62,17 @@ VOCABULARY: dict[str, Word] = {word.form.partition("(")[0]: word for word in _WO
 _HARMLESS = {ast.ASTType.Program, ast.ASTType.Comment, ast.ASTType.Definition}
 
 
-def ruled_solutions(space: Space, rules: RuleFile) -> Iterator[Solution]:
+def ruled_solutions(problem: Problem, rules: RuleFile) -> Iterator[Solution]:
     """Every assignment that the rules allow, once, in the usual order.
 
     Raises:
         InputError: they are no rules over the vocabulary; names the line.
     """
     _check(rules)
-    problem, said = space.problem, list[str]()
-    facts: list[Predicate] = [*space.facts, *(p.Decides(v.id) for v in problem.vehicles)]
+    said: list[str] = []
+    facts: list[Predicate] = [*problem.facts, *(p.Decides(v.id) for v in problem.vehicles)]
     facts += [p.Kind(m.id, m.kind.value) for m in problem.functional.participants]
-    parts = (*space.parts, Part.ORDER, Part.RULES)
+    parts = (*PROBLEM_PARTS, Part.ORDER, Part.RULES)
     try:
         control = grounded(facts, parts, "--heuristic=Domain", rules=rules.text, said=said)
     except RuntimeError as error:

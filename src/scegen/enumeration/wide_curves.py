@@ -17,7 +17,7 @@ from scegen.errors import RoadInfeasibleError
 from scegen.road import build_network, plan_road
 from scegen.road.model import RoadNetwork, Route, RouteStep
 from scegen.scenario.arms import arm_angles_deg
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import JunctionKind
 
 CLOSE_DEG = 45.0

@@ -12,7 +12,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from datetime import datetime
 from threading import Lock
-from typing import Literal
 
 from scegen.errors import InputError
 from scegen.export.library import VersionBase, xosc
@@ -26,12 +25,10 @@ from scegen.export.openscenario_parameters import (
 )
 from scegen.export.openscenario_signals import controllers
 from scegen.export.openscenario_storyboard import storyboard
-from scegen.export.openscenario_text import header_description, indented, xml_text
+from scegen.export.openscenario_text import header_description, xml_text
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.wording import counted
-
-OpenScenarioVersion = Literal["1.0", "1.2"]
 
 EGO_MODES = ("scripted", "external")
 """Who drives the ego: the file, or somebody outside it."""
@@ -76,25 +73,15 @@ def write_openscenario(
         raise InputError(f"no path for {', '.join(missing)}", where=concrete.name)
     with _library_writes(_MINOR[version]) as minor:
         external = ego == "external"
-        made = xosc.Scenario(
+        numbers = numbers_of(concrete, paths)
+        return _scenario(
             header_description(concrete.name),
-            "ML-SceGen",
             xosc.ParameterDeclarations(),
             entities(concrete, external_ego=external),
-            storyboard(
-                concrete,
-                paths,
-                numbers_of(concrete, paths),
-                minor,
-                external_ego=external,
-                lamps=lamps,
-            ),
+            storyboard(concrete, paths, numbers, minor, external_ego=external, lamps=lamps),
             _roads(concrete, road_file),
-            xosc.Catalog(),
-            osc_minor_version=minor,
-            creation_date=_DATE,
+            minor,
         )
-        return _document(made.get_element())
 
 
 def write_parameterised(
@@ -113,18 +100,14 @@ def write_parameterised(
         road_file: where the OpenDRIVE file lies, as seen from the scenario file.
     """
     with _library_writes(_MINOR[VERSION]) as minor:
-        made = xosc.Scenario(
+        return _scenario(
             xml_text(f"{header_description(concrete.name)}. {parameters.note}"),
-            "ML-SceGen",
             declarations(parameters.declared),
             entities(parameters.fastest),
             storyboard(concrete, paths, parameters.numbers, minor),
             _roads(concrete, road_file),
-            xosc.Catalog(),
-            osc_minor_version=minor,
-            creation_date=_DATE,
+            minor,
         )
-        return _document(made.get_element())
 
 
 def write_distribution(
@@ -137,6 +120,28 @@ def write_distribution(
         made = distribution(description, xml_text(scenario_file), sets, minor)
         made.header.creation_date = _DATE
         return _document(made.get_element())
+
+
+def _scenario(
+    description: str,
+    declared: xosc.ParameterDeclarations,
+    who: xosc.Entities,
+    board: xosc.StoryBoard,
+    roads: xosc.RoadNetwork,
+    minor: int,
+) -> bytes:
+    made = xosc.Scenario(
+        description,
+        "ML-SceGen",
+        declared,
+        who,
+        board,
+        roads,
+        xosc.Catalog(),
+        osc_minor_version=minor,
+        creation_date=_DATE,
+    )
+    return _document(made.get_element())
 
 
 def _roads(concrete: ConcreteScenario, road_file: str) -> xosc.RoadNetwork:
@@ -159,4 +164,6 @@ def _library_writes(minor: int) -> Iterator[int]:
 
 
 def _document(root: ET.Element) -> bytes:
-    return f"<?xml version='1.0' encoding='utf-8'?>\n{indented(root)}\n".encode()
+    ET.indent(root)
+    text = ET.tostring(root, encoding="unicode")
+    return f"<?xml version='1.0' encoding='utf-8'?>\n{text}\n".encode()

@@ -11,8 +11,7 @@ from math import radians
 
 from scegen.export.library import xosc
 from scegen.motion.friction import friction_of
-from scegen.scenario.functional import Environment
-from scegen.scenario.vocabulary import TimeOfDay, Visibility, Weather
+from scegen.scenario.environment import Environment, TimeOfDay, Visibility, Weather
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,27 +33,20 @@ _SKIES: dict[Weather, _Sky] = {
     Weather.SNOW: _Sky("overcast", "eightOktas", 0.9, "snow", 0.4, 2.0, 2_000.0),
     Weather.FOG: _Sky("overcast", "eightOktas", 0.8, visual_range_m=150.0),
 }
-_HOUR: dict[TimeOfDay, tuple[int, float, float]] = {
-    TimeOfDay.DAY: (12, 60.0, 50_000.0),
-    TimeOfDay.DAWN: (6, 5.0, 400.0),
-    TimeOfDay.DUSK: (20, 5.0, 400.0),
-    TimeOfDay.NIGHT: (0, -30.0, 1.0),
+_SUN: dict[TimeOfDay, tuple[int, float, float, float]] = {
+    TimeOfDay.DAY: (12, 60.0, 180.0, 50_000.0),
+    TimeOfDay.DAWN: (6, 5.0, 80.0, 400.0),
+    TimeOfDay.DUSK: (20, 5.0, 280.0, 400.0),
+    TimeOfDay.NIGHT: (0, -30.0, 0.0, 1.0),
 }
-"""Hour of the day, elevation of the sun (deg), illuminance (lux)."""
-_AZIMUTH_DEG: dict[TimeOfDay, float] = {
-    TimeOfDay.DAY: 180.0,
-    TimeOfDay.DAWN: 80.0,
-    TimeOfDay.DUSK: 280.0,
-    TimeOfDay.NIGHT: 0.0,
-}
+"""Hour of the day, elevation and azimuth of the sun (deg), illuminance (lux)."""
 _VISUAL_RANGE_M: dict[Visibility, float] = {Visibility.REDUCED: 400.0, Visibility.POOR: 120.0}
 
 
 def environment_action(environment: Environment, minor: int) -> xosc.EnvironmentAction:
     """The conditions of the whole scenario; what is not said is a clear, dry day."""
     sky = _SKIES[environment.weather or Weather.CLEAR]
-    time = environment.time_of_day or TimeOfDay.DAY
-    hour, elevation_deg, lux = _HOUR[time]
+    hour, elevation_deg, azimuth_deg, lux = _SUN[environment.time_of_day or TimeOfDay.DAY]
     said = environment.visibility
     visual_range = environment.visual_range_m or min(
         sky.visual_range_m, _VISUAL_RANGE_M.get(said, sky.visual_range_m) if said else 1e6
@@ -69,7 +61,7 @@ def environment_action(environment: Environment, minor: int) -> xosc.Environment
             round(lux * (1 - 0.8 * sky.cloudiness), 2)
             if standard
             else round(1 - sky.cloudiness, 2),
-            round(radians(_AZIMUTH_DEG[time]), 4),
+            round(radians(azimuth_deg), 4),
             round(radians(elevation_deg), 4),
         ),
         fog=xosc.Fog(visual_range),

@@ -6,14 +6,8 @@ import xml.etree.ElementTree as ET  # builds, never parses
 from math import pi
 
 from scegen.export.library import xosc
-from scegen.export.openscenario_text import Lines
 from scegen.motion.model import Path
 from scegen.road.geometry import Pose
-
-
-def first_position(path: Path) -> xosc.WorldPosition:
-    """Where a path begins."""
-    return world_position(Pose(float(path.x_m[0]), float(path.y_m[0]), float(path.heading_rad[0])))
 
 
 def world_position(pose: Pose) -> xosc.WorldPosition:
@@ -23,7 +17,7 @@ def world_position(pose: Pose) -> xosc.WorldPosition:
 
 
 class Polyline(xosc.Polyline):  # type: ignore[misc]  # the library has no types
-    """The library's polyline of a path; most of a file is its vertices, so they are text at once.
+    """The library's polyline of a path, made at once: most of a file is its vertices.
 
     Its times are those of a constant speed: 1.0 demands some.
     """
@@ -32,25 +26,15 @@ class Polyline(xosc.Polyline):  # type: ignore[misc]  # the library has no types
         self._path, self._speed_mps = path, speed_mps
 
     def get_element(self) -> ET.Element:
-        """As the library makes it, but for how the vertices are kept."""
-        path, lines = self._path, list[str]()
-        for s_m, *pose in zip(
-            path.s_m.tolist(),
-            path.x_m.tolist(),
-            path.y_m.tolist(),
-            path.heading_rad.tolist(),
-            strict=True,
-        ):
-            x_m, y_m, heading_rad = _rounded(*pose)
-            lines += (
-                f'<Vertex time="{round(s_m / self._speed_mps, 4)}">',
-                "  <Position>",
-                f'    <WorldPosition x="{x_m}" y="{y_m}" z="0.0" h="{heading_rad}" />',
-                "  </Position>",
-                "</Vertex>",
-            )
-        shape = ET.Element("Shape")
-        shape.append(Lines("Polyline", lines))
+        """As the library makes it."""
+        shape, path = ET.Element("Shape"), self._path
+        line = ET.SubElement(shape, "Polyline")
+        columns = (path.s_m, path.x_m, path.y_m, path.heading_rad)
+        for s_m, *pose in zip(*(column.tolist() for column in columns), strict=True):
+            vertex = ET.SubElement(line, "Vertex", time=str(round(s_m / self._speed_mps, 4)))
+            x_m, y_m, heading_rad = map(str, _rounded(*pose))
+            place = ET.SubElement(vertex, "Position")
+            ET.SubElement(place, "WorldPosition", x=x_m, y=y_m, z="0.0", h=heading_rad)
         return shape
 
 

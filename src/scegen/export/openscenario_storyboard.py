@@ -8,7 +8,7 @@ from scegen.export.expressions import written
 from scegen.export.library import xosc
 from scegen.export.openscenario_environment import environment_action
 from scegen.export.openscenario_numbers import Numbers, Start
-from scegen.export.openscenario_position import Polyline, first_position
+from scegen.export.openscenario_position import Polyline, world_position
 from scegen.export.openscenario_signals import first_lamps, lamp_act
 from scegen.export.openscenario_triggers import (
     at_end,
@@ -78,7 +78,7 @@ def _init(
     init.add_global_action(environment_action(concrete.environment, minor))
     for participant in concrete.participants:
         path = paths[participant.id]
-        place = first_position(path)
+        place = world_position(path.start)
         if start := numbers.starts.get(participant.id):
             place = xosc.TrajectoryPosition(
                 _trajectory(participant, start.path),
@@ -90,7 +90,7 @@ def _init(
         speed = written(numbers.speeds_mps[participant.id]) if _moves(path) else 0.0
         init.add_init_action(participant.id, _step_to(speed))
     for name, path in object_paths(concrete).items():
-        init.add_init_action(name, xosc.TeleportAction(first_position(path)))
+        init.add_init_action(name, xosc.TeleportAction(world_position(path.start)))
     return init
 
 
@@ -112,12 +112,8 @@ def _maneuver_group(
     for index, phase in reversed(list(enumerate(numbers.phases[participant.id]))):
         name = phase_event_name(participant, index)
         event = xosc.Event(name, overwrite)
-        dynamics = xosc.TransitionDynamics(
-            xosc.DynamicsShapes.linear, xosc.DynamicsDimension.rate, written(phase.rate_mps2)
-        )
-        event.add_action(
-            f"{name}_action", xosc.AbsoluteSpeedAction(written(phase.target_speed_mps), dynamics)
-        )
+        target, rate = written(phase.target_speed_mps), written(phase.rate_mps2)
+        event.add_action(f"{name}_action", _speed_at_rate(target, rate))
         event.add_trigger(
             phase_trigger(
                 participant, index, phase.trigger, paths, duration_s=duration_s, minor=minor
@@ -127,10 +123,8 @@ def _maneuver_group(
     if participant.on_contact is not None:
         struck = participant.on_contact
         collides = xosc.Event(f"{participant.id}_collides", overwrite)
-        rest = xosc.TransitionDynamics(
-            xosc.DynamicsShapes.linear, xosc.DynamicsDimension.rate, struck.rate_mps2
-        )
-        collides.add_action(f"{participant.id}_is_halted", xosc.AbsoluteSpeedAction(0.0, rest))
+        halt = _speed_at_rate(0.0, struck.rate_mps2)
+        collides.add_action(f"{participant.id}_is_halted", halt)
         collides.add_trigger(when_touching(participant.id, struck.participant))
         speed.add_event(collides)
     # At the end of its path a participant stops; without this, players drive on along the road.
@@ -169,6 +163,11 @@ def _trajectory(participant: ConcreteParticipant, path: Path) -> xosc.Trajectory
     trajectory = xosc.Trajectory(f"{participant.id}_path", False)
     trajectory.add_shape(Polyline(path, participant.speed_mps or 1.0))
     return trajectory
+
+
+def _speed_at_rate(speed_mps: float | str, rate_mps2: float | str) -> xosc.AbsoluteSpeedAction:
+    linear, rate = xosc.DynamicsShapes.linear, xosc.DynamicsDimension.rate
+    return xosc.AbsoluteSpeedAction(speed_mps, xosc.TransitionDynamics(linear, rate, rate_mps2))
 
 
 def _step_to(speed_mps: float | str) -> xosc.AbsoluteSpeedAction:

@@ -8,7 +8,7 @@ exist.
 """
 
 from scegen.measures.evaluation import Summary, evaluate, measure
-from scegen.measures.registry import MEASURES, Measure, Subject, Worse, measure_named
+from scegen.measures.registry import MEASURES, Measure, Subject, measure_named
 from scegen.measures.tables import Tables, build_tables
 from scegen.measures.warming import warm_kernels
 
@@ -18,7 +18,6 @@ __all__ = [
     "Subject",
     "Summary",
     "Tables",
-    "Worse",
     "build_tables",
     "evaluate",
     "measure",

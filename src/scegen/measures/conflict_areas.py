@@ -18,6 +18,8 @@ import numpy as np
 
 from scegen.measures.bodies import Body, body_of
 from scegen.measures.boxes import Way, way_box
+from scegen.measures.merging import merge_point
+from scegen.measures.nearest import longest_step_m, on_to
 from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
@@ -28,12 +30,6 @@ SAMPLING_M = 0.5
 """Coarsest spacing of sampled positions; half the smallest side where that is less."""
 PRECISION_M = 1e-3
 """Precision of the entry and exit positions."""
-MERGED_ASIDE_M = 0.3
-MERGED_TURN_RAD = np.deg2rad(10.0)
-MERGED_FOR_M = 5.0
-"""Paths have merged where they lie within these for so long; crossings are shorter or steeper."""
-_ROUGHLY = 8
-"""Where only nearness is asked for, every so manieth is looked at first."""
 
 
 class AreaTable(NamedTuple):
@@ -79,7 +75,7 @@ def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, flo
     spacing = min(SAMPLING_M, small)
     one, two = _sample(first, a, spacing), _sample(second, b, spacing)
     result = []
-    for rows, columns in _touching_parts(one, two):
+    for rows, columns in _regions(touching(one, two)):
         merge = merge_point(first, second, one.s[rows], two.s[columns])
         if merge is None:
             own, other = _cut(one, rows), _cut(two, columns)
@@ -88,25 +84,8 @@ def _areas(first: Path, second: Path, a: Body, b: Body) -> list[tuple[float, flo
             result.append((enter_a, enter_b, leave_a, leave_b))
         elif min(merge) > SAMPLING_M and not _comes_backwards(first, second, merge):
             sa, sb = merge
-            result.append(
-                (
-                    sa - a.front_m,
-                    sb - b.front_m,
-                    sa + a.rear_m,
-                    sb + b.rear_m,
-                )
-            )
+            result.append((sa - a.front_m, sb - b.front_m, sa + a.rear_m, sb + b.rear_m))
     return result
-
-
-def _touching_parts(one: _Sampled, two: _Sampled) -> list[tuple[slice, slice]]:
-    """Row and column ranges of the parts of both ways that touch; only where they are near."""
-    top, bottom, left, right = _near(one, two)
-    touch = touching(_part(one, slice(top, bottom)), _part(two, slice(left, right)))
-    return [
-        (slice(r.start + top, r.stop + top), slice(c.start + left, c.stop + left))
-        for r, c in _regions(touch)
-    ]
 
 
 def _comes_backwards(first: Path, second: Path, merge: tuple[float, float]) -> bool:
@@ -149,50 +128,10 @@ def _part(boxes: _Sampled, part: slice) -> _Sampled:
 
 
 @inner_kernel
-def _longest_step_m(x: Floats, y: Floats) -> float:
-    """The greatest distance of two points of a line that follow one another."""
-    longest = 0.0
-    for n in range(1, x.shape[0]):
-        dx, dy = x[n] - x[n - 1], y[n] - y[n - 1]
-        longest = max(longest, dx * dx + dy * dy)
-    return float(np.sqrt(longest))
-
-
-@inner_kernel
-def _on_to(squared_m2: float, wanted_m2: float, step_m: float) -> int:
-    """How many points of a line further on the next may lie that is nearer than wanted."""
-    if step_m == 0.0 or squared_m2 <= wanted_m2:
-        return 1
-    return max(1, int((np.sqrt(squared_m2) - np.sqrt(wanted_m2)) / step_m))
-
-
-@inner_kernel
 def _reach_m2(one: _Sampled, two: _Sampled) -> float:
     """The squared distance within which boxes may touch."""
     reach = np.hypot(one.half_length, one.half_width) + np.hypot(two.half_length, two.half_width)
     return float(reach * reach)
-
-
-@kernel
-def _near(one: _Sampled, two: _Sampled) -> tuple[int, int, int, int]:
-    """The first box of one and that behind the last one that may touch one of two, and of two.
-
-    Roughly: some more than those, as only every few are looked at.
-    """
-    step_m = _longest_step_m(two.x, two.y)
-    between_m = _ROUGHLY * (step_m + _longest_step_m(one.x, one.y))
-    reach = (np.sqrt(_reach_m2(one, two)) + between_m) ** 2
-    top, bottom, left, right = one.x.shape[0], 0, two.x.shape[0], 0
-    for m in range(0, one.x.shape[0], _ROUGHLY):
-        n = 0
-        while n < two.x.shape[0]:
-            dx, dy = two.x[n] - one.x[m], two.y[n] - one.y[m]
-            squared = dx * dx + dy * dy
-            if squared <= reach:
-                top, bottom = min(top, m), m + _ROUGHLY
-                left, right = min(left, n), max(right, n + _ROUGHLY)
-            n += max(_ROUGHLY, _on_to(squared, reach, step_m))
-    return (top, bottom, left, right) if bottom > 0 else (0, 0, 0, 0)
 
 
 @inner_kernel
@@ -211,7 +150,7 @@ def _touches_any(box: Box, other: _Sampled) -> bool:
 def touching(one: _Sampled, two: _Sampled) -> Bools:
     """Whether box m of one and box n of the other touch: (m, n)."""
     result = np.zeros((one.x.shape[0], two.x.shape[0]), dtype=np.bool_)
-    reach, step_m = _reach_m2(one, two), _longest_step_m(two.x, two.y)
+    reach, step_m = _reach_m2(one, two), longest_step_m(two.x, two.y)
     for m in range(one.x.shape[0]):
         a = Box(one.x[m], one.y[m], one.cos[m], one.sin[m], one.half_length, one.half_width)
         n = 0
@@ -221,7 +160,7 @@ def touching(one: _Sampled, two: _Sampled) -> Bools:
             if squared <= reach:
                 b = Box(two.x[n], two.y[n], two.cos[n], two.sin[n], two.half_length, two.half_width)
                 result[m, n] = boxes_touch(a, b)
-            n += _on_to(squared, reach, step_m)
+            n += on_to(squared, reach, step_m)
     return result
 
 
@@ -282,94 +221,3 @@ def _touches_from(way: Way, body: Body, free: float, touches: float, other: _Sam
         else:
             free = middle
     return touches
-
-
-def merge_point(
-    first: Path, second: Path, s_first: Floats, s_second: Floats
-) -> tuple[float, float] | None:
-    """Positions along both paths at which they have become one; None if they only cross.
-
-    A position near 0 says that the path begins on the other: following, no merge.
-    """
-    second_s = np.linspace(s_second[0], s_second[-1], 4 * len(s_second))
-    one, two = (
-        Way(s, *(np.interp(s, path.s_m, of) for of in (path.x_m, path.y_m, path.heading_rad)))
-        for path, s in ((first, s_first), (second, second_s))
-    )
-    begins, nearest = _merge(one, two)
-    return (float(s_first[begins]), float(second_s[nearest])) if begins >= 0 else None
-
-
-@kernel
-def _merge(one: Way, two: Way) -> tuple[int, int]:
-    """The first place of one from which on it runs along two, and the nearest of two; -1: none."""
-    step_m, best, begins, at = _longest_step_m(two.x_m, two.y_m), 0, -1, 0
-    for n in range(one.s_m.shape[0]):
-        best, gap = _nearest(one.x_m[n], one.y_m[n], two.x_m, two.y_m, best, MERGED_ASIDE_M, step_m)
-        turn = one.heading_rad[n] - two.heading_rad[best]
-        if not (
-            gap < MERGED_ASIDE_M and abs(np.arctan2(np.sin(turn), np.cos(turn))) < MERGED_TURN_RAD
-        ):
-            begins = -1
-            continue
-        if begins < 0:
-            begins, at = n, best
-        if one.s_m[n] - one.s_m[begins] >= MERGED_FOR_M:
-            return begins, at
-    return -1, -1
-
-
-@kernel
-def least_gap_m(x: Floats, y: Floats, fx: Floats, fy: Floats, enough_m: float) -> float:
-    """The least distance of the points of two lines; or the first that is found below enough."""
-    step_m = _longest_step_m(fx, fy)
-    least, gap = np.inf, np.inf
-    for every in (_ROUGHLY, 1):  # the nearer the first are, the more of the others are passed over
-        for n in range(0, x.shape[0], every):
-            m = 0
-            while m < fx.shape[0]:
-                dx, dy = x[n] - fx[m], y[n] - fy[m]
-                squared = dx * dx + dy * dy
-                if squared < least:
-                    least, gap = squared, np.hypot(dx, dy)
-                    if gap < enough_m:
-                        return float(gap)
-                m += max(every, _on_to(squared, least, step_m))
-    return float(gap)
-
-
-@kernel
-def nearest_points(
-    x: Floats, y: Floats, fx: Floats, fy: Floats, within_m: float
-) -> tuple[Ints, Floats]:
-    """For each point the nearest one of a line, the first of several, and its distance.
-
-    Where none is ``within_m`` the distance is inf, and which is the nearest is not looked for.
-    """
-    step_m = _longest_step_m(fx, fy)
-    index = np.zeros(x.shape[0], dtype=np.int64)
-    away = np.full(x.shape[0], np.inf)
-    best = 0
-    for n in range(x.shape[0]):
-        best, away[n] = _nearest(x[n], y[n], fx, fy, best, within_m, step_m)
-        index[n] = best
-    return index, away
-
-
-@inner_kernel
-def _nearest(
-    x: float, y: float, fx: Floats, fy: Floats, best: int, within_m: float, step_m: float
-) -> tuple[int, float]:
-    """One point of those, beginning with that nearest to the one before."""
-    dx, dy = x - fx[best], y - fy[best]
-    least = min(dx * dx + dy * dy, within_m * within_m)
-    m = 0
-    while m < fx.shape[0]:
-        dx, dy = x - fx[m], y - fy[m]
-        squared = dx * dx + dy * dy
-        if squared < least or (squared == least and m < best):
-            least, best = squared, m
-        m += _on_to(squared, least, step_m)
-    dx, dy = x - fx[best], y - fy[best]
-    near = dx * dx + dy * dy <= within_m * within_m
-    return best, np.hypot(dx, dy) if near else np.inf

@@ -21,6 +21,7 @@ from scegen.measures.impact import delta_v, relative_speed
 from scegen.measures.injury import injury_probability
 from scegen.measures.occlusion import occlusion_times
 from scegen.measures.post_encroachment import post_encroachment_time
+from scegen.measures.registry import MEASURES, Subject
 from scegen.measures.required_braking import highest_before_area, highest_behind_leader
 from scegen.measures.tables import Tables
 from scegen.measures.time_to_collision import least_time_to_collision
@@ -93,24 +94,14 @@ def measure(traces: BatchTraces, scene: Tables) -> Summary:
 
 def _room(candidates: int, scene: Tables) -> Summary:
     """A summary in which everything is undefined."""
-    pairs, occlusions = len(scene.pairs), len(scene.occlusions)
-    per_pair, per_each = (candidates, pairs), (candidates, pairs, 2)
-    return Summary(
-        distance_m=np.full(per_pair, nan),
-        closest_s=np.full(per_pair, nan),
-        contact_s=np.full(per_pair, nan),
-        ttc_s=np.full(per_pair, nan),
-        pet_s=np.full(per_pair, nan),
-        headway_s=np.full(per_pair, nan),
-        drac_mps2=np.full(per_pair, nan),
-        required_mps2=np.full(per_each, nan),
-        brake_threat=np.full(per_each, nan),
-        impact_mps=np.full(per_pair, nan),
-        delta_v_mps=np.full(per_each, nan),
-        injury=np.full(per_each, nan),
-        occluded_s=np.full((candidates, occlusions), nan),
-        sight_s=np.full((candidates, occlusions), nan),
-    )
+    shapes = {
+        Subject.PAIR: (candidates, len(scene.pairs)),
+        Subject.EACH: (candidates, len(scene.pairs), 2),
+        Subject.OCCLUSION: (candidates, len(scene.occlusions)),
+    }
+    subjects = {known.field: known.subject for known in MEASURES}
+    fields = (subjects.get(field, Subject.PAIR) for field in Summary._fields)
+    return Summary(*(np.full(shapes[subject], nan) for subject in fields))
 
 
 @kernel

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
+from scegen.measures.nearest import on_to
 from scegen.measures.remembering import remembered
 from scegen.motion.batch.arrays import Floats, Ints, S
 from scegen.motion.batch.kernels import kernel
@@ -136,7 +137,7 @@ def _nearest(
                     away[n], index[n] = squared, m
                 m += 1
             else:
-                m += max(1, int((np.sqrt(squared) - np.sqrt(least)) / step_m))
+                m += on_to(squared, least, step_m)
         last = index[n] if away[n] < np.inf else -1
     return index, away
 

@@ -8,8 +8,7 @@ teachers for about 50 km/h; all as quoted in secondary sources).
 
 from __future__ import annotations
 
-from scegen.scenario.functional import Environment
-from scegen.scenario.vocabulary import RoadSurface, Weather
+from scegen.scenario.environment import Environment, RoadSurface, Weather
 
 GRAVITY_MPS2 = 9.81
 """Standard gravity, rounded as in UN R157."""

@@ -49,6 +49,13 @@ class Path:
     heading_rad: Array
     spans: tuple[LaneSpan, ...]
 
+    @classmethod
+    def at(cls, pose: Pose, spans: tuple[LaneSpan, ...] = ()) -> Path:
+        """That of one who stands there."""
+        values = (0.0, pose.x_m, pose.y_m, pose.heading_rad)
+        s, x, y, heading = (np.array([value]) for value in values)
+        return cls(s, x, y, heading, spans)
+
     @property
     def length_m(self) -> float:
         """Length of the path."""

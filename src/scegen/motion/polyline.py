@@ -86,28 +86,22 @@ def lay_polyline(stretches: tuple[Stretch, ...], start_m: float, end_m: float) -
     Raises:
         MotionInfeasibleError: two roads of the way do not meet.
     """
-    stations: list[Array] = []
-    xs: list[Array] = []
-    ys: list[Array] = []
-    headings: list[Array] = []
+    parts: list[tuple[Array, ...]] = []
     for piece in stretches:
-        for u, x, y, heading in _segments(piece, start_m, end_m):
-            if xs and hypot(x[0] - xs[-1][-1], y[0] - ys[-1][-1]) > JOINT_GAP_M:
-                raise MotionInfeasibleError(
-                    f"{piece.road.name} does not start where the way so far ends, "
-                    f"({xs[-1][-1]:.2f}, {ys[-1][-1]:.2f})"
-                )
-            first = 1 if xs else 0
-            stations.append(u[first:])
-            xs.append(x[first:])
-            ys.append(y[first:])
-            headings.append(heading[first:])
-    x, y = np.concatenate(xs), np.concatenate(ys)
+        for part in _segments(piece, start_m, end_m):
+            if parts:
+                (x0, y0), (x1, y1) = (float(c[-1]) for c in parts[-1][1:3]), part[1:3]
+                if hypot(x1[0] - x0, y1[0] - y0) > JOINT_GAP_M:
+                    raise MotionInfeasibleError(
+                        f"{piece.road.name} does not start where the way so far ends, "
+                        f"({x0:.2f}, {y0:.2f})"
+                    )
+            # The first vertex is the last one of the part before.
+            parts.append(tuple(column[1:] for column in part) if parts else part)
+    stations, x, y, heading = (np.concatenate(column) for column in zip(*parts, strict=True))
     s = passed_m(x, y)
-    heading = np.unwrap(np.concatenate(headings))
-    all_stations = np.concatenate(stations)
-    spans = _spans(stretches, all_stations, s)
-    return LaidDrive(Path(s, x, y, heading, spans), all_stations, stretches)
+    spans = _spans(stretches, stations, s)
+    return LaidDrive(Path(s, x, y, np.unwrap(heading), spans), stations, stretches)
 
 
 def _segments(

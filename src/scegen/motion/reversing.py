@@ -8,7 +8,7 @@ the while; where the direction changes, the path has a cusp.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil, pi
 
 import numpy as np
@@ -143,13 +143,7 @@ def _into_arm(
             where=who,
         )
     part = _Part.of(lay_polyline(stretches, motion.start_m, last.start_m + setback_m))
-    return _Part(
-        np.full_like(part.stations_m, motion.start_m),
-        part.x_m,
-        part.y_m,
-        part.heading_rad,
-        part.spans,
-    )
+    return replace(part, stations_m=np.full_like(part.stations_m, motion.start_m))
 
 
 def _straight_out(

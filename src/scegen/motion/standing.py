@@ -94,16 +94,8 @@ def standing_path(network: RoadNetwork, motion: StandingMotion, body: Body, who:
     pose = road.line.pose(s, t)
     if not forward:
         pose = pose.reversed()
-    spans: tuple[LaneSpan, ...] = ()
-    if lane is not None:
-        spans = (LaneSpan(road.id, lane.id, forward, 0.0, 0.0),)
-    return Path(
-        np.array([0.0]),
-        np.array([pose.x_m]),
-        np.array([pose.y_m]),
-        np.array([pose.heading_rad]),
-        spans,
-    )
+    spans = () if lane is None else (LaneSpan(road.id, lane.id, forward, 0.0, 0.0),)
+    return Path.at(pose, spans)
 
 
 def heads_for_junction(network: RoadNetwork, motion: StandingMotion) -> bool:
@@ -129,10 +121,4 @@ def object_paths(concrete: ConcreteScenario) -> dict[str, Path]:
 
 def object_path(thing: StaticObject) -> Path:
     """One pose: that of its centre."""
-    return Path(
-        np.array([0.0]),
-        np.array([thing.x_m]),
-        np.array([thing.y_m]),
-        np.array([radians(thing.heading_deg)]),
-        (),
-    )
+    return Path.at(Pose(thing.x_m, thing.y_m, radians(thing.heading_deg)))

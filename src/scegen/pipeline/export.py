@@ -12,8 +12,9 @@ from scegen.report.preview import preview_svg
 from scegen.report.raster import png_of
 from scegen.road import build_network
 from scegen.road.build import KEPT
-from scegen.scenario.concrete import ConcreteScenario, RoadParameters
+from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import to_yaml
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.signals import SignalPlan
 
 LAMPS_FILE = "scenario-esmini.xosc"

@@ -1,4 +1,4 @@
-"""What ``generate`` may be told."""
+"""What ``generate`` and ``trace`` may be told."""
 
 from __future__ import annotations
 
@@ -55,3 +55,17 @@ class Options:
     solutions: int = 1
     where: str | None = None
     rules: RuleFile | None = None
+
+
+class TracePlayer(StrEnum):
+    """Whose movements."""
+
+    OWN = "own"
+    ESMINI = "esmini"
+
+
+class TraceFormat(StrEnum):
+    """What a trace can be written as."""
+
+    CSV = "csv"
+    MCAP = "mcap"

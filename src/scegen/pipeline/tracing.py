@@ -12,7 +12,7 @@ from scegen.motion import build_paths, simulate
 from scegen.motion.model import Trace
 from scegen.motion.traces import traces_csv
 from scegen.motion.trigger_steps import STEP_S
-from scegen.pipeline.trace_options import TraceFormat, TracePlayer
+from scegen.pipeline.options import TraceFormat, TracePlayer
 from scegen.report.mcap_file import mcap_of
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario

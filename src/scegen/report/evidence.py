@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from scegen.report.words import hazard_words, plain
-from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.evidence import Evidence
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.paths import NOWHERE, value_at
 from scegen.scenario.proof import ClaimProof
 from scegen.understanding import STANDINGS, Finding, Standing, passages, report_on

@@ -11,7 +11,7 @@ from math import asin, atan2, cos, hypot, pi, radians, sin
 import numpy as np
 
 from scegen.scenario.arms import arm_angles_deg
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Crossing, Drive, Heading, Reverses, Standing, Walking
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind, Maneuver, Side

@@ -19,7 +19,7 @@ from scegen.scenario.concrete import (
     DriveMotion,
     StandingMotion,
 )
-from scegen.scenario.functional import Environment
+from scegen.scenario.environment import Environment
 from scegen.scenario.parameters import ParameterRange
 
 Row = tuple[str, ...]

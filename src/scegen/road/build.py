@@ -9,7 +9,7 @@ from scegen.road.feasibility import check_parameters
 from scegen.road.model import RoadNetwork
 from scegen.road.roundabout import build_roundabout
 from scegen.road.straight import build_straight
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.vocabulary import JunctionKind
 
 KEPT = 16

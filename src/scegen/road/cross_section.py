@@ -7,7 +7,7 @@ from math import radians
 
 from scegen.road.geometry import Pose, ReferenceLine, Segment
 from scegen.road.model import Crosswalk, Extent, Lane, LaneType, Road, RoadLink
-from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide
 

@@ -20,7 +20,7 @@ from scegen.road.cross_section import (
 from scegen.road.fillet import connect, reach_m, smallest_radius_m, turn_back, wrapped
 from scegen.road.geometry import ReferenceLine
 from scegen.road.lane_choice import LaneWay, lane_ways
-from scegen.road.links import LaneEnd, connecting_road
+from scegen.road.links import LaneEnd, arm_route, connecting_road
 from scegen.road.model import (
     Connection,
     JunctionArea,
@@ -31,7 +31,7 @@ from scegen.road.model import (
     RouteStep,
 )
 from scegen.road.spacing import CLOSE_DISTANCE_M, MAX_DISTANCE_M, arm_distances_m
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 
 MIN_RADIUS_M = 3.0
 """No connecting road bends tighter than this."""
@@ -63,14 +63,9 @@ def build_crossing(parameters: RoadParameters, name: str) -> RoadNetwork:
         roads.append(road)
         lane = road.lanes[0].id
         connections.append(Connection(number, source.road.id, road.id, source.lane, lane))
-        steps = (
-            RouteStep(source.road.id, source.lane, forward=True),
-            RouteStep(road.id, lane, forward=True),
-            RouteStep(target.road.id, target.lane, forward=False),
-        )
-        routes.setdefault((way.entry, way.exit), []).append(
-            Route(way.entry, way.lane_in, way.exit, way.lane_out, None, steps)
-        )
+        ends, through = (way.entry, way.exit), RouteStep(road.id, lane, forward=True)
+        route = arm_route(arms, ends, (way.lane_in, way.lane_out), [through])
+        routes.setdefault(ends, []).append(route)
     return RoadNetwork(
         name=name,
         driving_side=parameters.driving_side,

@@ -6,11 +6,11 @@ from collections.abc import Set as AbstractSet
 from math import ceil, radians
 
 from scegen.scenario.arms import arm_angles_deg
-from scegen.scenario.concrete import ArmRoad, Auxiliary, RoadParameters
 from scegen.scenario.control import controlled_arms
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
+from scegen.scenario.road_parameters import ArmRoad, Auxiliary, RoadParameters
 from scegen.scenario.roadway import BAYS, Carriageway, Strip
-from scegen.scenario.vocabulary import JunctionKind
+from scegen.scenario.speed_limits import usual_limit_mps
 
 ARM_LENGTH_M = 120.0
 _BESIDE_BEND_M = 20.0
@@ -18,8 +18,6 @@ _BESIDE_BEND_M = 20.0
 AUXILIARY_LENGTH_M = 250.0
 AUXILIARY_TAPER_M = 60.0
 """Usual on motorways: an acceleration or exit lane of some 250 m, and 60 m of taper."""
-SPEED_LIMIT_MPS = 50 / 3.6
-ROUNDABOUT_SPEED_LIMIT_MPS = 30 / 3.6
 
 
 def plan_road(
@@ -43,9 +41,7 @@ def plan_road(
     """
     radius, bend = None, junction.bend
     lanes = junction.lanes or (1,) * junction.arms
-    limit = junction.speed_limit_mps or (
-        ROUNDABOUT_SPEED_LIMIT_MPS if junction.kind is JunctionKind.ROUNDABOUT else SPEED_LIMIT_MPS
-    )
+    limit = junction.speed_limit_mps or usual_limit_mps(junction)
     if bend is not None:
         junction = junction.model_copy(update={"speed_limit_mps": limit})
         radius = bend.radius_at_m(limit)

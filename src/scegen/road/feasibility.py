@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 from scegen.errors import RoadInfeasibleError
-from scegen.scenario.concrete import RoadParameters
-from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.junction import ARM_COUNTS
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import PLAIN_ROAD_STRIPS, Carriageway
 from scegen.scenario.vocabulary import JunctionKind
 

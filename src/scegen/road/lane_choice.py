@@ -12,7 +12,7 @@ from bisect import bisect_left
 from dataclasses import dataclass
 
 from scegen.scenario.arms import STRAIGHT_WITHIN_DEG, turn_deg
-from scegen.scenario.concrete import ArmRoad
+from scegen.scenario.road_parameters import ArmRoad
 from scegen.scenario.vocabulary import DrivingSide
 
 _CLEARLY_DEG = 1.0

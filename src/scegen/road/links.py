@@ -1,12 +1,13 @@
-"""Connecting roads: one lane through a junction, linked at both ends."""
+"""Connecting roads: one lane through a junction, linked at both ends; routes over them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from scegen.road.cross_section import side_sign
+from scegen.road.cross_section import lane_in, lane_out, side_sign
 from scegen.road.geometry import ReferenceLine
-from scegen.road.model import ContactPoint, Lane, LaneType, Road, RoadLink
+from scegen.road.model import ContactPoint, Lane, LaneType, Road, RoadLink, Route, RouteStep
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,3 +48,17 @@ def connecting_road(
         predecessor=source.link,
         successor=target.link,
     )
+
+
+def arm_route(
+    arms: Sequence[Road],
+    ends: tuple[int, int],
+    lanes: tuple[int, int],
+    between: Sequence[RouteStep] = (),
+    ring_lane: int | None = None,
+) -> Route:
+    """From a lane of one arm to a lane of another (numbers), over the steps between them."""
+    source, target = (arms[arm] for arm in ends)
+    first = RouteStep(source.id, lane_in(source, lanes[0]), forward=True)
+    last = RouteStep(target.id, lane_out(target, lanes[1]), forward=False)
+    return Route(ends[0], lanes[0], ends[1], lanes[1], ring_lane, (first, *between, last))

@@ -25,7 +25,7 @@ from scegen.road.cross_section import (
 )
 from scegen.road.fillet import chain
 from scegen.road.geometry import ReferenceLine, Segment
-from scegen.road.links import LaneEnd, connecting_road
+from scegen.road.links import LaneEnd, arm_route, connecting_road
 from scegen.road.model import (
     Connection,
     ContactPoint,
@@ -39,7 +39,7 @@ from scegen.road.model import (
     Route,
     RouteStep,
 )
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane
 
 RAMP_RADIUS_M = 300.0
@@ -193,22 +193,26 @@ def build_ramp(parameters: RoadParameters, name: str) -> RoadNetwork:
     ramp, connecting = parts.ramp()
     entries = [entry for entry in (0, 1) if parameters.arms[entry].lanes_in]
     through = {entry: parts.through(1 + entry, entry) for entry in entries}
-    routes = {(entry, 1 - entry): _routes(parts, entry, road) for entry, road in through.items()}
+    routes: dict[tuple[int, int], tuple[Route, ...]] = {}
+    for entry, road in through.items():
+        routes[entry, 1 - entry] = tuple(
+            arm_route(
+                parts.arms,
+                (entry, 1 - entry),
+                (number, number),
+                [RouteStep(road.id, lane_in(parts.arms[entry], number), forward=True)],
+            )
+            for number in range(1, parameters.arms[entry].lanes_in + 1)
+        )
     number = parts.lanes + 1
     lane = -parts.sign
+    steps = [RouteStep(road.id, lane, forward=True) for road in (ramp, connecting)]
     if joins:
-        steps = (
-            RouteStep(ramp.id, -parts.sign, forward=True),
-            RouteStep(connecting.id, lane, forward=True),
-            RouteStep(second.id, lane_out(second, number), forward=False),
-        )
+        steps.append(RouteStep(second.id, lane_out(second, number), forward=False))
     else:
-        steps = (
-            RouteStep(first.id, lane_in(first, number), forward=True),
-            RouteStep(connecting.id, lane, forward=True),
-            RouteStep(ramp.id, -parts.sign, forward=True),
-        )
-    routes[0, 1] += (Route(0, number, 1, number, None, steps),)
+        steps.append(RouteStep(first.id, lane_in(first, number), forward=True))
+        steps.reverse()
+    routes[0, 1] += (Route(0, number, 1, number, None, tuple(steps)),)
     pairs = [(route.steps[0], route.steps[1]) for found in routes.values() for route in found]
     connections = tuple(
         Connection(k, a.road, b.road, a.lane, b.lane) for k, (a, b) in enumerate(pairs)
@@ -221,24 +225,4 @@ def build_ramp(parameters: RoadParameters, name: str) -> RoadNetwork:
         arm_roads=(first.id, second.id),
         routes=routes,
         plain=True,
-    )
-
-
-def _routes(parts: _Parts, entry: int, through: Road) -> tuple[Route, ...]:
-    """The ways straight on from an arm, lane by lane."""
-    source, target = parts.arms[entry], parts.arms[1 - entry]
-    return tuple(
-        Route(
-            entry,
-            number,
-            1 - entry,
-            number,
-            None,
-            (
-                RouteStep(source.id, lane_in(source, number), forward=True),
-                RouteStep(through.id, lane_in(source, number), forward=True),
-                RouteStep(target.id, lane_out(target, number), forward=False),
-            ),
-        )
-        for number in range(1, parts.parameters.arms[entry].lanes_in + 1)
     )

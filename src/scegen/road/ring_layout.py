@@ -6,13 +6,16 @@ between neighbouring junctions the ring is a road.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import cos, pi, radians, sin, tan
 
+import numpy as np
+
 from scegen.errors import RoadInfeasibleError
 from scegen.road.cross_section import lane_centre_m
-from scegen.road.spacing import MAX_DISTANCE_M, gap_to_next_deg, strip_distances_m
-from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.road.spacing import MAX_DISTANCE_M, gap_to_next_deg, narrowest_gap, strip_distances_m
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 
 FIRST_RADIUS_M = {1: 15.0, 2: 20.0}
 """Radius of the outermost lane's centre to start from, by number of ring lanes."""
@@ -43,44 +46,37 @@ def lay_out_ring(parameters: RoadParameters) -> RingLayout:
     Raises:
         RoadInfeasibleError: if the ring is too small for its arms, or arms are too close.
     """
-    given = parameters.ring_radius_m
-    if given is not None:
-        wide = WIDE_TURN_RADII_M if parameters.ring_lanes == 1 else ()  # two need room to change
-        for turn in (*wide, *TURN_RADII_M):
-            layout = _try(parameters, given, turn)
-            if layout is not None:
-                return _checked(parameters, layout)
-        index = _narrowest(parameters)
+    for radius, turn in _sizes(parameters):
+        layout = _try(parameters, radius, turn)
+        if layout is not None:
+            return _checked(parameters, layout)
+    arms, index = parameters.arms, narrowest_gap(parameters.arms)
+    following, gap_deg = (index + 1) % len(arms), gap_to_next_deg(arms, index)
+    if parameters.ring_radius_m is None:
         msg = (
-            f"a ring of {given:g} m radius is too small for arms {index} and "
-            f"{(index + 1) % len(parameters.arms)}, {gap_to_next_deg(parameters.arms, index):.1f} "
-            f"deg apart, with ways in and out of at least {TURN_RADII_M[-1]:g} m radius"
+            f"arms {index} and {following} lie only {gap_deg:.1f} deg apart: even a ring of "
+            f"{MAX_RING_RADIUS_M:g} m radius is too small for them"
         )
-        raise RoadInfeasibleError(
-            msg, where="ring_radius_m", hint="Leave it out to have it chosen."
-        )
+        raise RoadInfeasibleError(msg, where="arms")
+    msg = (
+        f"a ring of {parameters.ring_radius_m:g} m radius is too small for arms {index} and "
+        f"{following}, {gap_deg:.1f} deg apart, with ways in and out of at least "
+        f"{TURN_RADII_M[-1]:g} m radius"
+    )
+    raise RoadInfeasibleError(msg, where="ring_radius_m", hint="Leave it out to have it chosen.")
+
+
+def _sizes(parameters: RoadParameters) -> Iterator[tuple[float, float]]:
+    """Radii of the ring, and of the ways into and out of it, in the order of preference."""
+    given, lanes = parameters.ring_radius_m, parameters.ring_lanes
+    if given is not None:
+        wide = WIDE_TURN_RADII_M if lanes == 1 else ()  # two need room to change
+        yield from ((given, turn) for turn in (*wide, *TURN_RADII_M))
+        return
     for turn in TURN_RADII_M:
-        radius = FIRST_RADIUS_M[parameters.ring_lanes]
         # A wider turn needs a wider ring: prefer a compact roundabout to a gentle one.
         limit = MAX_RING_RADIUS_M if turn == TURN_RADII_M[-1] else MAX_RING_RADIUS_M / 2
-        while radius <= limit:
-            layout = _try(parameters, radius, turn)
-            if layout is not None:
-                return _checked(parameters, layout)
-            radius += 1.0
-    index = _narrowest(parameters)
-    msg = (
-        f"arms {index} and {(index + 1) % len(parameters.arms)} lie only "
-        f"{gap_to_next_deg(parameters.arms, index):.1f} deg apart: even a ring of "
-        f"{MAX_RING_RADIUS_M:g} m radius is too small for them"
-    )
-    raise RoadInfeasibleError(msg, where="arms")
-
-
-def _narrowest(parameters: RoadParameters) -> int:
-    return min(
-        range(len(parameters.arms)), key=lambda index: gap_to_next_deg(parameters.arms, index)
-    )
+        yield from ((r, turn) for r in np.arange(FIRST_RADIUS_M[lanes], limit + 0.5).tolist())
 
 
 def _checked(parameters: RoadParameters, layout: RingLayout) -> RingLayout:
@@ -131,17 +127,13 @@ def _arm_fit(
     offsets = [lane_centre_m(arm, k + 1) for k in range(max(arm.lanes_in, arm.lanes_out))]
     half = _STEP_RAD
     while half <= _WIDEST_RAD:
-        reach = 0.0
-        for radius in radii_m:
-            for offset in offsets:
-                tangent = (radius * sin(half) - offset) / cos(half)
-                if tangent < turn_radius_m * tan((pi / 2 - half) / 2):
-                    break
-                reach = max(reach, radius * cos(half) + tangent * (sin(half) + 1))
-            else:
-                continue
-            break
-        else:
-            return half, reach
+        ways = [
+            (radius, (radius * sin(half) - offset) / cos(half))
+            for radius in radii_m
+            for offset in offsets
+        ]
+        least_m = turn_radius_m * tan((pi / 2 - half) / 2)
+        if all(tangent >= least_m for _, tangent in ways):
+            return half, max(r * cos(half) + tangent * (sin(half) + 1) for r, tangent in ways)
         half += _STEP_RAD
     return None

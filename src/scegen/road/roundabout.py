@@ -20,7 +20,7 @@ from scegen.road.cross_section import (
 )
 from scegen.road.fillet import chain, connect
 from scegen.road.geometry import Pose, ReferenceLine
-from scegen.road.links import LaneEnd, connecting_road
+from scegen.road.links import LaneEnd, arm_route, connecting_road
 from scegen.road.model import (
     Connection,
     ContactPoint,
@@ -34,7 +34,7 @@ from scegen.road.model import (
     RouteStep,
 )
 from scegen.road.ring_layout import RingLayout, lay_out_ring
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 
 
 def build_roundabout(parameters: RoadParameters, name: str) -> RoadNetwork:
@@ -183,18 +183,14 @@ class _Roundabout:
                     roads.append(self.ways["along", arm, lane, lane])
                 roads.append(self.rings[arm])
             roads.append(self.ways["out of", leaving, lane, number_out])
-            start, end = self.arms[entry], self.arms[leaving]
-            steps = [RouteStep(start.id, lane_in(start, number_in), forward=True)]
-            steps += [
+            steps = [
                 RouteStep(
-                    road.id,
-                    -self.sign * (lane if road.junction is None else 1),
-                    forward=True,
+                    road.id, -self.sign * (lane if road.junction is None else 1), forward=True
                 )
                 for road in roads
             ]
-            steps.append(RouteStep(end.id, lane_out(end, number_out), forward=False))
-            found.append(Route(entry, number_in, leaving, number_out, lane, tuple(steps)))
+            lanes = number_in, number_out
+            found.append(arm_route(self.arms, (entry, leaving), lanes, steps, lane))
         return tuple(sorted(found, key=lambda r: (r.entry_lane, r.ring_lane or 0, r.exit_lane)))
 
     def network(self, name: str) -> RoadNetwork:

@@ -6,7 +6,7 @@ from math import cos, radians, sin, tan
 
 from scegen.errors import RoadInfeasibleError
 from scegen.road.cross_section import ALL_STRIPS, KERBED, arm_lanes, half_width_m
-from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 
 MAX_DISTANCE_M = 60.0
 """Arms that part farther from the centre than this are too close to each other."""
@@ -81,6 +81,11 @@ def gap_to_next_deg(arms: tuple[ArmRoad, ...], index: int) -> float:
     return (following.angle_deg - arms[index].angle_deg) % 360.0
 
 
+def narrowest_gap(arms: tuple[ArmRoad, ...]) -> int:
+    """The arm that lies nearest to the next one."""
+    return min(range(len(arms)), key=lambda index: gap_to_next_deg(arms, index))
+
+
 def arm_distances_m(parameters: RoadParameters) -> tuple[float, ...]:
     """Distances from the centre to the inner ends of the arms (m), in arm order.
 
@@ -98,7 +103,7 @@ def arm_distances_m(parameters: RoadParameters) -> tuple[float, ...]:
     worst = max(distances)
     if worst > MAX_DISTANCE_M:
         arms = parameters.arms
-        index = min(range(len(arms)), key=lambda i: gap_to_next_deg(arms, i))
+        index = narrowest_gap(arms)
         following = arms[(index + 1) % len(arms)]
         msg = (
             f"arms {arms[index].id} and {following.id} lie {gap_to_next_deg(arms, index):.1f} deg "

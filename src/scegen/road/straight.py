@@ -10,14 +10,13 @@ from scegen.road.cross_section import (
     arm_line,
     arm_road,
     arm_road_id,
-    lane_in,
-    lane_out,
     median_half_m,
     side_sign,
     strip_width_m,
 )
 from scegen.road.fillet import chain, wrapped
 from scegen.road.geometry import Pose, ReferenceLine
+from scegen.road.links import arm_route
 from scegen.road.model import (
     ContactPoint,
     Lane,
@@ -26,10 +25,9 @@ from scegen.road.model import (
     RoadLink,
     RoadNetwork,
     Route,
-    RouteStep,
 )
 from scegen.road.ramps import build_ramp, gore_m
-from scegen.scenario.concrete import ArmRoad, RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane
 
 BEND_RADIUS_M = 50.0
@@ -64,19 +62,9 @@ def build_straight(parameters: RoadParameters, name: str) -> RoadNetwork:
     for entry, leaving in ((0, 1), (1, 0)):
         if not parameters.arms[entry].lanes_in:
             continue
+        lanes = range(1, len(arms[entry].driving(-side_sign(driving_side))) + 1)
         routes[entry, leaving] = tuple(
-            Route(
-                entry,
-                number,
-                leaving,
-                number,
-                None,
-                (
-                    RouteStep(arms[entry].id, lane_in(arms[entry], number), forward=True),
-                    RouteStep(arms[leaving].id, lane_out(arms[leaving], number), forward=False),
-                ),
-            )
-            for number in range(1, len(arms[entry].driving(-side_sign(driving_side))) + 1)
+            arm_route(arms, (entry, leaving), (number, number)) for number in lanes
         )
     return RoadNetwork(
         name=name,
@@ -137,9 +125,9 @@ def bend_rad(parameters: RoadParameters) -> float:
 
 
 def _line(parameters: RoadParameters, index: int) -> ReferenceLine:
-    arm = parameters.arms[index]
-    bend = bend_rad(parameters) * (1 if index == 0 else -1)
-    if abs(bend) < _STRAIGHT_RAD:
+    """From the outer end of an arm straight on, then over its half of the bend."""
+    arm, curve = parameters.arms[index], curve_of(parameters)
+    if curve is None:
         return arm_line(arm, 0.0)
     widest = (
         median_half_m(parameters.carriageway) + max(arm.lanes_in, arm.lanes_out) * arm.lane_width_m
@@ -149,22 +137,18 @@ def _line(parameters: RoadParameters, index: int) -> ReferenceLine:
     if radius < tightest:
         msg = f"a bend of {radius:g} m radius is tighter than {tightest:g} m"
         raise RoadInfeasibleError(msg, where="corner_radius_m")
-    arc = radius * abs(bend) / 2
-    if arm.length_m < arc + MIN_LINE_M:
+    line = arm.length_m - curve.half_arc_m
+    if arm.length_m < curve.half_arc_m + MIN_LINE_M:
         msg = (
             f"arm {arm.id} is {arm.length_m:g} m long, but its half of the bend needs "
-            f"{arc + MIN_LINE_M:.1f} m"
+            f"{curve.half_arc_m + MIN_LINE_M:.1f} m"
         )
         raise RoadInfeasibleError(msg, where=f"arms[{arm.id}].length_m")
-    return _bent_line(arm, bend, radius, arc)
-
-
-def _bent_line(arm: ArmRoad, bend_rad: float, radius_m: float, arc_m: float) -> ReferenceLine:
     outward = Pose(0.0, 0.0, radians(arm.angle_deg))
-    tangent = radius_m * tan(abs(bend_rad) / 2)
-    line = arm.length_m - arc_m
+    tangent = radius * tan(abs(bend_rad(parameters)) / 2)
     start = outward.shifted(forward_m=tangent + line).reversed()
-    return chain(start, [(line, 0.0), (arc_m, (1 if bend_rad > 0 else -1) / radius_m)])
+    turns = curve.curvature_1pm if index == 0 else -curve.curvature_1pm
+    return chain(start, [(line, 0.0), (curve.half_arc_m, turns)])
 
 
 def _linked(road: Road, parameters: RoadParameters) -> Road:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from scegen.scenario.functional import Junction
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.scenario.junction import Junction
+from scegen.scenario.vocabulary import Approach, DrivingSide, JunctionKind, Maneuver
 
 URBAN_LIMIT_MPS = 50 / 3.6
 """The urban limit of the Vienna Convention's countries."""
@@ -42,6 +42,15 @@ def arm_angles_deg(junction: Junction) -> tuple[float, ...]:
 def exit_arm(entry: int, move: int, arms: int) -> int:
     """The arm at which a vehicle leaves."""
     return (entry + move) % arms
+
+
+def ring_move(junction: Junction, number: int) -> int:
+    """The symbolic move to the k-th exit of a ring, and the number of the exit to which one leads.
+
+    Traffic goes round counter-clockwise where it keeps right, clockwise where left.
+    """
+    right = junction.driving_side is DrivingSide.RIGHT
+    return (number if right else -number) % junction.arms
 
 
 def turn_deg(angles_deg: tuple[float, ...], entry: int, move: int) -> float:

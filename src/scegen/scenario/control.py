@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.arms import arm_angles_deg, turn_deg, turn_name
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 
 LIGHTS = frozenset({Control.SIGNALS, Control.SIGNALS_OFF})

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any, TypeVar
 
+import yaml
 from pydantic import ValidationError
 
 from scegen.errors import InputError, VocabularyError
@@ -17,7 +18,6 @@ from scegen.scenario.glossary import explain
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.model import FrozenModel
 from scegen.scenario.parsing import parse
-from scegen.scenario.yaml_text import yaml_text
 
 LEVELS: dict[str, type[FunctionalScenario | LogicalSet | ConcreteScenario]] = {
     "functional": FunctionalScenario,
@@ -31,11 +31,14 @@ _MADE_BY = {
 }
 AnyLevel = FunctionalScenario | LogicalSet | ConcreteScenario
 M = TypeVar("M", bound=FrozenModel)
+_DUMPER: type = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 
 
 def to_yaml(model: FrozenModel) -> str:
     """The model as YAML, fields in the order of their definition."""
-    return yaml_text(model.model_dump(mode="json"))
+    data = model.model_dump(mode="json")
+    text: str = yaml.dump(data, Dumper=_DUMPER, sort_keys=False, allow_unicode=True, width=100)
+    return text
 
 
 def to_json(model: FrozenModel) -> str:

@@ -8,31 +8,27 @@ from typing import Any
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.definitions import Definition, Word
+from scegen.scenario.environment import RoadSurface, TimeOfDay, Visibility, Weather
+from scegen.scenario.evidence import EvidenceSource
 from scegen.scenario.hazards import HAZARDS
-from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
+from scegen.scenario.signals import AtLight
 from scegen.scenario.spacings import Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import (
     Approach,
     ArmsMode,
-    AtLight,
-    BodySide,
     Control,
     CrossedArm,
     DrivingSide,
-    EvidenceSource,
     HazardKind,
     JunctionKind,
     Maneuver,
     ParticipantKind,
     Reduction,
-    RoadSurface,
     Role,
     Side,
-    TimeOfDay,
-    Visibility,
-    Weather,
 )
 
 VOCABULARY: dict[type[StrEnum], str] = {
@@ -124,21 +120,17 @@ def _hazards() -> str:
     rows = [
         (
             f"`{kind}`",
-            _listed(row.causes),
-            _listed(row.suffers),
-            "; ".join(f"{case}: {_listed(needs)}" for case, needs in row.needs.items()),
+            ", ".join(row.causes),
+            ", ".join(row.suffers),
+            "; ".join(f"{case}: {', '.join(needs)}" for case, needs in row.needs.items()),
             row.breaks or "",
             row.moves,
-            _listed(row.acts),
+            ", ".join(row.acts),
         )
         for kind, row in HAZARDS.items()
     ]
     head = ("kind", "by", "to", "needs", "breaks", "moves", "acts")
     return _table(head, rows)
-
-
-def _listed(words: Iterable[str]) -> str:
-    return ", ".join(words)
 
 
 def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:

@@ -105,16 +105,19 @@ class Motion(StrEnum):
     STILL = "still"
 
 
+_EGO_OR_OTHERS = (Party.EGO, Party.OTHERS)
+
+
 @dataclass(frozen=True, slots=True)
 class HazardRow:
     """One kind of danger.
 
     Attributes:
         meaning: definition, neighbours, example.
+        moves: along or across the lane.
         causes: who causes it where nobody is named, seen from who suffers it (from the ego, if
             that is not said either): tried in order, the first that is found and does not suffer.
         suffers: the same for who suffers it, seen from who causes it.
-        moves: along or across the lane.
         needs: what it needs of the ways of both; empty: nothing.
         breaks: the rule of the road that it breaks.
         then: how who causes it stands to who suffers it when it does so, of two in one line.
@@ -124,9 +127,9 @@ class HazardRow:
     """
 
     meaning: Definition
-    causes: tuple[Party, ...]
-    suffers: tuple[Party, ...]
     moves: Motion
+    causes: tuple[Party, ...] = (Party.OTHER, Party.EGO)
+    suffers: tuple[Party, ...] = _EGO_OR_OTHERS
     needs: Mapping[Case, tuple[Arrangement, ...]] = field(default_factory=dict)
     breaks: RoadRule | None = None
     then: Literal[Arrangement.AHEAD, Arrangement.BEHIND] | None = None
@@ -141,8 +144,20 @@ CUT_IN_S = 1.0
 """So far ahead, by the speed of who follows, a cut-in is close: near UN R157."""
 _BEHIND_ONE = {Case.ONE_ARM: (Arrangement.AHEAD,), Case.APART: (Arrangement.MEET,)}
 """Who brakes, stops or crawls endangers whoever follows, or meets it."""
-_EGO_OR_OTHERS = (Party.EGO, Party.OTHERS)
 _FOLLOWED = (Party.TAILGATED, Party.LEADER, Party.EGO, Party.OTHER)
+
+
+def _goes_over(meaning: Definition, who: Party) -> HazardRow:
+    """The row of those who come over the road from its edge."""
+    return HazardRow(
+        meaning,
+        Motion.ACROSS,
+        causes=(who,),
+        suffers=(Party.YIELDING, *_EGO_OR_OTHERS),
+        needs={Case.ANYWHERE: (Arrangement.OVER,)},
+        acts=(ActKind.CROSS,),
+    )
+
 
 HAZARDS: dict[HazardKind, HazardRow] = {
     HazardKind.SPEEDING: HazardRow(
@@ -151,8 +166,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a number alone, however high; `sudden_acceleration`, where the speed rises",
             "a van comes from the left at excessive speed",
         ),
-        causes=(Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ALONG,
         breaks=RoadRule.SPEED_LIMIT,
         speed_share=(1.1, 1.5, 1.25),
@@ -164,8 +177,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "`speeding`, which is about how fast it is, not how fast it becomes; setting off",
             "the taxi suddenly speeds up and enters first",
         ),
-        causes=(Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ALONG,
         needs={Case.RING: (Arrangement.ONE_RING,)},
         acts=(ActKind.ACCELERATE,),
@@ -238,7 +249,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "the van squeezes in 8 m ahead of the ego",
         ),
         causes=(Party.BESIDE, Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
         then=Arrangement.AHEAD,
         needs={
@@ -255,8 +265,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "driver cannot help it",
             "a motorcycle weaves between the lanes",
         ),
-        causes=(Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
         acts=(ActKind.SWERVE,),
     ),
@@ -282,7 +290,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a car merges from the right just as the ego passes",
         ),
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
         then=Arrangement.AHEAD,
         needs={
@@ -332,41 +339,29 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         needs={Case.ANYWHERE: (Arrangement.FACING, Arrangement.CLASH, Arrangement.ACROSS)},
         acts=(ActKind.TURN,),
     ),
-    HazardKind.CROSSING_PEDESTRIAN: HazardRow(
+    HazardKind.CROSSING_PEDESTRIAN: _goes_over(
         Definition(
             "a pedestrian goes over the road before a vehicle, lawfully or not",
             "one who waits, or walks along the road (no danger)",
             "a child runs out onto the road",
         ),
-        causes=(Party.WALKER,),
-        suffers=(Party.YIELDING, *_EGO_OR_OTHERS),
-        moves=Motion.ACROSS,
-        needs={Case.ANYWHERE: (Arrangement.OVER,)},
-        acts=(ActKind.CROSS,),
+        Party.WALKER,
     ),
-    HazardKind.CROSSING_CYCLIST: HazardRow(
+    HazardKind.CROSSING_CYCLIST: _goes_over(
         Definition(
             "a cyclist rides over the road from its edge, a cycle path or a side road",
             "a cyclist in the lanes, who drives as others do; any motorcyclist",
             "a cyclist crosses from the right on the crosswalk",
         ),
-        causes=(Party.CYCLIST,),
-        suffers=(Party.YIELDING, *_EGO_OR_OTHERS),
-        moves=Motion.ACROSS,
-        needs={Case.ANYWHERE: (Arrangement.OVER,)},
-        acts=(ActKind.CROSS,),
+        Party.CYCLIST,
     ),
-    HazardKind.CROSSING_ANIMAL: HazardRow(
+    HazardKind.CROSSING_ANIMAL: _goes_over(
         Definition(
             "an animal runs or goes over the road before a vehicle",
             "one that stands in the lane: `obstacle`; who walks a dog: `crossing_pedestrian`",
             "a deer jumps onto the road",
         ),
-        causes=(Party.ANIMAL,),
-        suffers=(Party.YIELDING, *_EGO_OR_OTHERS),
-        moves=Motion.ACROSS,
-        needs={Case.ANYWHERE: (Arrangement.OVER,)},
-        acts=(ActKind.CROSS,),
+        Party.ANIMAL,
     ),
     HazardKind.OCCLUSION: HazardRow(
         Definition(
@@ -376,7 +371,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a parked van hides the child from the ego; a child runs out between parked cars",
         ),
         causes=(Party.THING, Party.STANDING),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.STILL,
     ),
     HazardKind.OBSTACLE: HazardRow(
@@ -386,7 +380,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a fallen branch lies in the ego's lane",
         ),
         causes=(Party.THING, Party.STANDING),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.STILL,
     ),
     HazardKind.RED_LIGHT_RUNNING: HazardRow(
@@ -397,7 +390,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a crossing truck runs the red light",
         ),
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ALONG,
         needs={Case.ANYWHERE: (Arrangement.CLASH,)},
         breaks=RoadRule.SIGNAL,
@@ -410,7 +402,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a van ignores the stop sign; a bus pulls out of its stop right before the ego",
         ),
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ALONG,
         needs={
             Case.PLAIN_ROAD: (Arrangement.TOGETHER,),
@@ -424,8 +415,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "`oncoming_lane`, for one who drives forwards on the wrong side; a u-turn",
             "a car backs out of a driveway before the ego",
         ),
-        causes=(Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ALONG,
         needs={Case.ANYWHERE: (Arrangement.INTO,)},
         acts=(ActKind.REVERSE,),
@@ -436,8 +425,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "a normal turn (the maneuver alone); `swerving`, where it goes on in its direction",
             "the car ahead turns right at the last second",
         ),
-        causes=(Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
         acts=(ActKind.TURN,),
     ),
@@ -447,8 +434,6 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "`swerving`, where the driver steers; skid marks of one who only brakes",
             "a car skids on the ice into the ego's lane",
         ),
-        causes=(Party.OTHER, Party.EGO),
-        suffers=_EGO_OR_OTHERS,
         moves=Motion.ACROSS,
         acts=(ActKind.SWERVE, ActKind.BRAKE),
     ),

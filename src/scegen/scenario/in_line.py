@@ -40,13 +40,8 @@ def is_said_ahead(
 
 def words_between(functional: FunctionalScenario, name: str, reference: str) -> frozenset[Approach]:
     """Where somebody is said to be, seen from another; nothing is said of things."""
-    found: frozenset[Approach] = frozenset()
-    if reference == functional.ego.id:
-        found = found.union(*(p.approaches for p in functional.participants if p.id == name))
-    for relation in functional.relations:
-        if (relation.participant, relation.reference) == (name, reference):
-            found |= relation.approaches
-    return found
+    told = (words for *two, words in functional.sayings if two == [name, reference])
+    return frozenset[Approach]().union(*told)
 
 
 def _by_act(

@@ -24,19 +24,16 @@ def place_of(item: ErrorDetails, data: object) -> str:
     """The path to what is wrong; whoever has an id is called by it, tags of unions are left out."""
     place, value = "", data
     for number, part in enumerate(item["loc"], start=1):
-        inside: object = None
-        if isinstance(value, list) and isinstance(part, int) and part < len(value):
-            inside = value[part]
+        inside = _step(value, part)
+        if inside is not _NOWHERE:
             name = inside.get("id") if isinstance(inside, dict) else None
-            place += f".{shortened(name)}" if isinstance(name, str) else f"[{part}]"
-        elif isinstance(value, dict) and part in value:
-            inside = value[part]
-            place += f".{shortened(str(part))}"
+            if isinstance(value, dict) or isinstance(name, str):
+                place += f".{shortened(str(part if isinstance(value, dict) else name))}"
+            else:
+                place += f"[{part}]"
+            value = inside
         elif number == len(item["loc"]) and item["type"] == "missing":
             place += f".{part}"
-        else:
-            continue
-        value = inside
     return place.removeprefix(".")
 
 

@@ -127,6 +127,10 @@ class ConflictKind(StrEnum):
     NONE = "none"
 
 
+MEETING = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
+"""Where two come into one place from different ways."""
+
+
 class Rule(StrEnum):
     """Why one of two gives way, or why it cannot be said in advance who does.
 
@@ -204,10 +208,7 @@ class LogicalScenario(FrozenModel):
 
     def assignment(self, participant: str) -> Assignment:
         """The assignment of one participant; KeyError if it has none."""
-        for candidate in self.assignments:
-            if candidate.participant == participant:
-                return candidate
-        raise KeyError(participant)
+        return {a.participant: a for a in self.assignments}[participant]
 
 
 class Certificate(FrozenModel):

@@ -6,7 +6,25 @@ from pydantic import Field
 
 from scegen.scenario.definitions import Word
 from scegen.scenario.model import FrozenModel, Identifier, Interval
-from scegen.scenario.vocabulary import BodySide
+
+
+class BodySide(Word):
+    """A side of a vehicle's body."""
+
+    FRONT = "front", "the front of the body", "", "hit head-on"
+    REAR = "rear", "the rear of the body", "", "hit from behind"
+    LEFT = (
+        "left",
+        "the left side of the body",
+        "the left half of its front",
+        "struck in the driver's side",
+    )
+    RIGHT = (
+        "right",
+        "the right side of the body",
+        "the right half of its front",
+        "struck from the right",
+    )
 
 
 class OutcomeKind(Word):

@@ -7,11 +7,46 @@ from enum import StrEnum
 
 from pydantic import Field
 
+from scegen.scenario.definitions import Word
 from scegen.scenario.model import ArmSet, FrozenModel
-from scegen.scenario.vocabulary import AtLight
 
 _TICK_S = 1e-3
 """Changes are told to the millisecond: one so near to time 0 is at time 0."""
+
+
+class AtLight(Word):
+    """What the light shows as one goes over its stop line, on foot as one steps off the kerb."""
+
+    GREEN = (
+        "green",
+        "goes while its light is green",
+        "`waits`, which comes to it at red; what the text leaves open",
+        "has green; crosses on green for pedestrians",
+    )
+    AMBER = (
+        "amber",
+        "drives over the line after green and before red",
+        "a light that flashes amber (control `signals_off`)",
+        "crosses on amber; enters just before the light turns red",
+    )
+    RED = (
+        "red",
+        "goes although its light is red; who drives also has the hazard `red_light_running`",
+        "`waits`, `stops`",
+        "a pedestrian crosses at red",
+    )
+    WAITS = (
+        "waits",
+        "stands at the line at red, and goes when its light has turned green",
+        "`stops`, which does not go on; who stands there to the end (maneuver `stay`)",
+        "when the light turns green it sets off; enters 2 s after its light has turned green",
+    )
+    STOPS = (
+        "stops",
+        "its light turns from green to amber and red as it comes; it comes to rest at the line",
+        "`waits`, which goes on",
+        "the light turns red and it stops",
+    )
 
 
 class SignalState(StrEnum):

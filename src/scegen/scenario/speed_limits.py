@@ -7,6 +7,7 @@ from math import ceil, inf, sqrt
 from scegen.scenario.arms import URBAN_LIMIT_MPS
 from scegen.scenario.bends import COMFORTABLE_LATERAL_MPS2
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import Carriageway, Strip
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, ParticipantKind
 
@@ -30,6 +31,12 @@ def limit_for_kind_mps(kind: ParticipantKind, limit_mps: float) -> float:
     return min(limit_mps, FAST_FOR_KIND_MPS.get(kind, limit_mps))
 
 
+def usual_limit_mps(junction: Junction) -> float:
+    """The limit in a town where nothing is said."""
+    ring = junction.kind is JunctionKind.ROUNDABOUT
+    return ROUNDABOUT_LIMIT_MPS if ring else URBAN_LIMIT_MPS
+
+
 def implied_limit_mps(functional: FunctionalScenario) -> float:
     """The limit said; else the usual one, or one that allows the speeds said.
 
@@ -39,8 +46,7 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
     junction = functional.junction
     if junction.speed_limit_mps is not None:
         return junction.speed_limit_mps
-    ring = junction.kind is JunctionKind.ROUNDABOUT
-    usual = ROUNDABOUT_LIMIT_MPS if ring else URBAN_LIMIT_MPS
+    usual = usual_limit_mps(junction)
     speeding = {
         name
         for hazard in functional.hazards

@@ -193,6 +193,11 @@ class Side(Word):
         "on its left",
     )
 
+    @property
+    def opposite(self) -> Side:
+        """The other one."""
+        return Side.LEFT if self is Side.RIGHT else Side.RIGHT
+
 
 class CrossedArm(Word):
     """Which arm one crosses, by the way of the one whom it meets (the ego, if nobody is named)."""
@@ -208,60 +213,6 @@ class CrossedArm(Word):
         "the arm by which the one whom it meets leaves the junction",
         "`entry`; a number of an arm (`entries`)",
         "crosses the road into which the ego turns",
-    )
-
-
-class AtLight(Word):
-    """What the light shows as one goes over its stop line, on foot as one steps off the kerb."""
-
-    GREEN = (
-        "green",
-        "goes while its light is green",
-        "`waits`, which comes to it at red; what the text leaves open",
-        "has green; crosses on green for pedestrians",
-    )
-    AMBER = (
-        "amber",
-        "drives over the line after green and before red",
-        "a light that flashes amber (control `signals_off`)",
-        "crosses on amber; enters just before the light turns red",
-    )
-    RED = (
-        "red",
-        "goes although its light is red; who drives also has the hazard `red_light_running`",
-        "`waits`, `stops`",
-        "a pedestrian crosses at red",
-    )
-    WAITS = (
-        "waits",
-        "stands at the line at red, and goes when its light has turned green",
-        "`stops`, which does not go on; who stands there to the end (maneuver `stay`)",
-        "when the light turns green it sets off; enters 2 s after its light has turned green",
-    )
-    STOPS = (
-        "stops",
-        "its light turns from green to amber and red as it comes; it comes to rest at the line",
-        "`waits`, which goes on",
-        "the light turns red and it stops",
-    )
-
-
-class BodySide(Word):
-    """A side of a vehicle's body."""
-
-    FRONT = "front", "the front of the body", "", "hit head-on"
-    REAR = "rear", "the rear of the body", "", "hit from behind"
-    LEFT = (
-        "left",
-        "the left side of the body",
-        "the left half of its front",
-        "struck in the driver's side",
-    )
-    RIGHT = (
-        "right",
-        "the right side of the body",
-        "the right half of its front",
-        "struck from the right",
     )
 
 
@@ -316,6 +267,11 @@ class Approach(Word):
         "`left`, `right` alone, which are other roads",
         "the car in the next lane",
     )
+
+
+def _exit(number: int, which: str) -> tuple[str, str, str, str]:
+    told = f"leaves the roundabout by the {which} exit that it reaches"
+    return f"exit_{number}", told, "", f"takes the {which} exit"
 
 
 class Maneuver(Word):
@@ -377,42 +333,12 @@ class Maneuver(Word):
         "one that stops or sets off (an act); who waits at its light (`light`)",
         "a stationary car; somebody who waits and does not go on",
     )
-    EXIT_1 = (
-        "exit_1",
-        "leaves the roundabout by the first exit that it reaches",
-        "",
-        "takes the first exit",
-    )
-    EXIT_2 = (
-        "exit_2",
-        "leaves the roundabout by the second exit that it reaches",
-        "",
-        "takes the second exit",
-    )
-    EXIT_3 = (
-        "exit_3",
-        "leaves the roundabout by the third exit that it reaches",
-        "",
-        "takes the third exit",
-    )
-    EXIT_4 = (
-        "exit_4",
-        "leaves the roundabout by the fourth exit that it reaches",
-        "",
-        "takes the fourth exit",
-    )
-    EXIT_5 = (
-        "exit_5",
-        "leaves the roundabout by the fifth exit that it reaches",
-        "",
-        "takes the fifth exit",
-    )
-    EXIT_6 = (
-        "exit_6",
-        "leaves the roundabout by the sixth exit that it reaches",
-        "",
-        "takes the sixth exit",
-    )
+    EXIT_1 = _exit(1, "first")
+    EXIT_2 = _exit(2, "second")
+    EXIT_3 = _exit(3, "third")
+    EXIT_4 = _exit(4, "fourth")
+    EXIT_5 = _exit(5, "fifth")
+    EXIT_6 = _exit(6, "sixth")
 
 
 class HazardKind(StrEnum):
@@ -441,76 +367,6 @@ class HazardKind(StrEnum):
     REVERSING = "reversing"
     SUDDEN_TURN = "sudden_turn"
     LOSS_OF_CONTROL = "loss_of_control"
-
-
-class Weather(Word):
-    """Sky and precipitation."""
-
-    CLEAR = (
-        "clear",
-        "no clouds and no precipitation",
-        "good visibility, which is not weather",
-        "sunny",
-    )
-    CLOUDY = "cloudy", "a covered sky without precipitation", "`fog`", "overcast"
-    RAIN = "rain", "it rains", "`heavy_rain`; a wet road after rain", "in the rain"
-    HEAVY_RAIN = "heavy_rain", "it rains strongly", "`rain`", "a downpour"
-    SNOW = "snow", "it snows", "a snowy road without snowfall", "in a snowstorm"
-    FOG = "fog", "fog or mist", "smoke, dust (visibility)", "in dense fog"
-
-
-class TimeOfDay(Word):
-    """Light conditions by the position of the sun."""
-
-    DAY = "day", "the sun is up", "", "at noon"
-    DAWN = "dawn", "the sun rises", "`dusk`", "at sunrise"
-    DUSK = "dusk", "the sun sets", "`dawn`", "at twilight"
-    NIGHT = "night", "the sun is down", "a dark place by day", "in darkness"
-
-
-class RoadSurface(Word):
-    """Condition of the road surface."""
-
-    DRY = "dry", "the road is dry", "", "on dry asphalt"
-    WET = (
-        "wet",
-        "there is water on the road",
-        "rain alone, which leaves this field empty",
-        "on a wet road",
-    )
-    ICY = "icy", "there is ice on the road", "`snowy`", "black ice"
-    SNOWY = "snowy", "there is snow on the road", "`icy`; snowfall alone", "on packed snow"
-
-
-class Visibility(Word):
-    """How far one sees."""
-
-    GOOD = "good", "one is said to see far", "", "with good visibility"
-    REDUCED = (
-        "reduced",
-        "one is said to see less than usual",
-        "`poor`; somebody hidden (`occlusion`); fog or night alone",
-        "reduced visibility; glare",
-    )
-    POOR = (
-        "poor",
-        "one is said to see badly",
-        "`reduced`; fog or night alone, which leave this field empty",
-        "one can hardly see",
-    )
-
-
-class EvidenceSource(Word):
-    """What a field rests on: the words, a conclusion from them, or a default."""
-
-    STATED = "stated", "rests on words of the text", "`inferred`", "quoted with their place"
-    INFERRED = (
-        "inferred",
-        "follows from the text, for a reason that is given",
-        "`default`",
-        "who cuts in comes from the next lane",
-    )
-    DEFAULT = "default", "the text does not say it", "`inferred`", "driving side: right"
 
 
 class Reduction(Word):

@@ -8,12 +8,12 @@ from typing import Any
 from scegen.errors import InfeasibleError
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import Strip
+from scegen.scenario.signals import AtLight
 from scegen.scenario.size import require_few_enough
 from scegen.scenario.vocabulary import (
     ANIMALS,
     ON_FOOT,
     Approach,
-    AtLight,
     CrossedArm,
     HazardKind,
     Maneuver,

@@ -7,10 +7,10 @@ from typing import Literal, TypeAlias
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.outcome import OutcomeKind
+from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.spacings import START, Measure
 from scegen.scenario.things import ThingKind
-from scegen.scenario.vocabulary import BodySide, Side
+from scegen.scenario.vocabulary import Side
 from scegen.understanding.draft import Basis, Entity
 
 STILL = Interval(low=0.0, high=0.0)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.errors import InputError
-from scegen.scenario.functional import ARM_COUNTS, FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder

@@ -15,8 +15,9 @@ from annotated_types import Ge, Gt, Le, Lt
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from scegen.scenario.functional import MAX_ARMS, FunctionalScenario
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import meaning_of
+from scegen.scenario.junction import MAX_ARMS
 from scegen.scenario.model import ArmSet, Identifier, Interval
 from scegen.understanding import Finding, ParseReport, Standing
 from scegen.units import parted

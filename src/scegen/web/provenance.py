@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.paths import NOWHERE, value_at
-from scegen.scenario.vocabulary import EvidenceSource
 from scegen.web.form import Spec, form_spec
 
 BY_HAND, CONFIRMED = "set by hand", "confirmed by hand"

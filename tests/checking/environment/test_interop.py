@@ -14,7 +14,7 @@ from scegen.checking.limits import run_limited
 from scegen.checking.results import CheckStatus
 from scegen.export.opendrive import write_opendrive
 from scegen.road import build_network, plan_road
-from scegen.scenario.functional import ARM_COUNTS, Junction
+from scegen.scenario.junction import ARM_COUNTS, Junction
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 

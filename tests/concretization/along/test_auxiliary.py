@@ -14,7 +14,7 @@ from scegen.errors import InfeasibleError
 from scegen.motion import simulate
 from scegen.motion.paths import build_paths
 from scegen.road import build_network
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 MERGE, EXIT = ["merge"], ["exit"]
 

@@ -15,7 +15,7 @@ from scegen.motion import simulate
 from scegen.motion.paths import build_paths
 from scegen.road import build_network
 from scegen.road.model import LaneType
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 
 
 def on(functional, **junction):

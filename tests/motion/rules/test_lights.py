@@ -11,7 +11,7 @@ from scegen.enumeration import enumerate_scenarios
 from scegen.motion.rules.intergreen import all_red_s, amber_s
 from scegen.motion.rules.lights import green_phases, light_runners, must_obey
 from scegen.road import build_network, plan_road
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.signals import SignalGroup, SignalPlan, SignalState
 from scegen.units import speed_mps
 

@@ -6,11 +6,12 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+from scegen.scenario.evidence import EvidenceSource
 from scegen.scenario.files import from_data
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import EvidenceSource, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 
 def evidence(understanding, field):

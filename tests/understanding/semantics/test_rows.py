@@ -8,8 +8,8 @@ import pytest
 import yaml
 
 import scegen.understanding
-from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import BodySide, HazardKind, Maneuver
+from scegen.scenario.outcome import BodySide, OutcomeKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding import read
 from scegen.understanding.amounts.fields import rows as figures
 from scegen.understanding.lexicon import load

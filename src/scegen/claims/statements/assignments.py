@@ -16,7 +16,7 @@ from scegen.claims.statements.touching import touched
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
-from scegen.measures.conflict_areas import least_gap_m
+from scegen.measures.nearest import least_gap_m
 from scegen.motion.batch.arrays import Bools
 from scegen.scenario.logical import (
     Assignment,

@@ -16,8 +16,7 @@ from scegen.claims.tolerances import PERCENT
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
 from scegen.scenario.model import Interval
-from scegen.scenario.outcome import Outcome, OutcomeKind
-from scegen.scenario.vocabulary import BodySide
+from scegen.scenario.outcome import BodySide, Outcome, OutcomeKind
 
 _CORNER_M = 0.3
 """Nearer to a corner than this, which side is touched first would be a matter of rounding."""

@@ -14,9 +14,9 @@ from scegen.claims.series import at
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
 from scegen.road.ramps import gore_m
-from scegen.scenario.concrete import Auxiliary
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Drive
+from scegen.scenario.road_parameters import Auxiliary
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import Maneuver
 

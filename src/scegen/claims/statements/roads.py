@@ -10,8 +10,8 @@ from scegen.claims.told import KPH, Told, plain
 from scegen.claims.view import View
 from scegen.road.straight import curve_of
 from scegen.scenario.bends import Bend
-from scegen.scenario.concrete import RoadParameters
 from scegen.scenario.control import controlled_arms, has_crosswalk
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Side
 from scegen.scenario.wording import counted

@@ -32,8 +32,7 @@ from scegen.motion.rules.stopping import (
 from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
-from scegen.scenario.signals import SignalGroup, SignalPlan, SignalState
-from scegen.scenario.vocabulary import AtLight
+from scegen.scenario.signals import AtLight, SignalGroup, SignalPlan, SignalState
 
 
 def claims(told: Told) -> Iterator[Claim]:

@@ -11,7 +11,7 @@ from math import ceil
 from scegen.concretization.along.story import Story
 from scegen.errors import MotionInfeasibleError
 from scegen.road.ramps import gore_m
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane
 
 RAMP_MPS = 90 / 3.6

@@ -43,10 +43,11 @@ from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
-from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario, RoadParameters, door_of
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario, door_of
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario, Reverses
 from scegen.scenario.objects import StaticObject
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 _WIDER = (1.0, 1.3, 1.7, 2.2, 3.0)

@@ -15,7 +15,7 @@ from scegen.motion.paths import END_MARGIN_M
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M
 from scegen.road.geometry import Pose, Segment
 from scegen.road.straight import Curve, curve_of
-from scegen.scenario.concrete import RoadParameters
+from scegen.scenario.road_parameters import RoadParameters
 
 _ARM_MARGIN_M = 3.0
 _JOINT_CLEAR_M = 8.0

@@ -28,8 +28,9 @@ from scegen.concretization.limits import (
 from scegen.concretization.profile import NEVER_S
 from scegen.scenario.acts import SLOWING, Act, WhenMeasure
 from scegen.scenario.in_line import is_said_ahead, words_between
+from scegen.scenario.outcome import BodySide
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
-from scegen.scenario.vocabulary import Approach, BodySide, HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind
 
 _FOLLOWING_S = 1.8
 """The time gap of ordinary following: a little below the two seconds of driving schools."""

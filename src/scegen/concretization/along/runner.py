@@ -17,7 +17,7 @@ from scegen.claims.boxes import Boxes
 from scegen.concretization.profile import Profile, SpeedChange
 from scegen.motion.model import Array
 from scegen.scenario.bodies import Body
-from scegen.scenario.functional import MAX_LANES
+from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.roadway import LANE_WIDTH_M
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 

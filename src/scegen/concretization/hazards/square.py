@@ -19,7 +19,7 @@ from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING
-from scegen.scenario.vocabulary import BodySide
+from scegen.scenario.outcome import BodySide
 
 _HELD_S = 1.5
 """It is up to speed for so long, so that this can be seen."""

@@ -26,8 +26,8 @@ class _Sortable(Protocol):
 T = TypeVar("T", bound=_Sortable)
 
 
-Covers = fact("covers", "A meeting occurs in a scenario.", scenario=int, meeting=int)
-Chosen = fact("chosen", "A scenario belongs to the cover.", scenario=int)
+Covers = fact("covers(scenario: int, meeting: int)", "A meeting occurs in a scenario.")
+Chosen = fact("chosen(scenario: int)", "A scenario belongs to the cover.")
 
 
 @dataclass(frozen=True, slots=True)

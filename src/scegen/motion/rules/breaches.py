@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, RoadRule
 from scegen.scenario.logical import LogicalScenario
@@ -22,3 +24,15 @@ def breaks(
         if HAZARDS[hazard.kind].breaks is rule
         for name in hazard.by
     )
+
+
+def endangered(
+    functional: FunctionalScenario, logical: LogicalScenario
+) -> Iterator[tuple[str, str]]:
+    """(who causes a danger, who suffers it): everybody else, where that is not said."""
+    everybody = [p.id for p in functional.participants]
+    for hazard in told_hazards(functional, logical):
+        for by in hazard.by:
+            for to in hazard.to or everybody:
+                if by != to:
+                    yield by, to

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scegen.motion.rules.breaches import breaks, told_hazards
+from scegen.motion.rules.breaches import breaks, endangered, told_hazards
 from scegen.scenario.acts import LETS_BY
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import RoadRule
-from scegen.scenario.logical import Conflict, ConflictKind, Drive, LogicalScenario, Rule
+from scegen.scenario.logical import MEETING, Conflict, Drive, LogicalScenario, Rule
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Control, Maneuver
 
@@ -24,20 +24,10 @@ CLEAR_S = 2.0
 TOGETHER_S = 0.5
 """Two who come to a line within so long arrive at once."""
 
-_RULES = frozenset(
-    {
-        Rule.ON_CALL,
-        Rule.SIGN,
-        Rule.PRIORITY_TO_RIGHT,
-        Rule.ONCOMING,
-        Rule.RING,
-        Rule.U_TURN,
-        Rule.CROSSWALK,
-    }
-)
+_RULES = frozenset({Rule.ON_CALL, Rule.SIGN, Rule.PRIORITY_TO_RIGHT, Rule.ONCOMING, Rule.RING,
+                    Rule.U_TURN, Rule.CROSSWALK})  # fmt: skip
 _WHOEVER_IS_FIRST = frozenset({Rule.CROSSWALK, Rule.ON_CALL})
 """Also at an all-way stop the order of arrival is nothing to these."""
-_MEET = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +67,7 @@ def must_give_way(functional: FunctionalScenario, logical: LogicalScenario) -> t
     return said + tuple(
         Duty(yields, other, conflict.rule, all_way and conflict.rule not in _WHOEVER_IS_FIRST)
         for conflict in logical.conflicts
-        if conflict.kind in _MEET and conflict.rule in _RULES and conflict.yields is not None
+        if conflict.kind in MEETING and conflict.rule in _RULES and conflict.yields is not None
         for yields, other in [_ordered(conflict)]
         if frozenset((yields, other)) not in told
         and not {yields, other} & free
@@ -107,12 +97,7 @@ def _told_pairs(
 ) -> frozenset[frozenset[str]]:
     """Pairs of whom the text says how they come together."""
     everybody = tuple(p.id for p in functional.participants)
-    pairs = {
-        frozenset((by, to))
-        for hazard in told_hazards(functional, logical)
-        for by in hazard.by
-        for to in hazard.to or everybody
-    }
+    pairs = {frozenset(pair) for pair in endangered(functional, logical)}
     pairs |= {frozenset((s.participant, s.reference)) for s in functional.spacings}
     outcome = functional.outcome
     if outcome is not None and outcome.kind is not OutcomeKind.AVOIDED:

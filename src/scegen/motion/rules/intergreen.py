@@ -104,20 +104,15 @@ def _ways(network: RoadNetwork) -> list[_Through]:
 def _through(network: RoadNetwork, entry: int, route: Route) -> _Through:
     """In a roundabout, as far as the ring: who is on it is past the lights."""
     way = network.arm_road(entry).stop_line_m
-    places: list[float] = []
-    xs: list[float] = []
-    ys: list[float] = []
-    headings: list[float] = []
+    rows: list[tuple[float, float, float, float]] = []
     for step in route.steps[1:-1]:
         road = network.road(step.road)
         for along in np.arange(0.0, road.length_m, _SAMPLE_M):
             pose = network.pose_at(step, float(along))
-            places.append(way + float(along))
-            xs.append(pose.x_m)
-            ys.append(pose.y_m)
-            headings.append(pose.heading_rad)
+            rows.append((way + float(along), pose.x_m, pose.y_m, pose.heading_rad))
         way += road.length_m
         if is_ring(road):
             break
-    turn = (headings[-1] - headings[0] + np.pi) % (2 * np.pi) - np.pi if headings else 0.0
-    return _Through(entry, np.array(places), np.array(xs), np.array(ys), abs(turn) > _BENDS_RAD)
+    turn = (rows[-1][3] - rows[0][3] + np.pi) % (2 * np.pi) - np.pi if rows else 0.0
+    places, xs, ys, _ = np.array(rows).reshape(-1, 4).T
+    return _Through(entry, places, xs, ys, abs(turn) > _BENDS_RAD)

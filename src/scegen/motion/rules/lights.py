@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import product
 
-from scegen.motion.rules.breaches import breaks, told_hazards
+from scegen.motion.rules.breaches import breaks, endangered
 from scegen.motion.rules.stopping import enters_at_sign
 from scegen.scenario.control import signal_phases
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import RoadRule
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import AtLight, Control
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Control
 
 RED_FOR_S = 0.5
 """Who goes over the line so long after amber has ended runs the light, and did not just hurry."""
@@ -51,7 +52,7 @@ def green_phases(functional: FunctionalScenario, logical: LogicalScenario) -> tu
     phases = signal_phases(functional.junction)
     drives, runners = at_lights(functional, logical), light_runners(functional, logical)
     green = [p.id for p in functional.participants if p.light is AtLight.GREEN]
-    for by, to in (*_endangered(functional, logical), *product(runners, green)):
+    for by, to in (*endangered(functional, logical), *product(runners, green)):
         if by in runners and to in drives and to not in runners:
             one, other = drives[by].entry, drives[to].entry
             if one != other and phases[one] == phases[other]:
@@ -68,24 +69,12 @@ def must_obey(functional: FunctionalScenario, logical: LogicalScenario) -> froze
     drives = at_lights(functional, logical)
     phases = green_phases(functional, logical) if drives else ()
     excused = set(light_runners(functional, logical)) | functional.on_call
-    for by, to in (*_endangered(functional, logical), *_struck(functional)):
+    for by, to in (*endangered(functional, logical), *_struck(functional)):
         pair = {by, to}
         apart = pair <= drives.keys() and phases[drives[by].entry] != phases[drives[to].entry]
         if apart and not pair & excused:
             excused.add(by)
     return frozenset(drives.keys() - excused)
-
-
-def _endangered(
-    functional: FunctionalScenario, logical: LogicalScenario
-) -> Iterator[tuple[str, str]]:
-    """(who causes a danger, who suffers it)."""
-    everybody = [p.id for p in functional.participants]
-    for hazard in told_hazards(functional, logical):
-        for by in hazard.by:
-            for to in hazard.to or everybody:
-                if by != to:
-                    yield by, to
 
 
 def _struck(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:

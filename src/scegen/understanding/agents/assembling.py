@@ -7,7 +7,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.scenario.evidence import Unsupported
+from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.grounding import grounds
 from scegen.understanding.agents.quoting import find_quote
 from scegen.understanding.agents.replies import (

@@ -8,7 +8,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from scegen.scenario.acts import Act
-from scegen.scenario.functional import Evidence, FunctionalScenario, Participant, Relation
+from scegen.scenario.evidence import Evidence
+from scegen.scenario.functional import FunctionalScenario, Participant, Relation
 from scegen.scenario.model import Interval
 from scegen.scenario.things import Thing
 from scegen.understanding.agents.stated import Words, holds_number, place_of, words_of

@@ -8,10 +8,10 @@ from collections.abc import Iterable, Iterator
 from pydantic import BaseModel
 
 from scegen.scenario.acts import Act
-from scegen.scenario.functional import Evidence, Hazard, Participant
+from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.functional import Hazard, Participant
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import EvidenceSource
 from scegen.understanding.agents.quoting import find_quote
 from scegen.understanding.agents.replies import Basis, Reply
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.scenario.evidence import Unsupported
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.model import Interval
 from scegen.understanding.agents.deciding import Decider, close
 from scegen.understanding.agents.result import Objection, Part

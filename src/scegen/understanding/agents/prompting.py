@@ -9,8 +9,9 @@ from string import Template
 
 from scegen.llm.prompting import data_rule, listed, prompt_file, version_of
 from scegen.scenario.acts import ActKind
-from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.environment import RoadSurface, TimeOfDay, Visibility, Weather
 from scegen.scenario.glossary import defined
+from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.spacings import Measure
@@ -22,10 +23,6 @@ from scegen.scenario.vocabulary import (
     HazardKind,
     JunctionKind,
     Maneuver,
-    RoadSurface,
-    TimeOfDay,
-    Visibility,
-    Weather,
 )
 from scegen.understanding.agents.result import Part
 

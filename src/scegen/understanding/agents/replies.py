@@ -7,14 +7,9 @@ from typing import Any
 from pydantic import Field, model_validator
 
 from scegen.scenario.acts import Act
-from scegen.scenario.functional import (
-    Environment,
-    FunctionalScenario,
-    Hazard,
-    Junction,
-    Participant,
-    Relation,
-)
+from scegen.scenario.environment import Environment
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant, Relation
+from scegen.scenario.junction import Junction
 from scegen.scenario.model import FrozenModel
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.spacings import Spacing

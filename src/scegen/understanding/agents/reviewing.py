@@ -9,9 +9,10 @@ from enum import StrEnum
 
 from scegen.llm.prompting import as_data
 from scegen.scenario.definitions import Word
-from scegen.scenario.functional import Evidence, FunctionalScenario
+from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import VOCABULARY, meaning_of
-from scegen.scenario.vocabulary import EvidenceSource, HazardKind
+from scegen.scenario.vocabulary import HazardKind
 
 
 def review_question(scenario: FunctionalScenario) -> str:

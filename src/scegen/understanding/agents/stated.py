@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 
-from scegen.scenario.functional import Evidence, FunctionalScenario, Junction, Unsupported
+from scegen.scenario.evidence import Evidence, EvidenceSource, Unsupported
+from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.junction import Junction
 from scegen.scenario.model import FrozenModel, Interval
-from scegen.scenario.vocabulary import EvidenceSource, ParticipantKind
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.agents.result import Objection, Part
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.tokens import tokenize

@@ -7,25 +7,36 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.chunks import Place
 from scegen.understanding.draft import Basis
 from scegen.understanding.happenings import Amount, Apart
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.patterns import noun
 
 _REACH, _SIDE_REACH = 8, 14
 SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
+_BRINK = noun(["side", "+brink", "+of_road", "+kerb"])
 _TOWARDS_THE_EDGE_M = (0.3, 0.9)
 """On one side of a lane, and still in it (lanes of 3 to 3.75 m, bodies of up to 2 m)."""
 
 
 def within_the_lane(text: Telling) -> None:
-    """``on the right-hand side of the lane``: off its middle, how far nobody says."""
+    """``on the right-hand side of the lane``: off its middle, how far nobody says.
+
+    So does "along the right edge of the road".
+    """
     for clause in text.scenes:
-        for place in [p for p in clause.places() if p.kind == "within_lane"]:
+        for place in [p for p in clause.places() if _within(p, text)]:
             basis = Basis(place.i, place.j, "on one side of the lane and still in it")
             low, high = _TOWARDS_THE_EDGE_M
             amount = _to("right" in place.dirs, Interval(low=low, high=high), basis)
             for who in [e for e in clause.actors if e.is_vehicle and not e.parked]:
                 text.found.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who, who, amount))
+
+
+def _within(place: Place, text: Telling) -> bool:
+    at = place.prep and text.tokens[place.prep.i].low in word_list("on_strips")
+    return place.kind == "within_lane" or bool(at and _BRINK(place, text.context))
 
 
 def off_its_lane(figure: Figure) -> bool:

@@ -57,8 +57,8 @@ def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basi
     """The sides that words name to which a movement leads; the other of the lane that it leaves."""
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
-    # "merges out of the right lane"; who drifts out of it may do so to either side.
-    out = {"from", "out"} - ({"out"} if event.name == "swerve" else set())
+    # "merges out of the right lane", "pulls out of our lane"
+    out = {"from", "out"} | ({"of"} if text.tokens[event.j - 1].low == "out" else set())
     sources = [p.target for p in event.pps if out & {p.value, p.outer, text.tokens[p.word.i].low}]
     # "moves one lane to the left", "leaves the lane to the left"
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
@@ -67,7 +67,8 @@ def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basi
         if not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
             # "from the lane to its right": from there
             sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]
-    for place in sources if leaves else []:
+    # Who drifts out of the right lane may do so to either side.
+    for place in sources if leaves and event.name != "swerve" else []:
         if isinstance(place, Place):
             basis = Basis(place.i, place.j)
             sides += [(_BACK[d], basis) for d in place.dirs if d in _BACK]

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.model import Interval
+from scegen.scenario.outcome import BodySide
 from scegen.scenario.spacings import CONTACT, Measure
-from scegen.scenario.vocabulary import BodySide, HazardKind, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity

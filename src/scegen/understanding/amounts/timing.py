@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import AtLight
+from scegen.scenario.signals import AtLight
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import ANY, Telling
 from scegen.understanding.draft import Basis, Entity

@@ -6,25 +6,13 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
-from scegen.scenario.functional import (
-    Environment,
-    FunctionalScenario,
-    Hazard,
-    Junction,
-    Participant,
-    Relation,
-    Unsupported,
-)
+from scegen.scenario.environment import Environment
+from scegen.scenario.evidence import Unsupported
+from scegen.scenario.functional import FunctionalScenario, Hazard, Participant, Relation
+from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import Strip
-from scegen.scenario.vocabulary import (
-    Approach,
-    AtLight,
-    Control,
-    HazardKind,
-    JunctionKind,
-    Maneuver,
-    Role,
-)
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, JunctionKind, Maneuver, Role
 from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.in_lane import (
@@ -55,6 +43,11 @@ from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
 
+_ON_THE_WAY = frozenset({
+    HazardKind.FAILURE_TO_YIELD, HazardKind.UNPROTECTED_LEFT_TURN, HazardKind.CROSSING_PEDESTRIAN,
+    HazardKind.CROSSING_CYCLIST, HazardKind.CROSSING_ANIMAL,
+})  # fmt: skip
+"""Dangers to those who drive."""
 _NO_LIGHT = "no light stands there for it that could show that; left open"
 _NOT_SAID = (None, None)
 _FIELDS = set(FunctionalScenario.model_fields)
@@ -121,7 +114,7 @@ class Builder:
         )
         for number, (*_, basis) in enumerate(relations):
             self.proofs.add(f"relations.{number}", basis)
-        hazards = tuple(self._hazard(d) for d in self.draft.dangers)
+        hazards = tuple(self._hazard(d) for d in self.draft.dangers if not _met_by_none(d, ego))
         conditions = self.around.conditions
         for name, (_, basis) in conditions.items():
             self.proofs.add(f"environment.{name}", basis)
@@ -253,6 +246,11 @@ class Builder:
             text = self.draft.text[start:end]
             found.append(Unsupported(text=text, start=start, end=end, instead=note.instead))
         return tuple(found)
+
+
+def _met_by_none(danger: Danger, ego: Entity) -> bool:
+    """``the ego waits at the line, a bus turns left in front of it``: it is in no danger."""
+    return ego.stays and danger.kind in _ON_THE_WAY and all(e is ego for e in danger.to)
 
 
 def _beside(entity: Entity) -> tuple[str, Basis] | None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from scegen.scenario.functional import FunctionalScenario, Unsupported
+from scegen.scenario.evidence import Unsupported
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Approach, Control, Maneuver
 from scegen.understanding.words.terms import Term

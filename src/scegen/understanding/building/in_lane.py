@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import (
     Approach,
     DrivingSide,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from scegen.errors import InfeasibleError
-from scegen.scenario.functional import MAX_LANES
+from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.vocabulary import Approach, JunctionKind
 from scegen.understanding.draft import Basis, Draft
 from scegen.understanding.lexicon import word_list

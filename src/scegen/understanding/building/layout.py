@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scegen.scenario.bends import Bend
-from scegen.scenario.functional import ARM_COUNTS, Junction
+from scegen.scenario.junction import ARM_COUNTS, Junction
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import (
     Approach,

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from scegen.scenario.functional import Evidence
-from scegen.scenario.vocabulary import EvidenceSource
+from scegen.scenario.evidence import Evidence, EvidenceSource
 from scegen.understanding.draft import Basis
 from scegen.understanding.words.tokens import Token
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.functional import FunctionalScenario, Participant, Unsupported
-from scegen.scenario.vocabulary import AtLight, Maneuver
+from scegen.scenario.evidence import Unsupported
+from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.chunks import Event
 from scegen.understanding.frames import acts, always_acts
 from scegen.understanding.lexicon import word_list

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import (
     ANIMALS,
     ON_FOOT,
@@ -69,6 +69,8 @@ def _followed(
     held = (entity.held or (entity.stands if entity.ego else None)) if stays else None
     if any(token.low == "green" for token in draft.tokens):
         held = None  # "stands at a red light", and it turns green
+    if entity.ego and held is not None and held is entity.stands:
+        return Maneuver.STAY, held, "nothing says that it goes on"
     for words, why in (
         (_turned_across(entity, draft), "its way is crossed"),
         (_has_the_way(entity, draft), "it has the way"),

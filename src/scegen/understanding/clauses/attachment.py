@@ -88,7 +88,8 @@ def _before(prep: Prep, state: State) -> Prep | None:
 def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
     before, state.last_prep = _before(prep, state), prep
-    if prep.fronted:
+    cause = prep.value == "due" and not state.events and state.candidate is None
+    if prep.fronted or cause:  # "because of a parked van the ego does not see the child"
         _of_the_one_listed(prep, state)
         if not _counts_lanes(prep, before):
             state.fronted.append(prep)
@@ -150,6 +151,9 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     if place is not None:
         if verb is None or prep.value != "in":
             return False
+        past = (p for p in verb.pps if "passes" in p.word.term.data)
+        if place.kind == "side" and any(p.target is whom for p in past):
+            return True  # "moves past a van on the left"
         if verb.name not in _PASSING:  # "is hit by a van in its left side"
             return verb.name == "collide" and verb.passive and place.kind == "side"
         # "passes a truck in the left lane"; who is in the right lane is passed
@@ -251,8 +255,10 @@ def _opens_clause(state: State) -> bool:
         if not (begins or listed or "sub" in state.between):
             return False
         m = _behind_insertion(chunks, m + 1)
-    m += _word_of(chunks, m, frozenset({"aux", "copy"})) or _stands_before_subject(chunks, m)
-    return isinstance(chunk_at(chunks, m), Mention)
+    inverted = _stands_before_subject(chunks, m)
+    m += _word_of(chunks, m, frozenset({"aux", "copy"})) or inverted
+    # "50 m ahead of the ego lies a pedestrian crossing"
+    return isinstance(chunk_at(chunks, m), NounPhrase if inverted else Mention)
 
 
 def _behind_insertion(chunks: list[Chunk], m: int) -> int:
@@ -324,4 +330,4 @@ def _side_after(chunks: list[Chunk], m: int) -> bool:
 
 def place_in_front(mention: Mention, state: State) -> None:
     """Gives the phrases that opened the clause to the participant that they place."""
-    mention.pps += [p for p in state.fronted if p.outer != "from"]
+    mention.pps += [p for p in state.fronted if p.outer != "from" and p.value != "due"]

@@ -181,7 +181,7 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
     if last and last.nominal and prep.value in done_by and (doer or not last.subject):
         last.subject = [mention]
-    named = prep.value in {"with", "due", "against"}
+    named = prep.value in {"with", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.partitive, prep.on_mention.whole = True, mention
         return
@@ -206,6 +206,8 @@ def _owns_place(mention: Mention, state: State) -> bool:
 
 def read_noun(noun: NounPhrase, state: State) -> None:
     """A place or thing: what a preposition or verb governs."""
+    if state.prep is None and state.fronted and state.pending:
+        state.pending, state.fronted = [], []  # "ahead of the ego lies a crossing"
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     whole, behind = _whole(noun, state)
     if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.control import controlled_arms
-from scegen.scenario.functional import Junction
+from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import Approach, Control, CrossedArm, JunctionKind, Maneuver
 from scegen.understanding.draft import Draft, Entity
 

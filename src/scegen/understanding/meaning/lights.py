@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from scegen.scenario.vocabulary import AtLight, HazardKind
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list

@@ -79,7 +79,10 @@ class Interpreter:
             What happens, in the order of the text.
         """
         self._of_verbs = {
-            id(p) for e in events for p in e.pps if _is_of_the_verb(p, e) or self._gone_to(p, e)
+            id(p)
+            for e in events
+            for p in e.pps
+            if _is_of_the_verb(p, e, self._draft.kerb) or self._gone_to(p, e)
         }
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" for e in events
@@ -209,14 +212,22 @@ class Interpreter:
                 self._draft.place(entity, None, {_PAIR[number]}, basis)
 
 
-def _is_of_the_verb(prep: Prep, event: Event) -> bool:
+def _is_of_the_verb(prep: Prep, event: Event, kerb: str) -> bool:
     """``approaches the ego from the left``: not the ego comes from there."""
     who = prep.on_mention
     if _from_behind(prep) and _goes_into(event, who):
         return True
     beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
+    beside = beside and not _stands_there(prep, kerb)
     of_verb = beside or _starts(event, prep) or own_lane(event, prep)
     return who is event.object and of_verb
+
+
+def _stands_there(prep: Prep, kerb: str) -> bool:
+    """``passes a parked van on the right``: at the kerb, not the side on which one passes it."""
+    who, side = prep.on_mention, prep.place
+    parked = who is not None and all(e.parked for e in who.entities)
+    return parked and side is not None and kerb in side.dirs
 
 
 def _met_there(prep: Prep) -> bool:

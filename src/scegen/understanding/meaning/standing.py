@@ -8,13 +8,15 @@ from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.patterns import noun
 from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import base_words
 
 _LINES = frozenset({"signal", "stop_sign", "stop_line", "yield_sign"})
 _ROADSIDE = frozenset({"shoulder", "sidewalk", "parking"})
-_HELD = _LINES | _ROADSIDE
+_HALTS = frozenset({"stop_line", "crosswalk", "junction"})
+_EDGE = noun(["place", "+edge", "+left|right"])
 _IN_LANE = frozenset({"road", "lane", "middle"})
 _SLOWING = frozenset({"brake", "hard_brake", "slow", "stop"})
 _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.OBSTACLE})
@@ -66,6 +68,7 @@ def stand(clause: Clause, context: Context) -> None:
     _stand_in_the_lane(behind, clause.words)
     places = [p for p in clause.places() if p.prep is None or p.prep.value != "with"]  # its lights
     in_lane = any(p.kind in _IN_LANE for p in places)
+    in_lane |= any((p.word.cat, p.value) == ("locus", "ahead") for p in event.pps)
     in_lane = in_lane and event.lemma not in word_list("standing")
     waiting = event.name == "wait" and (event.premod_of is not None or in_lane)
     if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
@@ -75,12 +78,15 @@ def stand(clause: Clause, context: Context) -> None:
         lit = any(p.kind == "signal" for p in places)
         for entity in [e for e in clause.actors if lit or e.sets_off < 0]:
             entity.held = entity.held or clause.words
+    if any(p.kind in _HALTS for p in places) and _waits_there(event, context):
+        _stand_in_the_lane([e for e in vehicles if e.ego and e.sets_off < 0], clause.words)
     if not stands:
         return
     actors = _comes_to_rest(clause.actors, clause.words)
-    if any(p.kind in _ROADSIDE for p in places):
+    edges = [p for p in places if p.kind in _ROADSIDE or (p.dirs and _EDGE(p, context))]
+    if edges:
         _beside_the_lanes(actors, clause, context)
-    if any(p.kind in _HELD for p in places) and not _lasting(event, context):
+    if (edges or any(p.kind in _LINES for p in places)) and not _lasting(event, context):
         return
     _stand_in_the_lane(actors, clause.words)
     for entity in actors:

@@ -18,6 +18,7 @@ from scegen.understanding.words.tokens import Token
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
 _WAYS = frozenset({"left", "right", "straight"})
 _ALONG = frozenset({"ahead", "behind"})
+_DESCRIBES = frozenset({"ed", "ing"})
 _UNDERWAY = frozenset({"move", "wait", "approach"})
 _BEHIND = ("locus", "behind", None, None)
 _COMING_OUT = frozenset({"cross", "appear", "pull_out"})
@@ -65,14 +66,15 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         tokens: its tokens.
     """
     objects = {id(e.object) for e in events}
+    there = _said_to_be_there(chunks)
     subjects = {
         id(m)
         for e in events
         for m in e.subject
-        if not aside(e, events) and (e.finite or not (id(m) in objects or m.prep is not None))
+        if not (aside(e, events) or _of_who_is_there(e, chunks, there)) and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     found = Bonds(
-        subjects=(subjects | _said_to_be_there(chunks)) - _in_reasons(chunks, tokens),
+        subjects=(subjects | there) - _in_reasons(chunks, tokens),
         settled=_settled(events),
         everywhere=sides_of(events, chunks),
     )
@@ -245,7 +247,10 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
     }
     opens: Mention | None = None
     fresh, subordinate = True, False
-    for chunk in chunks if any(c.value == "be" for c in chunks) else []:
+    said = any(c.value == "be" for c in chunks)
+    for before, chunk in zip([None, *chunks], chunks, strict=False) if said else ():
+        if isinstance(before, Mention) and isinstance(chunk, Event) and chunk.form in _DESCRIBES:
+            continue  # "the car is 40 m short of a lorry standing there"
         if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.cat == "sub"):
             opens, fresh, subordinate = None, True, chunk.cat == "sub"
         elif isinstance(chunk, Word) and (chunk.value == "," or chunk.cat == "conj"):
@@ -254,12 +259,20 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
             opens, fresh = chunk, False
         elif isinstance(chunk, Word) and (chunk.cat, chunk.value) == ("aux", "be"):
             found |= {id(opens)} if opens is not None else set()
+        elif isinstance(chunk, Word) and chunk.cat == "rel" and id(opens) in found:
+            opens = None
         else:
             if isinstance(chunk, Event):
                 found -= {id(opens)} if opens is not None else set()
                 opens = None
             fresh = False
     return found
+
+
+def _of_who_is_there(event: Event, chunks: list[Chunk], there: set[int]) -> bool:
+    """``the car is 40 m short of a lorry that stands there``: told of the car."""
+    before = [c for c in chunks if c.i < event.i and (isinstance(c, Event) or id(c) in there)]
+    return event.embedded and bool(before) and id(before[-1]) in there
 
 
 def _settled(events: list[Event]) -> set[int]:

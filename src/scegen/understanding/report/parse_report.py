@@ -9,8 +9,8 @@ from enum import StrEnum
 from typing import Any
 
 from scegen.errors import InfeasibleError
-from scegen.scenario.functional import Evidence, FunctionalScenario
-from scegen.scenario.vocabulary import EvidenceSource
+from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.building.coverage import CONTRADICTS
 from scegen.understanding.reader import read
 from scegen.understanding.report.disagreement import Disagreement, Kept

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from scegen.errors import InfeasibleError
-from scegen.scenario.functional import ARM_COUNTS, MAX_ARMS
+from scegen.scenario.junction import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from scegen.errors import InfeasibleError
-from scegen.scenario.functional import MAX_LANES
+from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.vocabulary import DrivingSide
 from scegen.understanding.draft import Basis
 from scegen.understanding.lexicon import word_list

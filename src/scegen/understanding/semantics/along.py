@@ -31,6 +31,9 @@ def _keeps_along(clause: Clause, context: Context) -> bool:
         or (walks and _ahead_in_a_lane(event.pps, context))
         or (walks and free and _the_same_way(clause, context))
     )
+    over = event.object  # "runs along the road"
+    own = context.tokens[event.j - 1].low in word_list("lengthwise")
+    along |= own and isinstance(over, Place) and over.kind in _WAYS
     words = {*opening.values(), *(context.tokens[m.j - 1].low for m in event.dirs)}
     return aside or (along and words.isdisjoint(word_list("across")))  # "straight across"
 

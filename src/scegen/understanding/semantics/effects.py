@@ -6,7 +6,8 @@ from collections.abc import Callable, Collection, Iterable
 from typing import Any, TypeAlias
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Approach, AtLight, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.signals import AtLight
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import NounPhrase, Prep
 from scegen.understanding.draft import Basis
 from scegen.understanding.happenings import Doing

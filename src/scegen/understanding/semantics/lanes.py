@@ -79,7 +79,9 @@ def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:
         return False
     words = context.tokens
     if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
-        return any(p.target is place and words[p.word.i].low == "onto" for p in clause.event.pps)
+        entered = place is clause.event.object and words[clause.event.j - 1].low == "onto"
+        onto = (p.target is place and words[p.word.i].low == "onto" for p in clause.event.pps)
+        return entered or any(onto)
     kept = clause.event.lemma in word_list("keeping")  # "keeps its lane"
     entered = (place is clause.event.object and not kept) or any(
         p.target is place and p.value == "into" for p in clause.event.pps

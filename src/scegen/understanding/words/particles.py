@@ -76,13 +76,16 @@ def nothing_shed(tokens: list[Token], match: Match) -> bool:
 
 
 def over_a_place(tokens: list[Token], match: Match) -> bool:
-    """``runs over the crosswalk``: nothing is run over.
+    """``runs over the crosswalk``: nothing is run over; ``squeezes in front of the bus``.
 
     Args:
         tokens: the tokens of the text.
-        match: a verb that may end in "over".
+        match: a verb that may end in "over" or "in".
     """
-    if tokens[match.j - 1].low != "over" or not match.only("verb"):
+    ends = tokens[match.j - 1].low
+    if ends == "in" and low_at(tokens, match.j) == "front":
+        return True
+    if ends != "over" or not match.only("verb"):
         return False
     noun = longest_match(tokens, match.j)
     j = noun.j if noun is not None and noun.has("det", "possessive") else match.j

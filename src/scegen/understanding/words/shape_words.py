@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.functional import ARM_COUNTS
+from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term

@@ -10,8 +10,9 @@ from scegen.checking.opendrive.network import START, Network
 from scegen.checking.opendrive.routing import lane_graph, outer_node, reach
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
-from scegen.scenario.concrete import ArmRoad, ConcreteScenario, RoadParameters
+from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.logical import Drive
+from scegen.scenario.road_parameters import ArmRoad, RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import DrivingSide
 
