@@ -107,7 +107,10 @@ def _titled(title: list[Chunk]) -> Place | None:
 
 
 def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
-    """``Turned right and hit a van``, ``Was going straight``: whoever tells it did."""
+    """``Turned right and hit a van``, ``Was going straight``: whoever tells it did.
+
+    So did who is "Following a truck at 80 km/h." or "Overtaking a bus. It swerves."
+    """
     first = chunk_at(chunks, 0)
     auxiliary = first is not None and (first.cat, first.value) == ("aux", "be")
     k = int(auxiliary)
@@ -115,10 +118,19 @@ def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
     if not isinstance(verb, Event) or verb.nominal:
         return chunks
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
+    past = past or (verb.form == "ing" and _whole_sentence(chunks))
     undergone = verb.name in _UNDERGONE and not isinstance(chunk_at(chunks, k + 1), Mention)
     if not past or (undergone and not auxiliary) or value_at(chunks, k + 1) == "by":
         return chunks
     return [teller_at(verb.i), *chunks]
+
+
+def _whole_sentence(chunks: list[Chunk]) -> bool:
+    """Whether the first sentence has no verb but participles ("braking of the bus:" has none)."""
+    end = next((k for k, c in enumerate(chunks) if value_at(chunks, k) in {".", ":"}), len(chunks))
+    if value_at(chunks, 1) == "of" or value_at(chunks, end) == ":":
+        return False
+    return all(c.nominal or c.form == "ing" for c in chunks[:end] if isinstance(c, Event))
 
 
 def _plays(chunks: list[Chunk], k: int) -> bool:

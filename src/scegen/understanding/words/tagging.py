@@ -195,7 +195,7 @@ def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term | None) 
     """A phrase of several words without those that belong to what follows."""
     token = tokens[i]
     if (
-        (token.low in _STEERED and tokens[match.j - 1].low == "by")  # "driven by a student"
+        (_undergone(tokens, i) and tokens[match.j - 1].low == "by")  # "driven by a student"
         or (token.low == "right" and match.only("sub") and _turning(previous))
         or _is_clause(match, tokens, i, previous)
     ):
@@ -211,6 +211,12 @@ def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term | None) 
         return longest_match(tokens, i, i + 1)  # "two pedestrians crossing", no crossing
     participle = cut.form in {"ed", "ing"}  # "a car parked", no car park
     return longest_match(tokens, i, cut.j - 1) if participle else cut
+
+
+def _undergone(tokens: list[Token], i: int) -> bool:
+    """``driven by``, ``gets passed by``."""
+    got = i > 0 and tokens[i - 1].base == "get" and any(f == "ed" for _, f in tokens[i].forms)
+    return got or tokens[i].low in _STEERED
 
 
 def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
