@@ -9,7 +9,7 @@ from scegen.motion import build_paths, simulate
 from scegen.motion.batch import compile_program, simulate_batch, stack_traces
 from scegen.motion.paths import lay_drive
 from scegen.road import build_network
-from scegen.scenario.concrete import DriveMotion
+from scegen.scenario.concrete import ArrivalBelow, DriveMotion
 from scegen.scenario.logical import Reverses
 from scegen.scenario.reversing import BacksOut, BacksUp
 from scegen.scenario.vocabulary import HazardKind
@@ -87,6 +87,7 @@ def test_it_waits_for_the_other_and_the_other_brakes_for_it(made):
     _, _, traces = played(concrete)
     car = concrete.participant("car_1")
     go = next(p for p in car.speed_program if p.hazard is HazardKind.REVERSING)
+    assert isinstance(go.trigger, ArrivalBelow)
     assert go.trigger.participant == "ego"
     assert 1.0 < go.target_speed_mps < 3.0
     assert (traces["ego"].speed_mps == 0.0).any()

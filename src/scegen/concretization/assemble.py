@@ -29,7 +29,6 @@ from scegen.scenario.concrete import (
     Travelled,
     Trigger,
 )
-from scegen.scenario.vocabulary import HazardKind
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
@@ -95,23 +94,25 @@ def _walker(scene: Setup, walk: WalkDraft) -> ConcreteParticipant:
 
 
 def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
-    """What sets a change of speed off: whose coming, how long it stood, its place.
+    """What sets a change of speed off: what is known, whose coming, how long it stood, its place.
 
-    Who stands from the start, or before it reverses, sets off as another comes, who waits when one
-    has passed or it is green.
+    Who stands from the start sets off as another comes, who waits when one has passed or it is
+    green.
     """
+    if phase.trigger is not None:
+        return phase.trigger
     moment_s = draft.offset_s + phase.begins_s
     if draft.waits_s is not None and phase is draft.course.going_on:
         passing = [scene.drives[draft.lets_by]] if draft.lets_by is not None else []
-        why = f"{draft.lets_by} has passed" if passing else "its light is green"
+        why = (
+            f"{passing[0].id} has passed, who has right of way" if passing else "its light is green"
+        )
         scene.note(f"{draft.id}.goes_s", moment_s, why)
         return as_they_come(passing, moment_s)
-    others = [each for each in scene.concerned(draft.id) if each is not draft]
     if scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id:
         timed = isinstance(scene.act(phase.act).when, AfterStart)
+        others = [each for each in scene.concerned(draft.id) if each is not draft]
         return as_they_come(others[: not timed], moment_s)
-    if others and draft.backs_to is None and phase.hazard is HazardKind.REVERSING:
-        return as_they_come(others, moment_s)
     if phase.then_s is not None:
         return StoodStill(participant=draft.id, duration_s=phase.then_s)
     place = phase.s_m - draft.start_m

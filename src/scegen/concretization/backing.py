@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scegen.concretization.boxes import apart, box_at
 from scegen.concretization.drafts import DriveDraft
@@ -56,7 +57,6 @@ _SAMPLE_M = 0.1
 _OUT_OF_ARM_M = 2.0
 _BEFORE_END_M = 15.0
 _REACH_M = 60.0
-_LITTLE_M = 1.5
 _WAY_ON_M = 0.3
 """The way of one that stays where it has come to ends a little farther on: it has not left."""
 
@@ -222,15 +222,14 @@ def _brakes_at(rest_s: float) -> float:
     return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2)
 
 
-def apart_m(draft: DriveDraft, other: DriveDraft) -> tuple[Array, Array, Array]:
-    """Places of the one and of the other (see ``sampled``), and the room between bodies there.
-
-    Below 0 they touch; it is inf where it is more than a little.
-    """
+def in_each_others_way(
+    draft: DriveDraft, other: DriveDraft
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Places of the one and of the other (see ``sampled``), and whether bodies touch there."""
     (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
     x, y, heading = (row[:, None] for row in own)
     x2, y2, heading2 = (row[None, :] for row in theirs)
     still = np.zeros(1)
     first = box_at(x, y, heading, draft.body, still)
     second = box_at(x2, y2, heading2, other.body, still)
-    return s, its, apart(first, second, _LITTLE_M)
+    return s, its, np.asarray(apart(first, second, 0.0) < 0.0)

@@ -45,12 +45,10 @@ class Line(NamedTuple):
 class Differences:
     """What the courses of drives leave to how late they are, asked for however late they are.
 
-    ``begins_s`` is when the scenario does: nobody is in anybody's way before. Of the pairs
-    ``waiting`` one waits for the other, so that they may come at any time.
+    ``begins_s`` is when the scenario does: nobody is in anybody's way before.
     """
 
     begins_s: float
-    waiting: frozenset[frozenset[str]] = frozenset()
     _grounds: Known[Ground] = field(default_factory=dict)
     _lines: Known[Line] = field(default_factory=dict)
 
@@ -60,8 +58,6 @@ class Differences:
 
     def touch(self, one: Placed, two: Placed, room_s: float) -> bool:
         """Whether two so late ever touch, or come so near in time."""
-        if frozenset((one[0].id, two[0].id)) in self.waiting:
-            return False
         # What is known of two is kept in one order only.
         (first, first_s), (second, second_s) = (one, two) if one[0].id < two[0].id else (two, one)
         both, courses = (first, second), (first.course, second.course)

@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from scegen.concretization.clearance import Differences, same_lane
-from scegen.concretization.letting_by import duties_of
 from scegen.concretization.lights import lights_of, stands_at_red
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S
 from scegen.concretization.meetings import BYSTANDER, ORDINARY, Meeting
 from scegen.concretization.placing import LONGEST_S, Placing, clear_offset
+from scegen.concretization.priorities import Manners, Waits, patient_ones
 from scegen.concretization.setup import Setup
+from scegen.motion.rules.giving_way import must_give_way
 
 _ARM_MARGIN_M = 1.0
 _BEFORE_JUNCTION_M = 5.0
@@ -35,11 +36,14 @@ def arrange(
     dangers = [m for m in ordered if m.priority < ORDINARY]
     while (place := _met(scene, dangers, offsets)) is not None:
         offsets[place.draft.id] = clear_offset(place, offsets, differences)
-    lights = lights_of(scene, offsets)
+    duties = must_give_way(scene.functional, scene.logical)
+    patient = patient_ones(scene, ordered, duties)
+    by_pair = {frozenset((duty.yields, duty.other)): duty for duty in duties}
+    manners = Manners(lights_of(scene, offsets), differences, by_pair, patient)
     while len(offsets) < len(scene.drives):
         place = _met(scene, ordered, offsets) or _in_line(scene, offsets) or _free(scene, offsets)
-        offsets[place.draft.id] = clear_offset(place, offsets, differences, lights)
-    scene.signals = lights.plan if lights is not None else None
+        offsets[place.draft.id] = clear_offset(place, offsets, differences, manners)
+    scene.signals = manners.lights.plan if manners.lights is not None else None
     return offsets
 
 
@@ -63,9 +67,10 @@ def _met(scene: Setup, meetings: Sequence[Meeting], offsets: Mapping[str, float]
         spared = {n for m in meetings if m.priority < ORDINARY for n in m.other_than(draft.id)}
         spared |= {n for n in meeting.other_than(draft.id) if scene.contact_wanted(n, draft.id)}
         clear = [each for each in placed if each.id not in spared]
+        near = [each for each in placed if each.id in spared]
         ordinary = meeting.priority >= ORDINARY
         within_s = LONGEST_S if ordinary else _DANGER_WITHIN_S
-        return Placing(draft, offset, clear, 0, within_s, waits=ordinary)
+        return Placing(draft, offset, clear, near, 0, within_s, waits=ordinary)
     return None
 
 
@@ -102,16 +107,16 @@ def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     has ``APPROACH_S`` until its own.
     """
     first_s = _first_places(scene, meetings)
-    ego = scene.ego
+    ego, waits = scene.ego, Waits.of(scene.drives.values())
     approach_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
-    waiting = frozenset(frozenset((d.yields, d.other)) for d in duties_of(scene))
-    differences = Differences(approach_s, waiting)
+    differences = Differences(approach_s)
     for _ in range(_ROUNDS):
         offsets = arrange(scene, meetings, differences)
         assumed_s = differences.begins_s
         differences.begins_s = min([assumed_s, *_latest_s(scene, offsets, first_s)])
         if differences.begins_s >= assumed_s - _SAME_S:
             break
+        waits.restore()
     return {name: offset - differences.begins_s for name, offset in offsets.items()}
 
 

@@ -16,8 +16,11 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.hazards.aside import brake_out_of_control, leave_lanes
-from scegen.concretization.hazards.reversing import prepare_to_reverse, reverse
-from scegen.concretization.letting_by import let_by
+from scegen.concretization.hazards.reversing import (
+    go_back_as_they_come,
+    prepare_to_reverse,
+    reverse,
+)
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.maneuvers import shape_maneuvers
@@ -119,7 +122,8 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
-    meetings = [*reverse(scene), *leave_lanes(scene)]
+    backing = reverse(scene)
+    meetings = [*backing, *leave_lanes(scene)]
     meetings += shape_maneuvers(scene)
     go_round_stationary(scene)
     place_obstacles(scene)
@@ -129,6 +133,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, meetings)
     _start(scene, meetings)
+    go_back_as_they_come(scene, backing)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 
@@ -177,7 +182,6 @@ def _cruise_speed_mps(scene: Setup, participant: Participant, arm: int) -> float
 def _start(scene: Setup, meetings: list[Meeting]) -> None:
     for name, late_s in schedule(scene, meetings).items():
         scene.drives[name].offset_s = late_s
-    let_by(scene)
     do_acts(scene)
     _with_lead_in(scene)
     short, who = shortfall(scene)

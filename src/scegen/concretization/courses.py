@@ -46,6 +46,11 @@ class Course:
         return self._sampled[2]
 
     @cached_property
+    def fastest_mps(self) -> float:
+        """The greatest of its speeds."""
+        return float(self.speed_mps.max())
+
+    @cached_property
     def _sampled(self) -> tuple[Array, Array, Array]:
         """Worked out where it is asked for: many a course is only tried by its phases."""
         profile = self.profile

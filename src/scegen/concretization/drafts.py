@@ -45,8 +45,8 @@ class DriveDraft:
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
     the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits_s`` is how
-    long it stands at its line, at red or until ``lets_by`` has passed. ``offset_s`` is how late it
-    is against its course.
+    long it stands at its line, at red or until ``lets_by`` has passed (below 0: it goes on before
+    it has come to rest). ``offset_s`` is how late it is against its course.
     """
 
     id: str

@@ -7,7 +7,7 @@ somebody meets a light, it is laid once more around everybody, when all times ar
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from typing import NamedTuple
@@ -108,6 +108,7 @@ class _Shown(NamedTuple):
     time_s: float
     wanted: AtLight
     after_s: float | None = None
+    who: str = ""
 
 
 def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
@@ -150,7 +151,7 @@ def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
             time_s = late + course.stop.begins_s if course.stop is not None else np.inf
         if wanted is not None and isfinite(time_s):
             after_s = delays.get(name)
-            yield _Shown(draft.drive.entry, False, time_s, wanted, after_s)
+            yield _Shown(draft.drive.entry, False, time_s, wanted, after_s, name)
 
 
 def _walked(scene: Setup) -> Iterator[_Shown]:
@@ -174,6 +175,17 @@ def _suiting(plan: SignalPlan, shown: Iterable[_Shown]) -> SignalPlan:
         if worth > best_worth + _FEW:
             best, best_worth = tried, worth
     return best
+
+
+def _wait_as_long(scene: Setup, shown: Sequence[_Shown]) -> None:
+    """Several who set off so long after green, each: one plan can suit one of them only."""
+    for draft in scene.drives.values():
+        own = next((each for each in shown if each.who == draft.id), None)
+        if own is None or draft.waits_s is None or scene.signals is None:
+            continue
+        cycle_s = scene.signals.cycle_s
+        early_s = (_late_s(scene.signals, own) + cycle_s / 2) % cycle_s - cycle_s / 2
+        draft.waits_s = max(draft.waits_s - early_s, _LEAST_WAIT_S)
 
 
 def _late_s(plan: SignalPlan, shown: _Shown) -> float:
@@ -273,3 +285,4 @@ def set_lights(scene: Setup) -> None:
         late = {name: draft.offset_s for name, draft in scene.drives.items()}
         shown = [*_driven(scene, late), *_walked(scene)]
         scene.signals = _suiting(scene.signals, shown)
+        _wait_as_long(scene, [each for each in shown if each.after_s is not None])

@@ -19,6 +19,7 @@ _SAMPLE_M = 1.0
 _OPPOSED = -0.85
 """The cosine between those who meet head-on is less."""
 _CROSSES = 0.2
+_STEP_M, _AGAIN = 0.05, 5
 
 STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
 """Priorities of meetings: what a manoeuvre's shape needs, dangers to or by the ego, dangers
@@ -93,6 +94,27 @@ def crossing_at(first: Path, second: Path, near: MeetingPoint) -> tuple[float, f
     along = (dx * sin(b.heading_rad) - dy * cos(b.heading_rad)) / sin(turn)
     across = (dx * sin(a.heading_rad) - dy * cos(a.heading_rad)) / sin(turn)
     return near.first_s_m + along, near.second_s_m + across, turn
+
+
+def before_front_m(
+    first: Path, second: Path, near: MeetingPoint, reach_m: float, aside_m: float
+) -> float:
+    """Where on the second way, which crosses the first, one is so far before it and to its left.
+
+    Before one that bends its nose points elsewhere than its way goes.
+    """
+    s = np.arange(max(0.0, near.first_s_m - 2 * reach_m), near.first_s_m, _STEP_M)
+    x, y, heading = (np.interp(s, first.s_m, v) for v in (first.x_m, first.y_m, first.heading_rad))
+    middle = crossing_at(first, second, near)
+    way, to_left = middle[1], 1 if sin(middle[2]) > 0 else -1
+    for _ in range(_AGAIN):
+        there = second.pose(way)
+        dx, dy = there.x_m - x, there.y_m - y
+        ahead = dx * np.cos(heading) + dy * np.sin(heading)
+        at = int(np.abs(ahead - reach_m).argmin())
+        left = float(dy[at] * np.cos(heading[at]) - dx[at] * np.sin(heading[at]))
+        way += to_left * (aside_m - left)
+    return way
 
 
 def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:

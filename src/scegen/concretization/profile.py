@@ -10,6 +10,7 @@ from math import sqrt
 import numpy as np
 
 from scegen.motion.model import Array
+from scegen.scenario.concrete import Trigger
 from scegen.scenario.vocabulary import HazardKind
 
 
@@ -33,7 +34,7 @@ class SpeedChange:
     What the road slows down to must be reached ``by_m``: where acts have changed the speed, it
     begins just in time for that. ``act`` names the act of the text that it is, ``hazard`` the
     danger that it serves, ``reacts_to`` whom it answers. ``timed``: it comes so long after the
-    start, whatever others do.
+    start, whatever others do. ``trigger`` is what sets it off, once that is known.
     """
 
     target_mps: float
@@ -49,6 +50,7 @@ class SpeedChange:
     there: bool = False
     reacts_to: str | None = None
     timed: bool = False
+    trigger: Trigger | None = None
 
 
 NEVER_S = 1e6

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from math import cos, sin, sqrt
+from math import sin, sqrt
 from typing import NamedTuple
 
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import MeetingPoint, crossing_at, meeting_point
+from scegen.concretization.meetings import (
+    MeetingPoint,
+    before_front_m,
+    crossing_at,
+    meeting_point,
+)
 from scegen.concretization.others import STOPS_SHORT_M, WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of
@@ -242,16 +247,13 @@ def stop_in_the_way(scene: Setup) -> None:
             continue
         draft, point = found
         walk.stop = scene.first_act(walk.id, ActKind.STOP)
-        line_s, met = _met_at(draft, walk, point)
-        centre_m = walk.path.length_m / 2 - walk.body.centre_ahead_m
-        rests = rests_m(scene, walk, met, centre_m=centre_m)
-        if not _by_the_road(
-            scene, walk
-        ):  # the nose of one that bends points elsewhere than its way
-            nose = draft.laid.path.pose(line_s - draft.body.front_m - walk.body.width_m / 2)
-            there = walk.path.pose(met.middle_m + walk.body.centre_ahead_m)
-            dx, dy = there.x_m - nose.x_m, there.y_m - nose.y_m
-            rests -= met.to_left * (dy * cos(nose.heading_rad) - dx * sin(nose.heading_rad))
+        _, met = _met_at(draft, walk, point)
+        ahead_m = walk.body.centre_ahead_m
+        rests = rests_m(scene, walk, met, centre_m=walk.path.length_m / 2 - ahead_m)
+        if not _by_the_road(scene, walk):
+            aside_m = met.to_left * (rests - met.middle_m)
+            reach_m = draft.body.front_m + walk.body.width_m / 2
+            rests = before_front_m(draft.laid.path, walk.path, point, reach_m, aside_m) - ahead_m
         length = min(rests + STOPS_SHORT_M, walk.path.length_m)
         # Nobody reaches its full pace on a way too short to stop from it.
         walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)

@@ -1,18 +1,21 @@
 """Reversing: backing up towards another, or backing out in front of it; the other brakes, late.
 
-One that reverses waits for the other: it goes when that one has come so far.
+One that reverses waits for the other: it goes when that one is so many seconds short of where it
+will have to brake.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import hypot
 
 from scegen.concretization.backing import (
-    apart_m,
     back_out,
     back_up,
     back_up_to,
     brakes_from,
+    in_each_others_way,
 )
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.parties import culprits, same_arm, victims
@@ -21,6 +24,7 @@ from scegen.concretization.meetings import DANGER, Meeting
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.errors import MotionInfeasibleError
+from scegen.scenario.concrete import ArrivalBelow
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Reverses
 from scegen.scenario.vocabulary import HazardKind
@@ -33,6 +37,8 @@ _SEEN_S = 1.0
 _INTRUDED_S = 0.5
 """And so long after the other has come into its way."""
 _BEGINS_M = 0.3
+_SEEN_BY_THEN_S = 0.6
+"""Time to get so far from standing."""
 _LEAST_RUN_UP_M = 15.0
 
 
@@ -112,10 +118,10 @@ def reverse(scene: Setup) -> list[Meeting]:
 
 def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     """The one is so far when the other has to brake."""
-    s, its, room_m = apart_m(draft, other)
+    s, its, touching = in_each_others_way(draft, other)
     begins_s, ends_s = draft.laid.path.backwards[0]
     back = (s >= begins_s) & (s <= ends_s)
-    meets = room_m[back] < 0.0
+    meets = touching[back]
     if not meets.any():
         raise MotionInfeasibleError(
             f"does not come into the way of {other.id} where it reverses", where=draft.id
@@ -129,3 +135,28 @@ def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     require_room(other.id, brakes_s, _LEAST_RUN_UP_M)
     reason = "reversing: brakes when it comes back"
     return Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason)
+
+
+def go_back_as_they_come(scene: Setup, meetings: Sequence[Meeting]) -> None:
+    """It begins to reverse when the other is so many seconds short of where they meet."""
+    for met in meetings:
+        draft, other = scene.drives[met.first], scene.drives[met.second]
+        square = draft.drive.reverses is Reverses.SQUARE
+        # What either does by then may have changed how late the other can brake.
+        brakes_s = (met if square else _braked_for(draft, other)).second_s_m
+        begins_s, _ = draft.laid.path.backwards[0]
+        goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
+        at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
+        speed = other.course.speed_at(at_s)
+        if at_s >= brakes_s or speed < 1.0:
+            continue
+        here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+        away_m = hypot(there.x_m - here.x_m, there.y_m - here.y_m)
+        place_m, time_s = round(brakes_s - other.start_m, 3), round(away_m / speed, 3)
+        waits = ArrivalBelow(participant=other.id, place_m=place_m, time_s=time_s)
+        draft.marks = [
+            replace(mark, then=replace(mark.then, trigger=waits))
+            if mark.then is not None and mark.then.hazard is HazardKind.REVERSING
+            else mark
+            for mark in draft.marks
+        ]
