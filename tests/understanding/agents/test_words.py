@@ -5,7 +5,7 @@ import re
 import pytest
 
 from scegen.llm.prompting import as_data
-from scegen.scenario import vocabulary
+from scegen.scenario import environment, vocabulary
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.outcome import OutcomeKind
@@ -49,10 +49,10 @@ def test_prompts_name_every_word_of_the_vocabulary():
         "road": (
             vocabulary.JunctionKind,
             vocabulary.Control,
-            vocabulary.Weather,
-            vocabulary.TimeOfDay,
-            vocabulary.RoadSurface,
-            vocabulary.Visibility,
+            environment.Weather,
+            environment.TimeOfDay,
+            environment.RoadSurface,
+            environment.Visibility,
         ),
         "participants": (
             vocabulary.DESCRIBED,
