@@ -74,15 +74,16 @@ def stand(clause: Clause, context: Context) -> None:
     if waiting and not context.junction.crossing:  # "a waiting bus", "a car waits on the road"
         _stand_in_the_lane([e for e in vehicles if e.sets_off < 0], clause.words)
         return
-    if _waits_there(event, context):
-        _wait_at_a_line(clause, {p.kind for p in places})
+    at = {p.kind for p in places} & (_LINES | _HALTS)
+    if at and _waits_there(event, context):
+        _wait_at_a_line(clause, at)
     if not stands:
         return
     actors = _comes_to_rest(clause.actors, clause.words)
-    edges = [p for p in places if p.kind in _ROADSIDE or (p.dirs and _EDGE(p, context))]
-    if edges:
+    aside = any(p.kind in _ROADSIDE or (p.dirs and _EDGE(p, context)) for p in places)
+    if aside:
         _beside_the_lanes(actors, clause, context)
-    if (edges or any(p.kind in _LINES for p in places)) and not _lasting(event, context):
+    if (aside or at & _LINES) and not _lasting(event, context):
         return
     _stand_in_the_lane(actors, clause.words)
     for entity in actors:

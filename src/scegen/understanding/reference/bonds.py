@@ -249,7 +249,7 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
     opens: Mention | None = None
     fresh, subordinate = True, False
     said = any(c.value == "be" for c in chunks)
-    for before, chunk in zip([None, *chunks], chunks, strict=False) if said else ():
+    for before, chunk in pairwise([None, *chunks]) if said else ():
         if isinstance(before, Mention) and isinstance(chunk, Event) and chunk.form in _DESCRIBES:
             continue  # "the car is 40 m short of a lorry standing there"
         if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.cat == "sub"):
@@ -272,8 +272,10 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
 
 def _of_who_is_there(event: Event, chunks: list[Chunk], there: set[int]) -> bool:
     """``the car is 40 m short of a lorry that stands there``: told of the car."""
-    before = [c for c in chunks if c.i < event.i and (isinstance(c, Event) or id(c) in there)]
-    return event.embedded and bool(before) and id(before[-1]) in there
+    if not event.embedded:
+        return False
+    told = (c for c in reversed(chunks) if isinstance(c, Event) or id(c) in there)
+    return id(next((c for c in told if c.i < event.i), None)) in there
 
 
 def _settled(events: list[Event]) -> set[int]:

@@ -121,7 +121,7 @@ class Roster:
 
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
-        named = [e for e in self.entities if any(n.startswith("#") for n in e.labels)]
+        named = [e for e in self.entities if e.numbered]
         found = self.claim(1, [*exclude, *named], reading)
         for entity in found:
             entity.labels |= names
