@@ -30,6 +30,7 @@ from scegen.scenario.acts import (
     BeforeJunction,
 )
 from scegen.scenario.logical import Reverses
+from scegen.scenario.reversing import BacksUp
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
@@ -39,6 +40,7 @@ STANDS_FIRST_S = 0.5
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 _AFTER_WALKER_S = 0.5
+_INTO_M, _ROLLS_M = 0.5, 0.4
 _TURNS_AT = 0.6
 _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
@@ -53,6 +55,10 @@ def do_acts(scene: Setup) -> None:
         if draft.stands:
             draft.offset_s = -STOOD_S
             continue
+        if isinstance(draft.reversal, BacksUp) and any(
+            each.stands for each in scene.drives.values() if ahead_on_arm(scene, each)[-1:] == [draft]
+        ):  # the one behind stands already, so it cannot have come from there
+            draft.offset_s = -draft.course.time_at(draft.laid.path.backwards[0][0] - _ROLLS_M)
         if draft.parked_s_m is not None or draft.drive.reverses is Reverses.SQUARE:
             continue
         marks = list(marks_of(scene, draft))
@@ -79,9 +85,13 @@ def stand_in_line(scene: Setup) -> None:
         place = draft.junction_s_m - draft.body.front_m - _QUEUE_BEFORE_LINE_M
         ahead = ahead_on_arm(scene, draft)
         for other in [o for o in ahead if o.entry_lane == draft.entry_lane][-1:]:
+            behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
             if other.stands:
-                behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
                 place = float(other.course.s_m[-1]) - behind
+            elif isinstance(back := other.reversal, BacksUp):
+                comes_to = draft.laid.path_s_m(back.from_m - back.length_m) - behind
+                touches = scene.contact_wanted(other.id, draft.id)
+                place = comes_to + _QUEUE_GAP_M + (_INTO_M if touches else -_INTO_M)
         begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
         draft.steps = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
 

@@ -111,7 +111,7 @@ def reverse(scene: Setup) -> list[Meeting]:
             back_up_to(scene, draft, scene.walks[walk])
         else:
             back_up(scene, draft, other)
-        if other is not None:
+        if other is not None and not other.stands:
             meetings.append(_braked_for(draft, other))
     return meetings
 

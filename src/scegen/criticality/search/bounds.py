@@ -155,7 +155,7 @@ class _Maker:
         best = body.max_deceleration_mps2 if slows else body.max_acceleration_mps2
         most = min(max(best, item.rate_mps2), self.friction * GRAVITY_MPS2)
         least = min(item.rate_mps2, most)
-        varies = full and item.hazard is not None and free
+        varies = full and free and (item.hazard is not None or item.act is not None)
         bounds = (_RATE[0] * least, min(_RATE[1] * least, most)) if varies else (least, least)
         if self.stated.fixes_rate(item.act):
             bounds = (item.rate_mps2, item.rate_mps2)
