@@ -160,7 +160,7 @@ def _in_time(scene: Clause, text: Telling) -> Ending | None:
 
 
 def _stops_first(scene: Clause, text: Telling) -> bool:
-    """``stops in front of him``, ``comes to a stop before reaching him``: nobody is touched."""
+    """``stops in front of him``, ``stops before it touches him``: nobody is touched."""
     event = scene.event
     egos = [e for e in scene.actors if e.ego and Maneuver.OVERTAKE not in e.maneuvers]
     if event.name == "stop" and egos and not event.negated:
@@ -168,9 +168,14 @@ def _stops_first(scene: Clause, text: Telling) -> bool:
         met = [e for noun in whom if isinstance(noun, Mention) for e in noun.entities]
         thing = any(lies_there(noun, text.context) for noun in whom)
         return thing or any(not text.context.placed(e, Approach.BEHIND) for e in met)
-    stops = any(s.event.name in {"stop", "brake"} for s in text.within(0, event.i))
-    before = text.context.lows(event.i - _PAIR, event.i)
-    return event.lemma == "reach" and stops and bool(scene.targets) and "before" in before
+    for last in text.within(0, event.i)[-1:]:
+        before = "before" in text.context.lows(last.event.j, event.i) and bool(scene.targets)
+        # Not so "the ego stops before a truck hits it".
+        own = all(e in (*last.actors, *last.targets) for e in scene.actors)
+        stops = last.event.name == "stop" and event.name == "collide" and own
+        brakes = last.event.name in {"stop", "brake"} and event.lemma == "reach"
+        return before and (stops or brakes)
+    return False
 
 
 def _gets_clear(scene: Clause, text: Telling) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
+
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Entity
@@ -33,8 +35,13 @@ def from_the_rear(event: Event, context: Context) -> bool:
 
 
 def _rear_inside(event: Event, context: Context) -> bool:
-    """``rear-ends``, ``drives into its rear``: the verb itself tells the rear."""
-    return any(t.low in _REAR for t in context.tokens[event.i : event.j])
+    """``rear-ends``, ``drives into its rear``: the verb itself tells the rear.
+
+    Not so "rolls back into it".
+    """
+    said = context.lows(event.i, event.j + 1)
+    own = zip_longest(said[: event.j - event.i], said[1:])
+    return any(low in _REAR and then != "into" for low, then in own)
 
 
 def _rear_ends(clause: Clause, context: Context) -> bool:
