@@ -62,6 +62,9 @@ def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basi
     sources = [p.target for p in event.pps if out & {p.value, p.outer, text.tokens[p.word.i].low}]
     # "moves one lane to the left", "leaves the lane to the left"
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
+    # "in the left lane, a car wanders towards ours": where it is
+    starts = [p.target for p in event.pps if p.fronted and p.value == "in"]
+    sources += starts if event.name == "swerve" else []
     goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
     for goal in (g for g in goals if all(g is not source for source in sources)):
         if not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):

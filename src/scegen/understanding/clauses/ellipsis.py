@@ -67,6 +67,8 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
         later = any((m.cat, m.value) == ("quantity", "time") for m in event.mods)
         if event.name == "follow" and later and not (event.object or event.pps):
             event.name = "likewise"  # "a van sets off and the ego follows 1 s later"
+        if event.name == "light" and does and _in_turn(event, tokens):
+            event.name = "likewise"
         if event.name != "likewise":
             continue
         who = set(map(id, event.subject))
@@ -75,6 +77,12 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             event.name, event.object = model.name, event.object or model.object
             event.mods = [*event.mods, *model.dirs]
             event.pps = [*event.pps, *(p for p in model.pps if p.place is not None)]
+
+
+def _in_turn(event: Event, tokens: list[Token]) -> bool:
+    """``the first one stops, then the second does``: nothing else is said to be done."""
+    opened = {tokens[m.i - 1].low for m in event.subject[:1] if m.i > 0}
+    return bool(opened & {"then", "and"}) and not (event.object or event.pps or event.children)
 
 
 def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:

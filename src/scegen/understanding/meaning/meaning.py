@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.draft import Basis, Entity
@@ -33,6 +33,7 @@ _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "appro
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
 _INTO = frozenset({"lane_change", "cut_in", "cut_off", "merge"})
+_ASIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _PASSING = frozenset({"bypass", "overtake", "block"})
 _PAIR = (Approach.LEFT, Approach.RIGHT)
 _ALL_TOLD = (
@@ -187,7 +188,9 @@ class Interpreter:
         """Where the phrases of a verb put those who act, or on whom it is done."""
         event = clause.event
         say("positions.from_the_side", clause, self._context)
-        ends = event.name == "move" and event.lemma in word_list("ending_up")
+        aside = any(_ASIDE & e.maneuvers for e in clause.actors)  # "changes left and stays there"
+        arrived = word_list("ending_up") | (word_list("keeping") if aside else frozenset())
+        ends = event.name == "move" and event.lemma in arrived
         met = clause.targets or driven_up_to(clause, self._context)
         for prep in event.pps if not ends else []:
             basis = Basis(prep.word.i, prep.word.j)

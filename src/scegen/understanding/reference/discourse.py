@@ -122,14 +122,12 @@ class Discourse:
 
     def _of_two(self, mention: Mention) -> list[Entity]:
         """``both vehicles``, ``the two``: of two who are known already."""
-        if len(self.entities) != _A_PAIR:
-            return []
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
-        cars = all(e.kind is ParticipantKind.CAR for e in self.entities)
-        named = words in word_list("two_of_them") or (cars and words in word_list("two_cars"))
-        meant = self._roster.together([]) if named else []
-        return meant if len(meant) == _A_PAIR else []
+        cars = [e for e in self.entities if e.kind is ParticipantKind.CAR]  # besides a lorry
+        meant = cars if words in word_list("two_cars") else []
+        meant = self.entities if words in word_list("two_of_them") else meant
+        return list(meant) if len(meant) == _A_PAIR else []
 
     def _at_the_wheel(self, mention: Mention) -> list[Entity]:
         """``the ego's driver``: the ego."""
