@@ -75,6 +75,9 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     nearly = _narrowly(event, start, text)
     vain = parent is not None and in_vain(parent)
     end = max([event.j, *(p.word.j for p in event.pps if clear and p.value == "ahead")])
+    part, into = event.object, any(p.value in {"into", "in", "against"} for p in event.pps)
+    if into and isinstance(part, Place) and part.has("possessive", "its") and "front" in part.dirs:
+        end = max(end, part.j)  # "puts its nose into the van"
     basis = Basis(parent.i if vain and parent is not None else event.i, end)
     held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
     by_so_much = event.lemma == "miss" and event.name == "avoid"  # "misses it by 1 m"
@@ -118,8 +121,10 @@ def _meets(scene: Clause, text: Telling) -> bool:
     shoved = event.name == "send" and isinstance(event.object, Mention) and not away
     shoved = shoved and any(e.is_vehicle for e in scene.actors)
     meets |= shoved and lemma in word_list("shoving")  # "pushes the ego into a van"
-    own = (p.target for p in event.pps if p.value in {"with", "in"})
-    meets |= lemma == "catch" and _bodies(own)  # "catches him with its front"
+    own = (p.target for p in event.pps if p.value in {"with", "in", "against"})
+    gets = isinstance(event.object, Mention) or _bodies([event.object])
+    gets &= lemma in word_list("getting")  # "catches him with its front"
+    meets |= gets and _bodies(own)
     meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)
     return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
 
@@ -135,7 +140,8 @@ def _by_a_part(event: Event, text: Telling) -> bool:
     by = [p.target for p in event.pps if p.value in {"by", "of"}] if event.passive else []
     helped = event.i > 0 and text.tokens[event.i - 1].low in word_list("required")
     first = event.i - helped  # "its front shall meet the bicycle"
-    return _bodies((*by, *(c for c in text.chunks if c.j == first)))
+    parts = (c for c in text.chunks if first in {c.j, getattr(getattr(c, "owner", None), "j", -1)})
+    return _bodies((*by, *parts))
 
 
 def _bodies(nouns: Iterable[object]) -> bool:

@@ -55,6 +55,10 @@ def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
     """Those who can be so fast; if all of them stand, who comes to them."""
     speed = figure.quantity.value
     near = figure.named_before(figure.i - 1)  # "runs across in front of the ego at 50 km/h"
+    for entity in whose:  # "a bike passes us at 140 km/h"
+        bike = entity.kind is ParticipantKind.BICYCLE and entity.named_by == {"bike"}
+        if bike and speed.low > BODIES[entity.kind].top_speed_mps:
+            entity.kind = ParticipantKind.MOTORCYCLE
     able = [e for e in whose if speed.low <= _fastest_mps(e, near)]
     stand = bool(able) and all(_stays(e, speed) for e in able)
     return _who_comes(able, figure) if stand else able

@@ -11,6 +11,7 @@ from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.context import Clause
 from scegen.understanding.semantics.met import from_the_rear
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
@@ -65,7 +66,9 @@ def struck(ending: Ending, text: Telling) -> None:
 
 def _by_the_verb(ending: Ending, text: Telling) -> None:
     """``rear-ends``, ``hits it from behind``: with its front, in the other's rear."""
-    done = (s for s in text.scenes if s.event.i == ending.basis.i)
+    done = [s for s in text.scenes if s.event.i == ending.basis.i]
+    if ending.struck is None and any(_backs_into(s, text) for s in done):
+        ending.struck, ending.struck_basis = BodySide.REAR, ending.basis
     hit = next((s for s in done if from_the_rear(s.event, text.context)), None)
     if hit is None or ending.struck is not None or text.ego not in ending.between:
         return
@@ -74,6 +77,13 @@ def _by_the_verb(ending: Ending, text: Telling) -> None:
         ending.struck = BodySide.FRONT if egos else BodySide.REAR
         ends = [ending.basis.j or 0, *(p.place.j for p in hit.event.pps if p.place is not None)]
         ending.struck_basis = Basis(ending.basis.i, max(ends))
+
+
+def _backs_into(scene: Clause, text: Telling) -> bool:
+    """``the ego backs up and bumps into it``: with its rear, unless along its side."""
+    backs = text.ego in text.draft.causing(HazardKind.REVERSING) and text.ego in scene.actors
+    into = any(p.value == "into" for p in scene.event.pps)
+    return backs and (into or scene.event.lemma not in word_list("along_the_side"))
 
 
 def _hit(place: Place, ending: Ending, text: Telling) -> bool:
@@ -144,6 +154,9 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     met = direct or (prep == "into" and (flank or not scene.event.passive))
     met = met or (prep == "with" and scene.event.lemma == "collide" and not scene.targets)
     doer = scene.actors[0] if scene.actors else None
+    into = {"into", "against", *(["in"] if "front" in place.dirs else [])}
+    if direct and own and into & {p.value for p in scene.event.pps}:
+        return doer  # "puts its nose into the van"
     if met and own and doer is not None:  # "a car behind hits its rear"
         return ending.other if doer.ego else text.ego
     if own or not direct:

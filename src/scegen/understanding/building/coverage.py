@@ -69,7 +69,8 @@ def unattached(
             continue
         if term.value == "between" and before is not None and before.cat == "quantity":
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
-        resting = spans + (told if cat == "locus" else [])  # "stops in front of him"
+        own = before is not None and before.cat == "possessive" and term.value == "front"
+        resting = spans + (told if own or cat == "locus" else [])  # "stops in front of him"
         if any(a <= start and end <= b for a, b in resting) or _held(term, before, scenario):
             continue
         if term.j <= title and _told_below(term, terms, tokens, spans, title):

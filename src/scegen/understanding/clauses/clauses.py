@@ -88,6 +88,9 @@ class ClauseReader:
         ends = word.value == "," or word.cat in {"conj", "sub"}
         if ends and {"neg:not", "unknown"} <= state.between:
             state.between.discard("neg:not")  # "stands still but not centred, and I hit it"
+        denied = ends and getattr(state.at(-1), "cat", "") == "neg"
+        if denied and isinstance(following, Mention):  # "It can't, we ram it"
+            state.between = {w for w in state.between if not w.startswith(("neg:", "aux:"))}
         state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
         if word.cat == "conj" and word.value != "either":
             state.between.add("conj")

@@ -16,6 +16,10 @@ from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.tokens import Token
 
 _RIDDEN = ParticipantKind.MOTORCYCLE
+_NARROWER = {
+    ParticipantKind.BICYCLE: _RIDDEN,
+    ParticipantKind.ANIMAL: ParticipantKind.LARGE_ANIMAL,
+}
 
 
 @dataclass(slots=True)
@@ -183,7 +187,7 @@ class Roster:
             rides = entity.kind is ParticipantKind.BICYCLE and not reading.plural
             kind = entity.is_vehicle and (not rides or reading.kind is _RIDDEN)
         else:
-            kind = entity.kind is reading.kind or self._motorbike(entity, reading)
+            kind = entity.kind is reading.kind or self._wider(entity, reading)
         kind = kind or _called_so(entity, reading)
         if reading.labels and not reading.labels <= entity.labels:
             return False
@@ -191,11 +195,11 @@ class Roster:
             return False  # a target is never the vehicle under test
         return kind and (entity.parked or not reading.parked)
 
-    def _motorbike(self, entity: Entity, reading: Reading) -> bool:
-        """``a motorcyclist … the bike``: where no bicycle is about, the motorcycle."""
-        named = reading.called == {"bike"} and reading.det == "def"
+    def _wider(self, entity: Entity, reading: Reading) -> bool:
+        """``a motorcyclist … the bike``, ``a deer … the animal``: if nobody is more so."""
+        named = reading.called <= word_list("wider_names") and reading.det == "def"
         kinds = {e.kind for e in self.entities}
-        return named and entity.kind is _RIDDEN and ParticipantKind.BICYCLE not in kinds
+        return named and entity.kind is _NARROWER.get(reading.kind) and reading.kind not in kinds
 
     def cast(self, reading: Reading, loci: set[str]) -> list[Entity]:
         """``a bus … the adversarial bus``: somebody known gets the role, if only one can.

@@ -25,15 +25,19 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
         context: the scenario in the making.
     """
     event, tokens = clause.event, context.tokens
-    if event.name not in _MOTION or event.nominal:
+    part = event.object  # "plants its bonnet in a van"
+    own = isinstance(part, Place) and part.kind in _BODY and part.has("possessive", "its")
+    if (event.name not in _MOTION and not own) or event.nominal:
         return None
-    opening = {"into", *(["in"] if event.lemma in word_list("ending_up") else [])}
+    opening = {"into", *(["in"] if own or event.lemma in word_list("ending_up") else [])}
     if event.name not in {"turn", "sharp_turn"}:  # "turns left against oncoming traffic"
         opening.add("against")
     goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low in opening]
     goals += [event.object] if tokens[event.j - 1].low == "into" else []
     nouns = (g for g in goals if isinstance(g, NounPhrase))
-    if event.name == "unknown":  # "bores into its side": somebody's part, not a lane or a car park
+    if (
+        event.name == "unknown" and not own
+    ):  # "bores into its side": somebody's part, not a lane or a car park
         nouns = (g for g in nouns if isinstance(g, Place))
     return next((g for g in nouns if _touched(g, clause, context)), None)
 

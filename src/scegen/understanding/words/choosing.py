@@ -196,7 +196,9 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
     if previous.value == ")":  # "a van (40 km/h) that changes lanes"
         return verbal or not begins(tokens, match.j, "actor", "place", "thing", "inert", "num")
-    sided = previous.cat in {"dir", "compass"}
+    sided = previous.cat in {"dir", "compass", "quantity"}
+    if previous.value == ",":  # "a van, also at 80 km/h, that brakes"
+        sided = after is not None and after.has("verb")
     return sided and verbal and not begins(tokens, match.j, "actor", "place")
 
 

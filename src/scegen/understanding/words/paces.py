@@ -98,7 +98,11 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     if number is None or not _FEWEST < number.value <= _MOST:
         return None
     j = i + number.length
-    told = doing(tokens, i) or low_at(tokens, i - 1) in {"at", "only"} or _its_speed(tokens, i)
+    told = (
+        doing(tokens, i)
+        or low_at(tokens, i - 1) in word_list("at_a_speed")
+        or _its_speed(tokens, i)
+    )
     ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
     if not (told and ends):
         return None
