@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import dropwhile, islice
+
 from scegen.understanding.words.terms import Term
 
 
@@ -39,7 +41,8 @@ def negated(terms: list[Term], k: int) -> bool:
         k: index of the one that names it.
     """
     before = terms[max(0, k - 3) : k]
-    return any(
+    listed = dropwhile(lambda t: t.cat in {"thing", "place", "conj", "det"}, reversed(terms[:k]))
+    return any(t.cat == "neg" for t in islice(listed, 1)) or any(
         (t.cat == "det" and t.value == "negative") or t.value in {"without", "neither"}
         for t in before
     )
