@@ -55,11 +55,7 @@ def do_acts(scene: Setup) -> None:
         if draft.stands:
             draft.offset_s = -STOOD_S
             continue
-        if isinstance(draft.reversal, BacksUp) and any(
-            each.stands
-            for each in scene.drives.values()
-            if ahead_on_arm(scene, each)[-1:] == [draft]
-        ):  # the one behind stands already, so it cannot have come from there
+        if isinstance(draft.reversal, BacksUp) and _stands_behind(scene, draft):
             draft.offset_s = -draft.course.time_at(draft.laid.path.backwards[0][0] - _ROLLS_M)
         if draft.parked_s_m is not None or draft.drive.reverses is Reverses.SQUARE:
             continue

@@ -26,10 +26,6 @@ _OWNS = (["'s"], ["'"], ["("])
 """``the ego's 60 km/h``, ``a van (45 km/h)``."""
 
 
-def _but_parked(scenes: list[Clause]) -> list[Clause]:
-    return [s for s in scenes if (s.event.name, s.event.form) != ("park", "ed")]
-
-
 class Figure(Clause):
     """A number as a clause: its role is its verb, on which it depends is what happens there.
 
@@ -91,7 +87,8 @@ class Figure(Clause):
         here = [s for s in here if s.event.name not in {"inert", "match"}]
         before = [s for s in here if s.event.i < self.i]
         if self.text.tokens[self.i - 1].low == "with":  # "passes a van parked there with 1 m"
-            own, before = _but_parked(own), _but_parked(before) or before
+            own = [s for s in own if not s.tells_parked]
+            before = [s for s in before if not s.tells_parked] or before
         return next(iter((*own, *before[-1:], *here)), None)
 
     def _modifies(self, event: Event) -> bool:

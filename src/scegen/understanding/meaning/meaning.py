@@ -100,7 +100,7 @@ class Interpreter:
         mark_answers(events)
         mark_late(events, self._context)
         rows.line_up(chunks, events, self._draft)
-        for clause in sorted(told, key=lambda c: (c.event.name, c.event.form) != ("park", "ed")):
+        for clause in sorted(told, key=lambda clause: not clause.tells_parked):
             self._event(clause)  # where "a van parked on the right" stands is known to all
         read_lights(self._clauses, chunks, self._context)
         out_of_turn(chunks, events, self._context)

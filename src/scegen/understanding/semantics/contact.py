@@ -35,9 +35,8 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
     goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low in opening]
     goals += [event.object] if tokens[event.j - 1].low == "into" else []
     nouns = (g for g in goals if isinstance(g, NounPhrase))
-    if (
-        event.name == "unknown" and not own
-    ):  # "bores into its side": somebody's part, not a lane or a car park
+    # "bores into its side": somebody's part, not a lane or a car park
+    if event.name == "unknown" and not own:
         nouns = (g for g in nouns if isinstance(g, Place))
     return next((g for g in nouns if _touched(g, clause, context)), None)
 

@@ -59,6 +59,11 @@ class Clause:
         """The event answers a danger ("must stop", "forcing it to brake", "to avoid …")."""
         return self.event.modal or any(c.name == "avoid" for c in self.event.children)
 
+    @property
+    def tells_parked(self) -> bool:
+        """It only says of somebody that it is parked ("a van parked on the right")."""
+        return (self.event.name, self.event.form) == ("park", "ed")
+
     def how(self, *values: str) -> Basis | None:
         """Words of manner of the event, joined with the event if they are close."""
         term = self.event.how(*values)
