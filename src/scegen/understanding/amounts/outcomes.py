@@ -116,7 +116,9 @@ def _meets(scene: Clause, text: Telling) -> bool:
     event, lemma = scene.event, scene.event.lemma
     if event.name == "overlook" and lemma == "miss":
         return _narrowly(event, max(0, event.i - _BEFORE), text) is not None
-    meets = lemma == "meet" and (event.how("head_on") is not None or _bodies([event.object]))
+    facing = any(p.value == "opposite" and _bodies([p.target]) for p in event.pps)
+    meets = event.how("head_on") is not None or facing or _bodies([event.object])
+    meets &= lemma == "meet"
     away = any(isinstance(n, Place) and n.kind in {"lane", "road"} for n in event.nouns())
     shoved = event.name == "send" and isinstance(event.object, Mention) and not away
     shoved = shoved and any(e.is_vehicle for e in scene.actors)
@@ -259,7 +261,7 @@ def _between(scene: Clause, text: Telling) -> list[Entity]:
     if alike and any(e.ego for e in scene.actors):
         return []  # "drives into the tail of a queue": whichever of them is the last
     if len(who) == 1:  # "is hit by the front of the ego"
-        by = [p.target for p in scene.event.pps if p.value == "by"]
+        by = [p.target for p in scene.event.pps if p.value in {"by", "of"}]
         owners = [m.owner for m in by if isinstance(m, Place) and m.owner is not None]
         who += [e for owner in owners for e in owner.entities[:1] if e not in who][:1]
     return who if len(who) == _PAIR else around_it(scene.event.i, who[0] if who else None, text)

@@ -145,6 +145,9 @@ class Chunker:
                 return self._bare(mods, k)  # "so close I can't see it", "after that our car brakes"
             if self._side_before_number(mods):
                 return self._side(mods, k)
+            thing = self._term(m + 1)
+            if thing is not None and thing.cat == "thing" and thing.value == "obstacle":
+                return self._thing(mods, thing, m + 1, owner)  # "a truck tyre"
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
@@ -245,10 +248,11 @@ class Chunker:
                 break  # "from the right straight on"
             seen = seen or side
             length += 1
+        owner = self._owner()
         placed = governed(self._chunks) or mods[0].cat in {"det", "possessive"}
-        if not seen or not placed:
+        if not seen or not (placed or owner is not None):
             return None
-        used, owner = mods[:length], self._owner()
+        used = mods[:length]
         return self._add(Place(used[0].i, used[-1].j, used, None, owner, kind="side"), k + length)
 
     def _mention(self, mods: list[Term], m: int, owner: Mention | None) -> int:

@@ -155,7 +155,7 @@ def _definite(
     options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
     options = [e for e in options if loci & e.loci] or options  # who is known to be there
     if loci & {"ahead", "behind"}:  # "a car stands at the line; the car behind hits it"
-        options = [e for e in options if e.ego or e.loci or e not in roster.subject]
+        options = [e for e in options if e.ego or e.loci or not (e.sides or e in roster.subject)]
     others = [e for e in options if not e.ego]
     others = [e for e in others if e.named_by & reading.called] or others
     others = [e for e in others if e.named_by & states_of(mention)] or others

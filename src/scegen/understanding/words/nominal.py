@@ -12,6 +12,7 @@ _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
 _OWNED = frozenset({"lane", "path", "side"})
+_ENDS = frozenset({"front", "rear"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 
 
@@ -31,15 +32,16 @@ def is_nominal(
     """
     if head.cat != "verb" or head.form == "ed":
         return False
-    if head.form == "s" and [m.cat for m in mods] == ["possessive", "dir"]:
-        return False  # "the van to the ego's right creeps forward"
+    previous = chunks[-1] if chunks else None
+    owned = ["dir"] if isinstance(previous, Mention) and previous.possessor else []
+    if head.form == "s" and [m.cat for m in mods] in (["possessive", "dir"], owned):
+        return False  # "the van to the ego's right creeps forward", "the VUT front strikes it"
     counted = [m.value for m in mods if m.cat != "manner"][-1:]
     if counted in (["both"], ["all"]):
         return False  # "both initially go"
     named = any(m.cat == "label" for m in mods) and head.form == "base"
     if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
         return False  # "evasive lane change" is one as well
-    previous = chunks[-1] if chunks else None
     if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
         return False
     if mods[0].cat == "dir" and previous is not None and previous.cat == "aux":
@@ -90,15 +92,18 @@ def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Ter
 
 
 def ego_owns(heads: list[Term], following: Term | None) -> bool:
-    """``the ego lane``, ``the egos left turn``: what follows is the ego's.
+    """``the ego lane``, ``the VUT front strikes the GVT rear``: what follows is theirs.
 
     Args:
         heads: the nouns of a participant.
         following: the term after them.
     """
-    if following is None or not any(h.data.get("ego") for h in heads):
+    if following is None:
         return False
-    return following.cat == "place" and following.value in _OWNED
+    if (following.cat, following.form) == ("dir", "base") and following.value in _ENDS:
+        return heads[-1].form != "s"
+    own = any(h.data.get("ego") for h in heads)
+    return own and following.cat == "place" and following.value in _OWNED
 
 
 def governed(chunks: list[Chunk]) -> bool:
