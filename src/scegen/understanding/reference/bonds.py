@@ -196,7 +196,7 @@ def _of_another(event: Event, found: Bonds) -> None:
         if not isinstance(part, Place) or part.owner is None:
             continue
         end = part.opening == "into" and bool({"front", "rear"} & set(part.dirs))
-        if end or event.name == "collide":
+        if end or (event.name == "collide" and part.opening != "of"):
             found.unlike[id(part.owner)] += event.subject
 
 

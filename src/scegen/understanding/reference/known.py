@@ -162,15 +162,16 @@ def _definite(
     done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
     placed = which or mention.elsewhere or mention.narrowed or done
     restricted = reading.dirs or reading.labels or placed
-    only = [e for e in roster.entities if e.is_vehicle]
+    only = [e for e in roster.entities if e.is_vehicle and e.kind is not ParticipantKind.BICYCLE]
     own = all(p.value == "to" for p in which) and not (mention.narrowed or loci or fronted)
     own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
     ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
     car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
     own = own and ego not in exclude and "target" not in " ".join(reading.called)
     alone = len(only) == 1 and ego is not None and not elsewhere(reading, mention, ego)
-    if own and car and alone and ego is not None and reading.det == "def":
-        return [ego]  # "the ego reverses; a child stands behind the car"
+    told_of = reading.det == "def" or (reading.det == "bare" and mention.possessor)
+    if own and car and alone and ego is not None and told_of:
+        return [ego]  # "the ego reverses; a child stands behind the car", "at 60 % of vehicle front"
     rest = [e for e in roster.entities if not e.ego]
     if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
         return rest  # "a pedestrian target walks …; the target is hit"
