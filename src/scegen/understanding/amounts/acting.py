@@ -215,7 +215,7 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
         doing.into = None if doing.into is before.into else doing.into
         return False
     before.told.append(doing.i)
-    named = before.nominal and not doing.nominal and before.side in {None, doing.side}
+    named = before.nominal and before.side in {None, doing.side}
     # "Cut-in followed by braking: the van cuts in …": what the heading names
     heading = named and " : " in text.low(before.i, doing.i)
     known = doing.nominal and text.tokens[doing.i].low == "the"
