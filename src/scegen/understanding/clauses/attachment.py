@@ -42,6 +42,9 @@ def _noun_before(word: Word, state: State) -> Mention | None:
     near = state.last_pp or state.anchor
     if state.between or not isinstance(near, Mention):
         return None
+    since = (c for c in state.chunks if near.j <= c.i < word.i)
+    if any((c.cat, c.value) == ("quantity", "percentage") for c in since):
+        return None  # "hits the rider at 20 % of its width from the left edge": where, not which
     if near is not state.last_pp and is_it(near) and not near.mods and word.value == "in":
         return None  # "passes it in the left lane": where it is done
     told = near.pronoun is not None or near.is_me

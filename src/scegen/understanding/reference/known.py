@@ -171,7 +171,7 @@ def _definite(
     alone = len(only) == 1 and ego is not None and not elsewhere(reading, mention, ego)
     told_of = reading.det == "def" or (reading.det == "bare" and mention.possessor)
     if own and car and alone and ego is not None and told_of:
-        return [ego]  # "the ego reverses; a child stands behind the car", "at 60 % of vehicle front"
+        return [ego]  # "the ego reverses; a child stands behind the car", "60 % of vehicle front"
     rest = [e for e in roster.entities if not e.ego]
     if reading.called == {"target"} and reading.det == "def" and len(rest) == 1:
         return rest  # "a pedestrian target walks …; the target is hit"
