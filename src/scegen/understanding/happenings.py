@@ -95,7 +95,10 @@ class Apart:
 
 @dataclass(slots=True, eq=False)
 class Ending:
-    """The outcome in the making; ``half`` of the ego's front is the part that is touched."""
+    """The outcome in the making; ``half`` of the ego's front is the part that is touched.
+
+    ``share`` is how many percent of its width that part has, where it is said.
+    """
 
     kind: OutcomeKind
     basis: Basis
@@ -105,6 +108,7 @@ class Ending:
     struck_basis: Basis | None = None
     half: Side | None = None
     half_basis: Basis | None = None
+    share: float | None = None
 
     @property
     def other(self) -> Entity | None:

@@ -51,6 +51,7 @@ def struck(ending: Ending, text: Telling) -> None:
         if half is not None and egos and part is BodySide.FRONT:
             ending.half = Side.LEFT if "left" in half.dirs else Side.RIGHT
             ending.half_basis = basis = Basis(half.i, place.j)
+            ending.share = half.head.data.get("share") if half.head is not None else None
         if egos and ending.struck is None:
             ending.struck, ending.struck_basis = part, basis
             _middle(ending, place, start, text)
@@ -122,11 +123,14 @@ def settle(text: Telling) -> None:
         return
     other = ending.other
     if other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE:
-        amount = Amount(Interval(low=_LITTLE, high=_HALF), basis)
+        high = ending.share or _HALF
+        low = _LITTLE if ending.share is None else high - _LITTLE
+        amount = Amount(Interval(low=low, high=high), basis)
         apart = Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT, ending.half)
         text.found.spacings.append(apart)
     else:
-        value = Interval(low=0.0 if left else _HALF, high=_HALF if left else _WHOLE)
+        share = ending.share or _HALF
+        value = Interval(low=0.0 if left else _WHOLE - share, high=share if left else _WHOLE)
         ending.impact = Amount(value, basis)
 
 
