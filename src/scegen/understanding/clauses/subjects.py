@@ -189,11 +189,11 @@ def _after_comma(event: Event, state: State) -> None:
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
         event.subject = main_in_sentence(state)  # "brakes when the ego is 20 m away, swerves"
     elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
-        event.subject = chain(who)  # "when a van, turning left, fails to yield"
+        event.subject = _last_of(who, event)  # "when a van, turning left, fails to yield"
     elif beside is not None:
         event.subject = [beside]
     elif state.candidate is not None and (event.finite or not state.main):
-        event.subject = chain(state.candidate)
+        event.subject = _last_of(state.candidate, event)
     elif state.last is not None:
         event.subject = main_in_sentence(state)
         if not event.finite:  # what hangs on an obliged verb is no less obliged
@@ -254,6 +254,11 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     elif done_to is not None and done_to.name not in _SHOWN and told and not event.finite:
         event.subject = done_to.subject  # "nearly hit me coming from the right"
     else:
-        listed = chain(anchor)  # "passes the ego and the van driving in front of it": the van
-        told_of = anchor is not state.candidate and any(m.is_ego for m in listed)
-        event.subject = [anchor] if told_of and not event.finite else listed
+        own = anchor is state.candidate
+        event.subject = chain(anchor) if own else _last_of(anchor, event)
+
+
+def _last_of(noun: Mention, event: Event) -> list[Mention]:
+    """``passes the ego and the van driving in front of it``: the van, and not both."""
+    listed = chain(noun)
+    return [noun] if not event.finite and any(m.is_ego for m in listed) else listed

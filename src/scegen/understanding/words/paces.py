@@ -102,6 +102,7 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
         doing(tokens, i)
         or low_at(tokens, i - 1) in word_list("at_a_speed")
         or _its_speed(tokens, i)
+        or _likewise(tokens, i)
     )
     ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
     if not (told and ends):
@@ -120,6 +121,16 @@ def _its_speed(tokens: list[Token], i: int) -> bool:
     rated = rated and before[-1].low in {"is", "was", "of", "="}
     versus = any(t.low in {"against", "versus", "vs"} for t in before)
     return rated or (versus and before[-1].kind == "clitic")
+
+
+def _likewise(tokens: list[Token], i: int) -> bool:
+    """``the truck does 60 km/h, the ego 80``: right behind who it is, after another's speed."""
+    who = longest_match(tokens, i - 1) if i else None
+    if who is None or "actor" not in who.cats:
+        return False
+    begin = max((k for k in range(i) if tokens[k].low in {".", ":"}), default=-1) + 1
+    said = (quantity_at(tokens, k) for k in range(begin, i))
+    return any(q is not None and q.dimension == "speed" for q in said)
 
 
 def speed_at(tokens: list[Token], i: int) -> Term | None:
