@@ -67,4 +67,5 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
         return after is not None and "me" in after.data
     if term.cat == "manner":
         return term.value in {"fast", "slow", "wrong_way", "close"}
-    return term.cat == "place" and term.value in {"signal", "path", "middle"}
+    lamps = (term.cat, term.value) == ("noted", "lights")
+    return lamps or (term.cat == "place" and term.value in {"signal", "path", "middle", "flank"})
