@@ -59,9 +59,10 @@ def of_nouns(text: Telling) -> list[Ending]:
 
 
 def bare(event: Event, text: Telling) -> bool:
-    """``neither gives way, crash.``: a noun by itself, although it looks like a verb."""
+    """``neither gives way, crash.``, ``Animal crash: …``: a noun, although it looks like a verb."""
     before = text.tokens[event.i - 1]
     alone = event.i == 0 or before.kind == "punct" or before.low in word_list("before_impacts")
+    alone = alone or (bool(event.subject) and not event.doers)
     named = isinstance(event.object, Mention)  # "brakes hard, misses him"
     return alone and event.form == "base" and event.lemma in word_list("impacts") and not named
 

@@ -35,7 +35,8 @@ _NOBODY = frozenset({"neither", "nobody"})
 
 def read_outcome(text: Telling) -> None:
     """The outcome, as verbs and nouns tell it."""
-    endings = [e for s in text.scenes if (e := _of_verb(s, text)) is not None]
+    told = sorted(text.scenes, key=lambda s: not (s.actors or s.targets))  # "Rear-ended: a van …"
+    endings = [e for s in told if (e := _of_verb(s, text)) is not None]
     endings += [*of_nouns(text), *of_phrases(text)]
     for kind in (OutcomeKind.COLLISION, OutcomeKind.NEAR_MISS, OutcomeKind.AVOIDED):
         text.found.ending = text.found.ending or next((e for e in endings if e.kind is kind), None)
@@ -62,7 +63,7 @@ def _from_the_front(ending: Ending, text: Telling) -> None:
 
 def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     event, parent = scene.event, scene.event.parent
-    noun = bare(event, text) and not event.subject  # "…; contact is avoided"
+    noun = bare(event, text) and not event.doers  # "…; contact is avoided"
     stops = _in_time(scene, text)
     if stops is not None:
         return stops
@@ -250,16 +251,16 @@ def _before_it(event: Event, text: Telling) -> bool:
 
 def _between(scene: Clause, text: Telling) -> list[Entity]:
     """Who touches whom: by the verb, by whose part is named, by who is named around."""
-    nobody = any(m.pronoun == "nobody" for m in scene.event.subject)
+    nobody = any(m.pronoun in _NOBODY for m in scene.event.subject)
     if nobody and len(text.draft.entities) > _PAIR:
         return []  # none of them touches any other
     into = goal_of_contact(scene, text.context)
     if any(isinstance(n, Thing) and lies_there(n, text.context) for n in scene.event.nouns()):
         return []  # "avoids the pallet" that a lorry has lost
-    who = [*scene.actors, *(scene.targets or touched(into))]
-    alike = len({e.kind for e in scene.targets}) == 1 and len(scene.targets) > 1
-    if alike and any(e.ego for e in scene.actors):
-        return []  # "drives into the tail of a queue": whichever of them is the last
+    who = [*scene.actors, *(scene.targets or touched(into, scene, text.context))]
+    sides = (scene.actors, scene.targets), (scene.targets, scene.actors)
+    if any(len(a) > 1 and len({e.kind for e in a}) == 1 and text.ego in b for a, b in sides):
+        return []  # "drives into the tail of a queue", "neither touched us": whichever of them
     if len(who) == 1:  # "is hit by the front of the ego"
         by = [p.target for p in scene.event.pps if p.value in {"by", "of"}]
         owners = [m.owner for m in by if isinstance(m, Place) and m.owner is not None]

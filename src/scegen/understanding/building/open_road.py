@@ -12,6 +12,8 @@ from scegen.understanding.happenings import Happenings, Item
 
 _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING,
                          HazardKind.OBSTACLE})  # fmt: skip
+_OVER_THERE = frozenset({Maneuver.U_TURN, Maneuver.OVERTAKE, Maneuver.LEFT, Maneuver.RIGHT})
+"""Ways on which one gets into the lane of those who come the other way."""
 
 
 def in_the_way(draft: Draft, ego: Entity) -> None:
@@ -41,7 +43,7 @@ def in_one_lane(draft: Draft, happenings: Happenings) -> None:
     told = {*draft.causing(), *draft.suffering()}
     for entity in pair if told.isdisjoint(pair) else []:
         oncoming = entity.approaches == {Approach.OPPOSITE} and entity.moving_vehicle
-        to = [e for e in pair if e.ego]
+        to = [e for e in pair if e.ego and not e.maneuvers & _OVER_THERE]
         if oncoming and to and entity.stands is None:
             basis = entity.approach_basis or entity.basis
             basis = basis.because("two who collide head-on are in one lane")

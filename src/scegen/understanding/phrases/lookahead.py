@@ -88,6 +88,7 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         chunks: the chunks of the text.
         k: index of a chunk.
     """
+    k = _behind_relative(chunks, k)
     auxiliary = preposed = False
     last = k + 8
     while k < min(last, len(chunks) - 1):
@@ -95,7 +96,7 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         last, k = last + behind - k, behind + 1
         chunk = chunks[k]
         if isinstance(chunk, Event):
-            return auxiliary or chunk.form != "ing"
+            return auxiliary or chunk.form != "ing" or main_verb_follows(chunks, k)
         if isinstance(chunk, Word):
             if chunk.cat in _LINKS or chunk.value == "," or ends(chunk):
                 return False
@@ -106,6 +107,14 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         elif isinstance(chunk, Mention) and not chunk.possessor and not preposed:
             return False
     return False
+
+
+def _behind_relative(chunks: list[Chunk], k: int) -> int:
+    """``a van that has been sitting at the kerb pulls out``: the verb of the relative clause."""
+    if cat_at(chunks, k + 1) != "rel":
+        return k
+    inside = range(k + 2, min(k + 10, len(chunks)))
+    return next((m for m in inside if isinstance(chunks[m], Event) or ends(chunks[m])), k)
 
 
 def _behind_insertion(chunks: list[Chunk], k: int) -> int:

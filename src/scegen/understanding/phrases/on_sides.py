@@ -6,6 +6,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.terms import Term
 
+_EVERYWHERE = frozenset({"direction", "side", "exit", "leg", "road"})
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
 
@@ -19,13 +20,7 @@ def from_everywhere(prep: Prep) -> bool:
     target = prep.target
     if prep.value not in {"from", "in"} or not isinstance(target, Place):
         return False
-    return target.has("quant", "all") and target.kind in {
-        "direction",
-        "side",
-        "exit",
-        "leg",
-        "road",
-    }
+    return target.has("quant", "all") and target.kind in _EVERYWHERE
 
 
 def each_side(prep: Prep) -> bool:
@@ -55,6 +50,11 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
             chunk = Place(chunk.i, chunk.j, list(chunk.mods), None, kind="side")  # noqa: PLW2901
             for place in (first, chunk):
                 place.mods = [*place.mods, Term("dir", "adjacent", place.i, place.j)]
+        roads = [c for c in found if isinstance(c, Place) and c.plural and c.kind in _EVERYWHERE]
+        there = value_at(found, len(found) - 3) in {"in", "from"}
+        if roads and there and isinstance(chunk, Mention) and chunk.pronoun == "they":
+            kind, head = roads[-1].kind, roads[-1].head  # "five arms, cars wait on each of them"
+            chunk = Place(chunk.i, chunk.j, [], head, kind=kind)  # noqa: PLW2901
         part, word = chunk_at(found, len(found) - 2), value_at(found, len(found) - 1)
         if isinstance(chunk, Place) and isinstance(part, Mention):
             every = chunk.has("quant", "all") and chunk.kind == "side"

@@ -80,6 +80,8 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         everywhere=sides_of(events, chunks),
     )
     mentions = [c for c in chunks if isinstance(c, Mention)]
+    for waiting, event in pairwise(events):
+        _waited_for(waiting, event, tokens, found)
     for event in events:
         _done_to(event, mentions, found)
         _drives_along(event, found)
@@ -158,6 +160,14 @@ def _going_elsewhere(event: Event, events: list[Event], found: Bonds) -> None:
         if {d.value for d in other.dirs} & _WAYS - ways:
             for who in it:
                 found.unlike[id(who)] += other.subject
+
+
+def _waited_for(waiting: Event, event: Event, tokens: list[Token], found: Bonds) -> None:
+    """``waits until it has passed``: "it" is not who waits."""
+    waits = waiting.name in {"wait", "yield"} and not event.modal
+    for who in (m for m in event.subject if is_it(m) and m.i > waiting.i):
+        if waits and tokens[who.i - 1].low in word_list("until"):
+            found.unlike[id(who)] += waiting.subject
 
 
 def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:

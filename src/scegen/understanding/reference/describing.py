@@ -17,7 +17,7 @@ ONLY_VEHICLES = frozenset(
      "door", "reverse"}
 )  # fmt: skip
 _UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
-                       "follow", "speed"})  # fmt: skip
+                       "follow", "speed", "collide"})  # fmt: skip
 _FROM_REST, _AWAY = frozenset({"unpark", "door"}), frozenset({"off", "away"})
 _AGAIN = (
     frozenset({"overtake", "pass", "undertake", "bypass"}),

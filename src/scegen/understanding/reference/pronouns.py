@@ -98,7 +98,8 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
     elif mention.drives and any(e.parked for e in options):
         driving = [e for e in recent if e.moving_vehicle and e not in exclude]
-        options = driving[-1:] or options  # "a van is parked in its lane; it has to swerve"
+        running = [e for e in roster.recent if e.kind in ANIMALS and e not in exclude]
+        options = (driving or running)[-1:] or options  # "a van is parked in its lane; it swerves"
     before = roster.before if len(roster.before) == 1 else []
     left = [e for e in (*before, *reversed(recent)) if e not in exclude]
     return [e for e in options if e not in exclude] or left[:1]

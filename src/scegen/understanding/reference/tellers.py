@@ -1,4 +1,4 @@
-"""What the one who tells it goes by, where that is not a car: a bicycle, or on foot."""
+"""What the one who tells it goes by, where that is not a car: a lorry, a bicycle, or on foot."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.describing import ONLY_VEHICLES
-from scegen.understanding.reference.mention_words import mine
+from scegen.understanding.reference.mention_words import KINDS, mine
 from scegen.understanding.reference.reference import tells
 from scegen.understanding.words.tokens import Token
 
@@ -36,17 +36,18 @@ def teller_goes_by(
     mentions = [c for c in chunks if isinstance(c, Mention)]
     own = [e for e in events if any(_us(m) for m in e.subject) and not e.negated]
     my_car = any(m.is_ego and tokens[m.i].low in _MY for m in mentions)
+    kinds = [(m, KINDS[h.value]) for m in mentions for h in m.heads if h.value in KINDS]
+    mines = [kind for m, kind in kinds if mine(m, kind)]
     if my_car or any(e.drives for e in own):
-        return None
-    bikes = [m for m in mentions if any(h.value == "bicycle" for h in m.heads)]
-    own_bike = any(mine(m, ParticipantKind.BICYCLE) for m in bikes)
+        return next(iter(mines), None)
     ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
-    if own_bike or any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden)):
+    cycles = any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden))
+    if ParticipantKind.BICYCLE in mines or cycles:
         return ParticipantKind.BICYCLE
     if any(e.name in ONLY_VEHICLES for e in own):
-        return None
+        return next(iter(mines), None)
     afoot = any(_afoot(e, tokens) for e in own) or any(_on_foot(m, tokens) for m in mentions)
-    return ParticipantKind.PEDESTRIAN if afoot else None
+    return ParticipantKind.PEDESTRIAN if afoot else next(iter(mines), None)
 
 
 def _us(mention: Mention) -> bool:

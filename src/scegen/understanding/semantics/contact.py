@@ -10,7 +10,7 @@ from scegen.understanding.semantics.context import Clause, Context
 _BODY = frozenset({"side", "flank"})
 _MOTION = frozenset({"move", "walk", "speed", "enter", "reverse", "turn", "sharp_turn", "swerve",
                      "lose_control", "pull_out", "accelerate", "brake", "slow", "dash", "cross",
-                     "lane_change", "pull_over", "return", "unknown"})  # fmt: skip
+                     "lane_change", "pull_over", "return", "collide", "unknown"})  # fmt: skip
 
 _NOBODY = frozenset({"nobody", "neither"})
 _ROADWARDS = frozenset({"turn", "sharp_turn", "pull_out"})
@@ -67,11 +67,18 @@ def lies_there(noun: object, context: Context) -> bool:
     return it or any(noun is thing for thing in lying)
 
 
-def touched(goal: NounPhrase | None) -> list[Entity]:
-    """Who it is that is touched.
+def touched(goal: NounPhrase | None, clause: Clause, context: Context) -> list[Entity]:
+    """Who it is that is touched: ``ends up in my boot``, ``runs into the back of the bus``.
 
     Args:
         goal: whom, or whose part, somebody moves into.
+        clause: what happens.
+        context: the scenario in the making.
     """
-    whom = goal if isinstance(goal, Mention) else goal.owner if goal is not None else None
-    return list(whom.entities) if whom is not None else []
+    if goal is None:
+        return []
+    whom = goal if isinstance(goal, Mention) else goal.owner
+    if whom is not None:
+        return [e for e in whom.entities if e not in clause.actors]
+    egos = [e for e in context.draft.entities if e.ego and e not in clause.actors]
+    return egos if goal.possessed else []

@@ -78,19 +78,21 @@ def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     if place is None or not owners(place, clause, context):
         return False
     words = context.tokens
-    if place.kind == "side" and not place.dirs:  # "comes onto the ego's side"
+    egos = any(m.value == "first_person" for m in place.mods)
+    egos = egos or (place.owner is not None and any(e.ego for e in place.owner.entities))
+    oncoming = any(context.oncoming(e) and not e.ego for e in clause.drivers)
+    if place.kind == "side" and not place.dirs:  # "comes onto its side", "ends up on my side"
         entered = place is clause.event.object and words[clause.event.j - 1].low == "onto"
         onto = (p.target is place and words[p.word.i].low == "onto" for p in clause.event.pps)
-        return entered or any(onto)
+        return entered or any(onto) or (egos and oncoming)
     kept = clause.event.lemma in word_list("keeping")  # "keeps its lane"
     entered = (place is clause.event.object and not kept) or any(
         p.target is place and p.value == "into" for p in clause.event.pps
     )
     if place.kind != "lane" or not (entered or place.owner is not None):
         return False  # "stays in its lane"
-    egos = place.owner is not None and any(e.ego for e in place.owner.entities)
     sideways = any(t.value in SIDES for t in clause.event.dirs) and not egos
-    return not sideways and any(context.oncoming(e) and not e.ego for e in clause.drivers)
+    return not sideways and oncoming
 
 
 def _head_on_somewhere(clause: Clause, context: Context) -> bool:

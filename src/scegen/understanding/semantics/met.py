@@ -7,6 +7,7 @@ from itertools import zip_longest
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.draft import Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
@@ -73,6 +74,7 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
 def _its(part: Place, event: Event) -> bool:
     own = part.possessed and part.owner is None
     met = {"", "into", *(["with"] if event.lemma == "collide" else [])}
+    met |= {"in"} if event.lemma in word_list("ending_up") else set()
     return own and "rear" in part.dirs and part.opening in met
 
 
