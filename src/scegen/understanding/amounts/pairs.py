@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Place
@@ -17,7 +17,9 @@ _BRACKET = 3
 
 def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
     """``two cars drive ahead of the ego with 20 m between each``: from one to the next."""
-    if not figure.words_around.opens("in_a_row"):
+    scene = figure.scene
+    column = scene is not None and scene.event.how("row") is not None  # "in a column, 2 s headway"
+    if not (column or figure.words_around.opens("in_a_row")):
         return []
     text = figure.text
     own = {id(c.owner) for c in text.chunks if isinstance(c, Place)}  # "in the ego's lane"
@@ -70,6 +72,8 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     pronoun = isinstance(noun, Mention) and noun.pronoun is not None
     if pronoun and named == subject:
         named = []  # "and the ego, 15 m behind it": not behind itself
+    if pronoun and text.ego in subject and figure.does in {"stop", "brake"}:
+        named = _left_ahead(named, text) or named
     pairs = [m.entities for m in before if len(m.entities) == _PAIR]
     if figure.words_around.opens("between_two") and pairs:
         return pairs[-1][0], pairs[-1][1]
@@ -91,6 +95,15 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     first = subject[0] if subject else named[0] if named else text.ego
     other = text.counterpart(first, text.spoken_of(0, figure.i))
     return (first, other) if other is not None and other is not first else None
+
+
+def _left_ahead(named: list[Entity], text: Telling) -> list[Entity]:
+    """``the van ahead changes lanes, the ego stops 2 m behind it``: behind the one that stands."""
+    placed = text.context.placed
+    if not all(Maneuver.LANE_CHANGE in e.maneuvers and placed(e, Approach.AHEAD) for e in named):
+        return []
+    still = [e for e in text.draft.entities if e.stands and not e.parked and e not in named]
+    return still if len(still) == 1 and not still[0].ego else []
 
 
 def _bracketed(figure: Figure) -> Entity | None:
