@@ -190,6 +190,8 @@ def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:
 def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     """Whether words up to a colon, or the first sentence, only name what is told after them."""
     spoken = any(_finite(c) or c.cat in _AUXILIARIES for c in title)
+    if title and title[-1].value == "speed" and not _others(title):
+        spoken = spoken or _names_ego(title)  # "Motorway, ego at 120 km/h: a van …"
     titled = [c for c in title if isinstance(c, Mention)]
     if mark != ":":
         pair = len(titled) > 1 and any(c.value == "to" for c in title)

@@ -100,7 +100,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         attributive = _clause_follows(tokens, match.j) or _single_one(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         # "crossing" describes a vehicle or is what somebody does, unless it is a shaped one
-        place = "place" if before in {"shape", "control", "det"} else "verb"
+        counted = before == "num" and begins(tokens, previous.i - 1, "prep")  # "on one crossing"
+        place = "place" if before in {"shape", "control", "det"} or counted else "verb"
         return match.get("dir" if attributive else place), attributive
     if match.has("dir") and match.get("dir").value == "left":
         return _left_or_gone(match, tokens, previous), False
