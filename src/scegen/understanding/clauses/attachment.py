@@ -16,7 +16,8 @@ from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import GOVERNING, chunk_at, is_word, value_at
 
-_SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access"})
+_SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",
+                    "parking", "bus_stop"})  # fmt: skip
 _ROADS = frozenset({"leg", "road"})
 """Roads, if it is said which one: "from the right arm", "on the road that it turns into"."""
 _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",

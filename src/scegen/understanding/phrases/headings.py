@@ -197,7 +197,8 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
         pair = len(titled) > 1 and any(c.value == "to" for c in title)
         sided = any(c.value in {"left", "right"} for c in title)
         again = all(_comes_again(c, rest, old=pair) for c in titled) and not _names_ego(title)
-        if mark != "." or not titled or sided or not again:
+        told = again and not sided or all(_is_for(c, title) for c in titled)
+        if mark != "." or not titled or not told:
             return False
     bare = all(
         c.pronoun is None
@@ -213,6 +214,11 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     stated = any(c.cat in _AUXILIARIES for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
     return not spoken and bare and named and told_of
+
+
+def _is_for(mention: Mention, title: list[Chunk]) -> bool:
+    """``Blind-spot test for trucks.``: what kind of vehicle is tested, nobody who takes part."""
+    return mention.plural and value_at(title, title.index(mention) - 1) in {"for", "and"}
 
 
 def _finite(chunk: Chunk) -> bool:
