@@ -197,7 +197,7 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
         pair = len(titled) > 1 and any(c.value == "to" for c in title)
         sided = any(c.value in {"left", "right"} for c in title)
         again = all(_comes_again(c, rest, old=pair) for c in titled) and not _names_ego(title)
-        told = again and not sided or all(_is_for(c, title) for c in titled)
+        told = (again and not sided) or all(_is_for(c, title) for c in titled)
         if mark != "." or not titled or not told:
             return False
     bare = all(
