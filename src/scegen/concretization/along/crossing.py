@@ -36,7 +36,7 @@ _HOLDS_S = 0.6
 """The pace is held so long before the encounter."""
 _LEAST_LEAD_S = 1.0
 BEFORE_WALKER_M = 0.9
-"""Who is parked and hides somebody stands so far before that one's line."""
+"""Who stands, or is parked and hides somebody, does so that far before that one's line."""
 _LOOK_S = 0.05
 
 
@@ -126,8 +126,10 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
     if isinstance(when, AfterStart):
         walk.sets_off_s = when.delay_s.middle
     if spacing is None:
-        arrival = walk.sets_off_s + takes
-        walk.x_m = _unbraked(story, meets).x_m(arrival) + meets.towards * (meets.leading_m + half)
+        arrival, unbraked = walk.sets_off_s + takes, _unbraked(story, meets)
+        touched = unbraked.speed_at_mps(arrival) > 0.0 or story.contact_wanted(walk.id, meets.id)
+        clear = half if touched else half + BEFORE_WALKER_M  # who stands stays where it is
+        walk.x_m = unbraked.x_m(arrival) + meets.towards * (meets.leading_m + clear)
         return
     measure, value, act, since = spacing
     if act is not None and not walk.timed:

@@ -58,9 +58,11 @@ def offset_all(story: Story) -> None:
         elif {who, other} <= story.runners.keys():
             mover, fixed = (who, other) if who != story.ego.id else (other, who)
             turned = mover != who
-            left = _left_m(story, spacing, story.runners[who], story.runners[other])
+            pair = story.runners[who], story.runners[other]
+            meet = _meet(spacing, *pair)
+            left = _left_m(story, spacing, *pair, NEVER_S if meet else 0.0)
             if left is not None and not _in_passing(story, spacing):
-                later = spacing.at == CONTACT or spacing.at in story.begins_s
+                later = meet or spacing.at == CONTACT or spacing.at in story.begins_s
                 aside = -left if turned else left
                 _put_aside(story.runners[mover], story.runners[fixed], aside, in_the_end=later)
                 told |= {who, other}
@@ -78,6 +80,11 @@ def offset_all(story: Story) -> None:
         _put_aside(runner, ego, left, in_the_end=True)
 
 
+def _meet(spacing: Spacing, who: Runner, other: Runner) -> bool:
+    """Whether a lateral gap is the one of two who come towards each other: as they are level."""
+    return spacing.measure is Measure.LATERAL_GAP_M and who.forward != other.forward
+
+
 def _in_passing(story: Story, spacing: Spacing) -> bool:
     """Whether a lateral gap is the one with which somebody passes the other in its lane."""
     passing = {act.participant for act in story.acts if story.goes_round(act)}
@@ -86,27 +93,29 @@ def _in_passing(story: Story, spacing: Spacing) -> bool:
     return spacing.measure is Measure.LATERAL_GAP_M and in_line and bool(passing & pair)
 
 
-def _left_m(story: Story, spacing: Spacing, who: Runner, other: Runner) -> float | None:
+def _left_m(
+    story: Story, spacing: Spacing, who: Runner, other: Runner, at_s: float
+) -> float | None:
     """How far to the reference's left the participant's middle is; None: nothing said of that."""
     both = (who.body.width_m + other.body.width_m) / 2
     value = spacing.value.middle
     if spacing.measure is Measure.LATERAL_OFFSET_M:
         return value
     if spacing.measure is Measure.LATERAL_GAP_M:
-        return _sign(story, spacing, who, other) * (value + both)
+        return _sign(story, spacing, who, other, at_s) * (value + both)
     if spacing.measure is Measure.OVERLAP_PERCENT:
         if value >= 100:
             return 0.0
         apart = both - value / 100 * other.body.width_m
-        return _sign(story, spacing, who, other) * apart
+        return _sign(story, spacing, who, other, at_s) * apart
     return None
 
 
-def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner) -> int:
+def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner, at_s: float) -> int:
     """1 if it is to the reference's left, as said or as the lanes are; else towards the kerb."""
     if spacing.side is not None:
         return 1 if spacing.side is Side.LEFT else -1
-    apart = (who.y_m(0.0) - other.y_m(0.0)) * other.sign
+    apart = (who.y_m(at_s) - other.y_m(at_s)) * other.sign
     if abs(apart) > 0.1:
         return 1 if apart > 0 else -1
     return outward(story.functional, Side.LEFT)

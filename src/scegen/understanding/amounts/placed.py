@@ -76,8 +76,15 @@ def _ends_up(figure: Figure) -> bool:
 
 
 def at_rest(figure: Figure) -> bool:
-    """``stops 3 m behind the truck``: how far apart they are once it stands."""
+    """``stops 3 m behind the truck``: how far apart they are once it stands.
+
+    Before a crosswalk: from who crosses there.
+    """
     pair, text = pair_of(figure), figure.text
+    if pair is not None and isinstance(figure.noun, Place) and figure.noun.kind == "crosswalk":
+        people = text.draft.entities
+        crossing = [e for e in people if Maneuver.CROSS in e.maneuvers or not e.is_vehicle]
+        pair = (figure.actors[0], crossing[0]) if crossing else None
     stops = [a for a in text.acts(figure.start, figure.i) if a.entity in (pair or ())]
     stops = [a for a in stops if a.always and a.ends_at_rest]  # "must stop 2 m before": it shall
     if pair is None or not stops:

@@ -30,6 +30,7 @@ def struck(ending: Ending, text: Telling) -> None:
     roads = [c for c in text.chunks if isinstance(c, Place) and c.kind in _ROADS]
     parts = [(p, _portion(p, text)) for p in places]  # "the right corner of its front"
     portions = {id(portion) for place, portion in parts if portion is not place}
+    in_the_rear: Basis | None = None
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
         if place.opening == "with" and place.i < (ending.basis.i or 0):
             continue  # "with his back to the ego he is hit"
@@ -55,10 +56,12 @@ def struck(ending: Ending, text: Telling) -> None:
         if egos and ending.struck is None:
             ending.struck, ending.struck_basis = part, basis
             _middle(ending, place, start, text)
-        elif ending.struck is None and text.ego in ending.between and part is BodySide.REAR:
-            backs = text.ego in text.draft.causing(HazardKind.REVERSING)
-            ending.struck = BodySide.REAR if backs else BodySide.FRONT
-            ending.struck_basis = basis
+        elif not egos and part is BodySide.REAR:
+            in_the_rear = in_the_rear or basis
+    if ending.struck is None and in_the_rear is not None and text.ego in ending.between:
+        backs = text.ego in text.draft.causing(HazardKind.REVERSING)
+        ending.struck = BodySide.REAR if backs else BodySide.FRONT
+        ending.struck_basis = in_the_rear
     _by_the_verb(ending, text)
     middle = text.find("at_its_middle", start, end)
     if middle is not None and text.ego in ending.between:  # "impact at mid-width"

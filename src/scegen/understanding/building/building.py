@@ -20,6 +20,7 @@ from scegen.understanding.building.in_lane import (
     past_people,
     settle_along,
     settle_numbers,
+    side_by_side,
 )
 from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.open_road import (
@@ -96,7 +97,7 @@ class Builder:
             both_change_lanes(self.draft, ego)
             from_the_strip(self.draft, ego)
             settle_along(self.draft, ego, self.happenings)
-            relations = past_people(relations)
+            relations = side_by_side(past_people(relations), self.draft)
             if junction.auxiliary is not None:
                 named = lanes_of(ego, junction)
                 beside = not named or junction.through_lanes in named

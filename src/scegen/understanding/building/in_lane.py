@@ -9,6 +9,7 @@ from scegen.scenario.vocabulary import (
     DrivingSide,
     HazardKind,
     Maneuver,
+    ParticipantKind,
 )
 from scegen.understanding.building.viewpoint import Placed
 from scegen.understanding.draft import Draft, Entity
@@ -18,6 +19,8 @@ from scegen.understanding.semantics.numbered_lanes import EITHER
 _FEWEST_WITH_A_MIDDLE = 3
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 _BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
+_TWO_WHEELED = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
+_ABREAST = "nobody rides beside another in one lane; one is behind the other instead"
 _UNSETTLED = "from which side lanes are counted is not said, so the number names none"
 
 
@@ -137,3 +140,23 @@ def past_people(relations: list[Placed]) -> list[Placed]:
         else (entity, reference, approaches, basis)
         for entity, reference, approaches, basis in relations
     ]
+
+
+def side_by_side(relations: list[Placed], draft: Draft) -> list[Placed]:
+    """``two cars drive abreast ahead of the ego``: only one of them can be in its lane.
+
+    Args:
+        relations: who is where, seen from whom.
+        draft: the scenario in the making; of two-wheelers, which share a lane, it is noted.
+    """
+    kept: list[Placed] = []
+    for entity, reference, approaches, basis in relations:
+        alike = entity.approaches == reference.approaches
+        in_lane = alike and entity.approaches in ({Approach.AHEAD}, {Approach.BEHIND})
+        if approaches == {Approach.ADJACENT} and in_lane:
+            if {entity.kind, reference.kind} <= _TWO_WHEELED:
+                draft.note_at(basis, _ABREAST)
+                continue
+            entity.approaches = set()
+        kept.append((entity, reference, approaches, basis))
+    return kept

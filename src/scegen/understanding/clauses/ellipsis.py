@@ -36,6 +36,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
             continue
         joint, verb = chunk_at(chunks, k - 1), _verb_before(chunk.i, events)
         joined = isinstance(joint, Word) and joint.value in _JOINTS
+        joined = joined and "lateral" not in chunk.dirs  # "crossing car": it does that
         if verb is None or verb.premod_of is not None or not joined or not _ends(chunks, k + 2):
             continue
         if not _further(chunk, chunks, k, verb):

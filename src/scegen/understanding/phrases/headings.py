@@ -190,12 +190,15 @@ def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:
 def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     """Whether words up to a colon, or the first sentence, only name what is told after them."""
     spoken = any(_finite(c) or c.cat in _AUXILIARIES for c in title)
+    if title and title[-1].value == "speed" and not _others(title):
+        spoken = spoken or _names_ego(title)  # "Motorway, ego at 120 km/h: a van …"
     titled = [c for c in title if isinstance(c, Mention)]
     if mark != ":":
         pair = len(titled) > 1 and any(c.value == "to" for c in title)
         sided = any(c.value in {"left", "right"} for c in title)
         again = all(_comes_again(c, rest, old=pair) for c in titled) and not _names_ego(title)
-        if mark != "." or not titled or sided or not again:
+        told = (again and not sided) or all(_is_for(c, title) for c in titled)
+        if mark != "." or not titled or not told:
             return False
     bare = all(
         c.pronoun is None
@@ -214,6 +217,11 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     stated = any(c.cat in _AUXILIARIES for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
     return not spoken and bare and named and told_of
+
+
+def _is_for(mention: Mention, title: list[Chunk]) -> bool:
+    """``Blind-spot test for trucks.``: what kind of vehicle is tested, nobody who takes part."""
+    return mention.plural and value_at(title, title.index(mention) - 1) in {"for", "and"}
 
 
 def _finite(chunk: Chunk) -> bool:

@@ -38,6 +38,8 @@ def seen(entity: Entity, site: Site) -> None:
         entity.opposed |= {e.index for e in together}
         entity.approach_basis = site.basis
         return
+    if approaches == BY_DIR["same"]:
+        approaches = _where_another_came_from(entity, site) or approaches
     reference = _first(place.beside or place.owner)
     sides = [d for d in place.dirs if d in SIDES]  # "in the right adjacent lane of the ego"
     named = _lane_of(place) or _side_after(place, draft) or next(iter(sides), None)
@@ -46,6 +48,18 @@ def seen(entity: Entity, site: Site) -> None:
     kerb = place.kind in {"sidewalk", "shoulder"} and site.value == "from"
     entity.pulls_out = entity.pulls_out or kerb
     draft.place(entity, reference, set(approaches), _to_the_other_side(site))
+
+
+def _where_another_came_from(entity: Entity, site: Site) -> frozenset[Approach]:
+    """``a dog runs across from the left and a child follows from the same side``."""
+    if site.context.lows(site.place.j, site.place.j + 1) == ["as"]:
+        return frozenset()  # "as the ego"
+    told = site.context.draft.placements
+    before = [p for p in told if p.entity is not entity and p.reference is None]
+    there = before[-1].approaches & {Approach.OPPOSITE, *SIDES.values()} if before else set()
+    if there:  # its noun was read before what the other does
+        told[:] = [p for p in told if p.entity is not entity or p.approaches != BY_DIR["same"]]
+    return frozenset(there)
 
 
 def _first(whose: Mention | None) -> Entity | None:

@@ -100,8 +100,8 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         attributive = _clause_follows(tokens, match.j) or _single_one(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         # "crossing" describes a vehicle or is what somebody does, unless it is a shaped one
-        place = "place" if before in {"shape", "control", "det"} else "verb"
-        return match.get("dir" if attributive else place), attributive
+        named = before in {"shape", "control", "det"} or _counted(tokens, previous)
+        return match.get("dir" if attributive else "place" if named else "verb"), attributive
     if match.has("dir") and match.get("dir").value == "left":
         return _left_or_gone(match, tokens, previous), False
     if match.form == "base" and previous is not None and (before, previous.value) == ("aux", "be"):
@@ -121,6 +121,12 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         across = match.get("dir").value == "lateral" and not noun_follows(tokens, match.j)
         return (verb if across else match.get("dir")), False  # "they … cross in front of it"
     return verb, False
+
+
+def _counted(tokens: list[Token], previous: Term | None) -> bool:
+    """``on one crossing``: a number that belongs to what a preposition governs."""
+    number = previous is not None and previous.cat == "num"
+    return previous is not None and number and begins(tokens, previous.i - 1, "prep")
 
 
 def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
