@@ -93,9 +93,9 @@ def says_how(role: str) -> bool:
 def place(figure: Figure) -> bool:
     """Gives a number its place; whether it has one."""
     context = figure.text.context
-    for tests, effects, also in rows().asked(f"figures.{figure.role}", figure, context):
-        if all(test(figure, context) for test in tests):
-            taken = [effect(figure, context) for effect in effects]
-            if any(taken) or not also:
+    for row in rows().asked(f"figures.{figure.role}", figure.event):
+        if all(test(figure, context) for test in row.tests):
+            taken = [effect(figure, context) for effect in row.effects]
+            if any(taken) or not row.also:
                 return any(taken)
     return False

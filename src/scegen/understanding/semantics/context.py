@@ -28,7 +28,6 @@ class Clause:
         targets: whom it is done to.
         amounts: what numbers say of it, by the field (SI units); None where one is not told.
         around: the words around the number that it is, if it is one.
-        marks: what stands in it, as bits by which rows are looked up; None until one is.
     """
 
     event: Event
@@ -36,7 +35,6 @@ class Clause:
     targets: list[Entity]
     amounts: dict[str, list[Interval | None]] = field(default_factory=dict)
     around: Window | None = None
-    marks: int | None = field(default=None, init=False)
 
     @property
     def drivers(self) -> list[Entity]:

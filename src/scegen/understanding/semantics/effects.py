@@ -192,11 +192,7 @@ def _act(row: dict[str, Any], of: str, words: Words) -> Effect:
 
 
 def _recast(name: str) -> Effect:
-    def effect(clause: Clause, _: Context) -> None:
-        clause.event.name = name
-        clause.marks = None  # what is rewritten is looked up anew
-
-    return effect
+    return lambda clause, _: setattr(clause.event, "name", name)
 
 
 def _parts(row: dict[str, Any]) -> Effect:

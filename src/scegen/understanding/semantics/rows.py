@@ -18,16 +18,19 @@ follows. With ``also`` the next rows are asked as well. The keys:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
 
+from scegen.understanding.chunks import Event
+from scegen.understanding.draft import Draft
 from scegen.understanding.frames.loader import read
+from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
-from scegen.understanding.semantics.needs import Known, marks_of
 
 _FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
@@ -39,21 +42,28 @@ _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place
 Effects: TypeAlias = Callable[[dict[str, Any]], Iterable[Effect]]
 
 
-Live: TypeAlias = tuple[tuple[Test, ...], tuple[Effect, ...], bool]
-"""What of a row is left to test, its effects, and whether further rows are asked."""
+_OF_THE_VERB = frozenset({"event", "lemma", "form", "negated", "passive", "nominal"})
+"""Words of conditions that the verb alone decides."""
+_PATH = re.compile(r"path (?!\^)")
+_NOWHERE = Context(Draft(), JunctionReading(), [])
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row: all its conditions and all its effects; whether further rows are asked."""
+    """One row: what it asks of the verb, and what else; its effects; whether more rows are asked.
 
-    conditions: tuple[tuple[Known, Test], ...]
+    ``phrased``: it can only hold where the verb has phrases.
+    """
+
+    of_the_verb: tuple[Test, ...]
+    phrased: bool
+    tests: tuple[Test, ...]
     effects: tuple[Effect, ...]
     also: bool
 
 
 class Families:
-    """Rows by family, as ``dangers.brake``, looked up by what stands in a clause.
+    """Rows by family, as ``dangers.brake``; what they ask of the verb is looked up.
 
     Args:
         rows: of each family, in their order.
@@ -61,38 +71,27 @@ class Families:
 
     def __init__(self, rows: dict[str, tuple[Row, ...]]) -> None:
         self.rows = rows
-        self._named = {
-            family: frozenset[str]().union(*(c.marks for row in own for c, _ in row.conditions))
-            for family, own in rows.items()
-        }
-        marks = sorted(frozenset[str]().union(*self._named.values()))
-        self._bits = {mark: 1 << k for k, mark in enumerate(marks)}
-        self._masks = {f: sum(self._bits[m] for m in named) for f, named in self._named.items()}
-        self._live = lru_cache(maxsize=16384)(self._asked)
+        self._for_verb = lru_cache(maxsize=16384)(self._of_verb)
 
-    def asked(self, family: str, clause: Clause, context: Context) -> tuple[Live, ...]:
-        """The rows that may fit a clause, none after one that surely does."""
-        if family not in self._masks:
+    def asked(self, family: str, event: Event) -> tuple[Row, ...]:
+        """The rows that may fit a clause with such a verb."""
+        if family not in self.rows:
             return ()
-        if clause.marks is None:
-            marks = marks_of(clause.event, context.tokens)
-            clause.marks = sum(self._bits[mark] for mark in marks if mark in self._bits)
-        return self._live(family, clause.event.name, clause.marks & self._masks[family])
+        facts = event.negated, event.passive, event.nominal
+        own = event.name, event.lemma, event.form
+        return self._for_verb(family, *own, bool(event.pps), *facts)
 
-    def _asked(self, family: str, event: str, marks: int) -> tuple[Live, ...]:
-        held = {f"event {event}", *(m for m in self._named[family] if marks & self._bits[m])}
-        found: list[Live] = []
-        for row in self.rows[family]:
-            told = [(known.holds(held), test) for known, test in row.conditions]
-            if any(holds is False for holds, _ in told):
-                continue
-            tests = tuple(test for holds, test in told if holds is None)
-            found.append((tests, row.effects, row.also))
-            if not tests and not row.also:
-                break
-        while found and not found[-1][1]:
-            found.pop()  # it only says that nothing follows
-        return tuple(found)
+    def _of_verb(
+        self, family: str, name: str, lemma: str, form: str, phrases: bool, *facts: bool
+    ) -> tuple[Row, ...]:
+        event = Event(name, 0, 0, form, lemma)
+        event.negated, event.passive, event.nominal = facts
+        alone = Clause(event, [], [])
+        return tuple(
+            row
+            for row in self.rows[family]
+            if phrases >= row.phrased and all(test(alone, _NOWHERE) for test in row.of_the_verb)
+        )
 
 
 def _then(family: str) -> Effect:
@@ -116,11 +115,20 @@ def _row(
         where_put = row.get("where", "subject")
         if "also" in row and not where_put.startswith("subject"):
             said.append(where_put if where_put.startswith("object ") else f"path {where_put}")
-        conditions = tuple((Known.of(text), condition(text)) for text in said)
+        tests: dict[bool, list[Test]] = {True: [], False: []}
+        for text in said:
+            tests[_of_the_verb(text)].append(condition(text))
+        phrased = any(all(map(_PATH.match, text.split(" or "))) for text in said)
         does = (*effects(row), *map(_then, row.get("then", ())))
-        return Row(conditions, does, bool(row.get("also")))
+        return Row(tuple(tests[True]), phrased, tuple(tests[False]), does, bool(row.get("also")))
     except KeyError as error:
         raise KeyError(f"{where}: {error} in {row}") from error
+
+
+def _of_the_verb(text: str) -> bool:
+    """Whether the verb alone decides a condition."""
+    parts = (part.removeprefix("not ").partition(" ")[0] for part in text.split(" or "))
+    return _OF_THE_VERB.issuperset(parts)
 
 
 @lru_cache(maxsize=1)
@@ -161,14 +169,14 @@ def say(family: str, clause: Clause, context: Context) -> bool:
         Whether a row fits that says something.
     """
     fitted = False
-    for tests, effects, also in families().asked(family, clause, context):
-        for test in tests:
+    for row in families().asked(family, clause.event):
+        for test in row.tests:
             if not test(clause, context):
                 break
         else:
             fitted = True
-            for effect in effects:
+            for effect in row.effects:
                 effect(clause, context)
-            if not also:
+            if not row.also:
                 break
     return fitted
