@@ -70,10 +70,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
         if out and any(p.word is word and p.on_mention is None for p in scene.event.pps):
             subject = scene.actors or subject  # "steps out from behind a van 20 m ahead of the ego"
     pronoun = isinstance(noun, Mention) and noun.pronoun is not None
-    if pronoun and named == subject:
-        named = []  # "and the ego, 15 m behind it": not behind itself
-    if pronoun and text.ego in subject and figure.does in {"stop", "brake"}:
-        named = _left_ahead(named, text) or named
+    named = _by_a_pronoun(named, subject, figure) if pronoun else named
     pairs = [m.entities for m in before if len(m.entities) == _PAIR]
     if figure.words_around.opens("between_two") and pairs:
         return pairs[-1][0], pairs[-1][1]
@@ -97,13 +94,19 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     return (first, other) if other is not None and other is not first else None
 
 
-def _left_ahead(named: list[Entity], text: Telling) -> list[Entity]:
-    """``the van ahead changes lanes, the ego stops 2 m behind it``: behind the one that stands."""
-    placed = text.context.placed
-    if not all(Maneuver.LANE_CHANGE in e.maneuvers and placed(e, Approach.AHEAD) for e in named):
+def _by_a_pronoun(named: list[Entity], subject: list[Entity], figure: Figure) -> list[Entity]:
+    """``and the ego, 15 m behind it``: not behind itself.
+
+    In "the van ahead changes lanes, the ego stops 2 m behind it" it is behind the one that stands.
+    """
+    text, placed = figure.text, figure.text.context.placed
+    if named == subject:
         return []
-    still = [e for e in text.draft.entities if e.stands and not e.parked and e not in named]
-    return still if len(still) == 1 and not still[0].ego else []
+    left = all(Maneuver.LANE_CHANGE in e.maneuvers and placed(e, Approach.AHEAD) for e in named)
+    if not left or text.ego not in subject or figure.does not in {"stop", "brake"}:
+        return named
+    still = [e for e in text.draft.entities if e.stands and not (e.parked or e.ego or e in named)]
+    return still if len(still) == 1 else named
 
 
 def _bracketed(figure: Figure) -> Entity | None:

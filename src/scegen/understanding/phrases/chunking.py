@@ -276,7 +276,7 @@ class Chunker:
         return m
 
     def _at_rest(self, mention: Mention, m: int) -> int:
-        """``two cars already at rest``, ``a car stranded there``: of those named, not of who acts."""
+        """``two cars already at rest``, ``a car stranded there``: not of who acts."""
         adverb = m + (m < len(self._terms) and self._is_adverb(self._terms[m]))
         state = self._term(adverb)
         if state is None or state.cat != "state":
