@@ -50,8 +50,8 @@ def coordinate(event: Event, state: State) -> None:
         event.subject, event.supplement = last.subject, True
         return  # "ahead of the ego, which is doing 70 km/h and stops"
     outer = [e for e in verbs if not e.embedded]
-    alike = bool(verbs) and (verbs[-1].form == event.form or (verbs[-1].finite and helped))
-    relative = alike and verbs[-1].embedded
+    like = bool(verbs) and (verbs[-1].form == event.form or (verbs[-1].finite and helped))
+    relative = like and verbs[-1].embedded
     # "A car passes the ego, which drives on, and changes lanes", "… a jam that crawls and brakes".
     if relative and ("," in state.between or _no_jam(event, verbs[-1].subject, state)):
         verbs = outer or verbs

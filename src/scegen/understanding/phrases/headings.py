@@ -210,10 +210,10 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
         )
         for c in titled
     )
-    told = [c for c in rest if isinstance(c, Mention)]
-    if told and told[0].pronoun == "it" and titled:
+    who = [c for c in rest if isinstance(c, Mention)]
+    if who and who[0].pronoun == "it" and titled:
         return False  # "VUT on the minor leg: it turns right"
-    named = any(c.pronoun is None for c in told)
+    named = any(c.pronoun is None for c in who)
     stated = any(c.cat in _AUXILIARIES for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
     return not spoken and bare and named and told_of
