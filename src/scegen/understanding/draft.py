@@ -67,7 +67,7 @@ class Entity:
     light: tuple[AtLight, Basis] | None = None
     green_delay: Any = None
     start_lane: tuple[str, Basis] | None = None
-    """The lane in which it is said to drive: ``left``, ``middle``, ``right``."""
+    """The lane in which it is said to drive: ``left``, ``middle``, ``2``, ``2 from right``."""
     held: Basis | None = None
     """Words that say that it stands at a light when it begins."""
     brakes_from: int | None = None
@@ -87,8 +87,6 @@ class Entity:
     maneuvers: set[Maneuver] = field(default_factory=set)
     maneuver_basis: Basis | None = None
     turn_alternative: int | None = None
-    lane: int | None = None
-    lane_basis: Basis | None = None
     excluded: set[Maneuver] = field(default_factory=set)
     excluded_basis: Basis | None = None
     entries: set[int] = field(default_factory=set)
@@ -148,6 +146,12 @@ class Entity:
         """It stands in the lane from the start, and nothing says that it drives off."""
         goes = self.maneuvers - {Maneuver.STAY, Maneuver.STRAIGHT}
         return self.stands is not None and self.sets_off < 0 and not goes
+
+    @property
+    def lane(self) -> int | None:
+        """The number of the lane in which it is said to drive."""
+        number = self.start_lane[0].partition(" ")[0] if self.start_lane is not None else ""
+        return int(number) if number.isdigit() else None
 
     @property
     def numbered(self) -> bool:

@@ -57,7 +57,7 @@ def _signature(entity: Entity) -> tuple[object, ...]:
     basis: Basis = entity.basis
     sets = (entity.approaches, entity.entries, entity.labels, entity.excluded, entity.opposed)
     return (
-        entity.kind, basis.i, basis.j, entity.parked, entity.heading, entity.speed, entity.lane,
+        entity.kind, basis.i, basis.j, entity.parked, entity.heading, entity.speed,
         entity.stands, entity.beside, entity.circulates, entity.crosses, entity.start_lane,
         entity.light,
         *(frozenset(s) for s in sets),

@@ -47,13 +47,12 @@ def _none_of(danger: Danger, entity: Entity) -> bool:
 def _in_numbered(entity: Entity, site: Site) -> None:
     """The lane in which it drives at first, as far as none is known of it yet."""
     number = lane_number(site.noun, site.context.tokens)
-    if number is None or entity.lane is not None or entity.parked or site.noun.head is None:
+    if number is None or entity.start_lane is not None or entity.parked or site.noun.head is None:
         return
     side = counted_from(site.noun.j, site.context.tokens)
     basis = Basis(site.basis.i, site.noun.j + (0 if side == EITHER else FROM_SIDE))
-    entity.lane, entity.lane_basis = number, basis
     name = f"{number}" if "number" in site.noun.head.data else f"{number} from {side}"
-    entity.start_lane = entity.start_lane or (name, basis)
+    entity.start_lane = name, basis
     site.context.lanes_implied(basis, "one of several lanes is named")
 
 
