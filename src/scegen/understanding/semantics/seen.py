@@ -84,7 +84,7 @@ def _in_the_egos_lane(entity: Entity, site: Site) -> None:
 
 
 def _lane_of(place: Place) -> str | None:
-    """Which lane of several a phrase names: ``left``, ``middle``, ``fast``, ``2`` from inside.
+    """Which lane of several a phrase names: ``left``, ``middle``, ``fast``.
 
     Args:
         place: the lane.
@@ -92,8 +92,6 @@ def _lane_of(place: Place) -> str | None:
     if place.kind != "lane" or place.owner is not None:
         return None
     data = place.head.data if place.head is not None else {}
-    if "number" in data:
-        return str(data["number"])
     return data.get("rank") or next((d for d in place.dirs if d in SIDES), None)
 
 
