@@ -14,7 +14,7 @@ from scegen.understanding.chunks import (
 )
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import GOVERNING, chunk_at, is_word, value_at
+from scegen.understanding.phrases.lookahead import GOVERNING, behind_insertion, chunk_at, value_at
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",
                     "parking", "bus_stop"})  # fmt: skip
@@ -24,7 +24,6 @@ _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "p
                       "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
 """Verbs that may stand before their subject ("from the left comes a bus")."""
 _PASSING = frozenset({"overtake", "pass", "undertake"})
-_INSERTED = 7
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
@@ -258,30 +257,11 @@ def _opens_clause(state: State) -> bool:
     if value_at(chunks, m) == ",":
         if not (begins or listed or "sub" in state.between):
             return False
-        m = _behind_insertion(chunks, m + 1)
+        m = behind_insertion(chunks, m + 1)
     inverted = _stands_before_subject(chunks, m)
     m += _word_of(chunks, m, frozenset({"aux", "copy"})) or inverted
     # "50 m ahead of the ego lies a pedestrian crossing"
     return isinstance(chunk_at(chunks, m), NounPhrase if inverted else Mention)
-
-
-def _behind_insertion(chunks: list[Chunk], m: int) -> int:
-    """Behind what is put in between two commas.
-
-    "From the right, partly hidden by a wall, a van comes", "ahead of the ego, which does 50 km/h,
-    …", "in front of it, at a distance of 20 m, …", "in the left lane, 10 m ahead of it, …".
-    """
-    ends = [n for n, c in enumerate(chunks[m : m + _INSERTED], start=m) if is_word(c, ",")]
-    inside = chunks[m : ends[0]] if ends else []
-    events = [c for c in inside if isinstance(c, Event)]
-    opens = [c for c in inside if not isinstance(c, Word) or c.cat in GOVERNING][:1]
-    participle = opens == events and bool(events) and events[0].form in {"ed", "ing"}
-    relative = bool(events) and _word_of(chunks, m, frozenset({"rel"}))
-    measure = any(getattr(c, "cat", "") == "quantity" for c in inside)
-    measure = measure and not any(isinstance(c, Event | Mention) for c in inside)
-    first = m + _word_of(chunks, m, frozenset({"quantity"}))
-    placed = bool(ends) and first < ends[0] and _phrase_end(first, chunks) == ends[0]
-    return ends[0] + 1 if participle or relative or measure or placed else m
 
 
 def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:

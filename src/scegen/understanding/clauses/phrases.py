@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import chunk_at, is_word
+from scegen.understanding.phrases.lookahead import chunk_at, is_word, predicate_opens
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""
@@ -26,16 +26,10 @@ def apposed_to(state: State) -> Mention | None:
     if not waiting or state.between != {","} or state.candidate_done:
         return None
     if is_word(state.at(1), ","):
-        described = _predicate_opens(state.at(2))
+        described = predicate_opens(state.at(2))
     else:
         described = _described_role(state)
     return who if described else None
-
-
-def _predicate_opens(chunk: Chunk | None) -> bool:
-    """Whether the verb of a clause, or its auxiliary, stands there."""
-    verb = isinstance(chunk, Event) and chunk.form != "ing"
-    return verb or (isinstance(chunk, Word) and chunk.cat == "aux")
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:
@@ -92,8 +86,7 @@ def _described_role(state: State) -> bool:
         return False
     joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:end])
     verb = chunk_at(after, end + 1)
-    doing = isinstance(verb, Event) and verb.nominal
-    return not joined and not doing and _predicate_opens(verb)
+    return not joined and predicate_opens(verb)
 
 
 def relative_noun(state: State) -> Mention | None:

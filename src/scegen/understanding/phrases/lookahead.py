@@ -15,6 +15,12 @@ GOVERNING = frozenset({"prep", "locus"})
 _LINKS = frozenset({"sub", "conj", "rel", "copy"})
 _VIEW_OF = 3
 _CLAUSE = 14
+_SAID_OF_IT = 3
+_INSERTED = 9
+_PUT_IN = frozenset({"prep", "locus", "quantity", "rel"})
+"""Classes of words with which it begins what is put in."""
+_STANDING = frozenset({"stop", "park", "wait", "locate", "pull_over"})
+_STILL = frozenset({"parked", "stationary", "stop", "park"})
 
 
 def chunk_at(chunks: list[Chunk], k: int) -> Chunk | None:
@@ -92,8 +98,10 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
     auxiliary = preposed = False
     last = k + 8
     while k < min(last, len(chunks) - 1):
-        behind = _behind_insertion(chunks, k)
-        last, k = last + behind - k, behind + 1
+        k += 1
+        behind = behind_insertion(chunks, k + 1) if chunks[k].value == "," else k
+        if behind > k + 1 and predicate_opens(chunk_at(chunks, behind)):
+            last, k = last + behind - k, behind
         chunk = chunks[k]
         if isinstance(chunk, Event):
             return auxiliary or chunk.form != "ing" or main_verb_follows(chunks, k)
@@ -117,20 +125,30 @@ def _behind_relative(chunks: list[Chunk], k: int) -> int:
     return next((m for m in inside if isinstance(chunks[m], Event) or ends(chunks[m])), k)
 
 
-def _behind_insertion(chunks: list[Chunk], k: int) -> int:
-    """``the ego, driving at 45 km/h, brakes``: the second comma if the verb comes behind it."""
-    words = [c.value for c in chunks[k + 1 : k + 10]]
-    if words[:1] != [","] or "," not in words[1:]:
-        return k
-    end = k + 2 + words[1:].index(",")
-    inside = chunks[k + 2 : end]
-    if not inside or any(c.cat in {"conj", "sub"} or ends(c) for c in inside):
-        return k
-    first, verb = inside[0], chunk_at(chunks, end + 1)
-    participle = isinstance(first, Event) and first.form in {"ing", "ed"}
-    finite = isinstance(verb, Event) and verb.form in {"s", "ed"} and not verb.nominal
-    finite = finite or cat_at(chunks, end + 1) == "aux"
-    return end if finite and (participle or first.cat in {"prep", "quantity", "rel"}) else k
+def behind_insertion(chunks: list[Chunk], m: int) -> int:
+    """Behind what is put in between two commas, ``m`` itself if nothing is.
+
+    "The ego, driving at 45 km/h, brakes", "from the right, partly hidden by a wall, a van comes",
+    "ahead of the ego, which does 50 km/h, …", "in the left lane, 10 m ahead of it, …".
+
+    Args:
+        chunks: the chunks of the text.
+        m: index of the chunk after the first comma.
+    """
+    end = next((n for n in range(m, m + _INSERTED) if value_at(chunks, n) == ","), m)
+    inside = chunks[m:end]
+    opens = [c for c in inside if c.cat != "manner"][:1]
+    if not opens or any(c.cat in {"conj", "sub"} or ends(c) for c in inside):
+        return m
+    participle = isinstance(opens[0], Event) and opens[0].form in {"ing", "ed"}
+    told = opens[0].cat != "rel" or any(isinstance(c, Event) for c in inside)
+    return end + 1 if participle or (told and opens[0].cat in _PUT_IN) else m
+
+
+def predicate_opens(chunk: Chunk | None) -> bool:
+    """Whether the verb of a clause, or its auxiliary, stands there."""
+    verb = isinstance(chunk, Event) and chunk.form != "ing" and not chunk.nominal
+    return verb or (chunk is not None and chunk.cat == "aux")
 
 
 def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
@@ -197,6 +215,19 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
         if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
     return False
+
+
+def stands_there(who: Mention, after: list[Chunk]) -> bool:
+    """``a stationary car``, ``a van is parked``, ``a bus stands``.
+
+    Args:
+        who: somebody.
+        after: the chunks behind.
+    """
+    verb = next((c for c in after[:_SAID_OF_IT] if c.cat not in {"aux", "copy", "manner"}), None)
+    stands = isinstance(verb, Event) and verb.name in _STANDING
+    stands = stands or (verb is not None and verb.cat == "state")
+    return stands or any(m.cat in {"state", "verb"} and m.value in _STILL for m in who.mods)
 
 
 def view_of(before: list[Chunk]) -> Thing | None:
