@@ -146,7 +146,7 @@ class Chunker:
             if self._side_before_number(mods):
                 return self._side(mods, k)
             thing = self._term(m + 1)
-            if thing is not None and thing.cat == "thing" and thing.value == "obstacle":
+            if thing is not None and thing.cat == "thing" and thing.value != "door":
                 return self._thing(mods, thing, m + 1, owner)  # "a truck tyre"
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
