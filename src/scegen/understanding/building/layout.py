@@ -207,6 +207,8 @@ class Layout:
             return JunctionKind.FOUR_WAY, reading.named.because(reason)
         access = self.draft.access
         if access is not None and reading.straight is None:
+            if (across := self._across_the_main_road()) is not None:
+                return JunctionKind.FOUR_WAY, across
             reason = "a side road or driveway meets the road like the stem of a T"
             return JunctionKind.T, access.because(reason)
         implied = self.draft.crossing_implied or self._lateral()
@@ -235,6 +237,14 @@ class Layout:
             if entity.by_heading is not None and crosses:
                 basis = entity.heading_basis or entity.by_heading
                 return basis.because("the ways of two vehicles cross")
+        return None
+
+    def _across_the_main_road(self) -> Basis | None:
+        """``goes straight on from a minor road``: it goes on beyond the main one."""
+        for entity in self.draft.entities:
+            minor, basis = entity.on_minor or (False, None)
+            if minor and basis is not None and entity.maneuvers == {Maneuver.STRAIGHT}:
+                return basis.because("who comes from the side road goes straight across")
         return None
 
     def _side_road(self) -> Basis | None:

@@ -222,21 +222,22 @@ def _regulate(reading: JunctionReading, said: dict[Control, Basis]) -> None:
 
 
 def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
-    """``five-way intersection``, ``with 5 exits``, ``where six roads meet``."""
+    """``five-way intersection``, ``with 5 exits``, ``where six roads meet``, ``of five roads``."""
     number = terms[k]
     noun = terms[k + 1] if k + 1 < len(terms) else None
     if noun is None or noun.value not in _ARM_NOUNS or noun.cat not in {"leg", "place"}:
         return
     meets = any(t.value == "approach" for t in terms[k + 2 : k + 4])
     joined = any(t.value == "junction" for t in terms[max(0, k - _WINDOW) : k + 4])
-    if noun.value == "road" and not meets:
+    before = [t.value for t in terms[max(0, k - 2) : k]]
+    if noun.value == "road" and not (meets or before == ["junction", "of"]):
         return
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
-    definite = bool(k) and terms[k - 1].cat == "det" and terms[k - 1].value == "def"
-    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS and definite:
-        return  # "where the two branches meet": some of them
+    part = before[-1:] in (["def"], ["of"])
+    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS and part:
+        return  # "where the two branches meet", "on each of two branches": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
     elif number.value == "vague":
