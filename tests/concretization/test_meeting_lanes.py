@@ -82,8 +82,8 @@ def test_those_who_leave_by_one_arm_meet_there(kind, ego, other, side, changed):
 
 def test_the_ego_keeps_to_the_way_of_the_text():
     _, concrete = merging(JunctionKind.FOUR_WAY, 4, (1, Maneuver.LEFT), (3, Maneuver.RIGHT))
-    (turn,) = concrete.road.turns
-    assert turn.entry == concrete.participant("other").motion.entry
+    assert not concrete.participant("ego").motion.lane_changes
+    assert concrete.participant("other").motion.lane_changes
 
 
 def test_lanes_stay_as_they_are_where_those_in_conflict_meet_anyway():
@@ -92,7 +92,7 @@ def test_lanes_stay_as_they_are_where_those_in_conflict_meet_anyway():
     assert not said(concrete)
 
 
-def test_markings_are_kept_where_the_ego_meets_somebody_else():
+def test_nobody_moves_over_where_the_ego_meets_somebody_else():
     _, concrete = merging(
         JunctionKind.FOUR_WAY,
         4,
@@ -101,7 +101,7 @@ def test_markings_are_kept_where_the_ego_meets_somebody_else():
         more=[("third", (3, Maneuver.STRAIGHT))],
     )
     assert apart_m(concrete, "ego", "third") < 1.0
-    assert not concrete.road.turns
+    assert not any(p.motion.lane_changes for p in concrete.participants)
 
 
 @pytest.mark.parametrize("lane", [1, 2])

@@ -23,6 +23,7 @@ from scegen.concretization.hazards.reversing import (
 )
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
+from scegen.concretization.maneuvers import shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
@@ -123,6 +124,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     place_walkers(scene)
     backing = reverse(scene)
     meetings = [*backing, *leave_lanes(scene)]
+    meetings += shape_maneuvers(scene)
     go_round_stationary(scene)
     place_obstacles(scene)
     brake_out_of_control(scene)

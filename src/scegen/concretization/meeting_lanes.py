@@ -1,7 +1,7 @@
 """Which lanes drives take at a junction: where words place them, and where those meet who are to.
 
-The outermost lane is taken where nothing is said. Where those who are to meet do not by the usual
-markings, the junction gets a way by which they do: across another's nose, or into its lane.
+The outermost lane is taken where nothing is said. Where two leave by one arm and none of their
+lanes lets them meet, one of them moves over into the other's lane behind the junction.
 """
 
 from __future__ import annotations
@@ -15,27 +15,18 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.hazards.aside import goes_outwards
 from scegen.concretization.hazards.parties import pairs, same_arm
 from scegen.concretization.meetings import ways_touch
-from scegen.concretization.setup import Setup
-from scegen.concretization.tale import SIDEWAYS, outward, side_of
-from scegen.concretization.turning_ways import abreast, at_odds, least_radius_m
+from scegen.concretization.passing import change_length_m
+from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.tale import SIDEWAYS
+from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreast
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
-from scegen.scenario.arms import arm_angles_deg, seen_from
+from scegen.motion.paths import END_MARGIN_M
+from scegen.scenario.concrete import LaneChange
 from scegen.scenario.logical import ConflictKind
-from scegen.scenario.road_parameters import Turn
-from scegen.scenario.vocabulary import (
-    Approach,
-    DrivingSide,
-    HazardKind,
-    JunctionKind,
-    Maneuver,
-    Side,
-)
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
-_WITHOUT_TURNS = frozenset({JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT})
 _MEETS = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
-_LATE_RADIUS_M = 6.5
-_ABREAST = LIKELY / 2
-"""What it weighs that one turns across another beside it: less than the side that is said."""
+_BEHIND_JUNCTION_M = 2.0
 _AS_IT_WAS, _EGO_AS_IT_WAS = 0.1, 0.15
 
 
@@ -58,100 +49,38 @@ LaneWish = Wish[Lanes]
 
 
 def choose_junction_lanes(scene: Setup) -> None:
-    """Give every drive its lanes, and the junction the markings that they need.
+    """Give every drive its lanes.
 
     Of those who are to meet, dangers count first, then the ego's conflicts; those of others only
-    where nobody else could meet. Other markings than the usual are made only for a danger, or where
-    else nobody would meet at all.
+    where nobody else could meet. Somebody moves over only for a danger, or where else nobody would
+    meet at all.
     """
     options = {name: _options(scene, draft) for name, draft in scene.drives.items()}
-    words = [*_from_words(scene)]
-    placed = [wish for wish in words if wish.can_be_met(options)]
+    placed = [w for w in _from_words(scene) if w.can_be_met(options)]
     _, before = least_broken(options, placed)
-    for name in {name for wish in placed for name in wish.who} | _sideways(scene):
+    for name in _bound(scene, placed):
         options[name] = [before[name]]
     blocked = any(stand.standing.in_lane for stand in scene.stands.values())
     meetings = [] if blocked else [*_meetings(scene)]
+    possible = [wish for wish in meetings if wish.can_be_met(options)]
+    if any(wish.weight >= USUAL for wish in possible):
+        possible = [wish for wish in possible if wish.weight >= USUAL]
     kept = [_stays(scene, name, lanes) for name, lanes in before.items()]
-
-    def best() -> Choice:
-        placed, possible = (
-            [wish for wish in wishes if wish.can_be_met(options)] for wishes in (words, meetings)
-        )
-        if any(wish.weight >= USUAL for wish in possible):
-            possible = [wish for wish in possible if wish.weight >= USUAL]
-        return least_broken(options, [*placed, *possible, *kept])[1]
-
-    chosen, usual = best(), scene.road
-    wanted = [w for w in (*words, *meetings) if w.weight >= _ABREAST and not w.met(chosen)]
-    if not (wanted or any(wish.met(chosen) for wish in meetings)):
-        wanted = meetings
-    turns = _other_turns(scene, wanted)
-    if any(turns.values()) and scene.road.kind not in _WITHOUT_TURNS:
-        scene.mark(usual, [turn for ways in turns.values() for turn in ways])
-        meetings = [*_meetings(scene)]
-        for name in turns:
-            found = (*options[name], *_options(scene, scene.drives[name]))
-            options[name] = [*dict.fromkeys(found)]
-        chosen = best()
-        needed = [t for n, ways in turns.items() for t in ways if _by(t) == chosen[n]]
-        scene.mark(usual, needed)
+    _, chosen = least_broken(options, [*placed, *possible, *kept])
     for name, lanes in chosen.items():
         lanes.give(scene.drives[name])
-        _note(scene, name, before[name], lanes, meetings)
-
-
-def _by(turn: Turn) -> Lanes:
-    return Lanes(turn.lane_in, None, turn.lane_out)
-
-
-def _other_turns(scene: Setup, unmet: Sequence[LaneWish]) -> dict[str, list[Turn]]:
-    """Ways beside the usual ones by which two do what they cannot by these, by who may take them.
-
-    One of two beside each other goes from the other's lane, one of two who leave by one arm comes
-    into the other's lane there. Two who come towards each other and both turn across pass in front
-    of each other on the widest arcs: who goes on to the middle and turns there crosses the other's.
-    """
-    found: dict[str, list[Turn]] = {}
-    for wish in (each for each in unmet if len(each.who) > 1):
-        pair = [scene.drives[name] for name in wish.who]
-        together = pair[0].drive.exit == pair[1].drive.exit
-        for draft in pair:
-            entry, exit_ = draft.drive.entry, draft.drive.exit
-            usual = {(r.entry_lane, r.exit_lane) for r in scene.routes_of(draft)}
-            out, radius_m = scene.road.arms[exit_].lanes_out, None
-            if same_arm(*pair):
-                lanes = range(1, scene.lanes_in(draft) + 1)
-                ways = {(lane, min(usual)[1] if together else min(lane, out)) for lane in lanes}
-            elif draft.id in _sideways(scene):
-                ways = set()
-            elif together:
-                ways = {(lane, after) for lane, _ in usual for after in range(1, out + 1)}
-            else:
-                late = _both_turn_across(scene, *pair)
-                ways, usual = (usual, set()) if late else (set(), usual)
-                radius_m = round(max(_LATE_RADIUS_M, 1.1 * least_radius_m(draft.body)), 3)
-            other = sorted(ways - usual) if entry != exit_ else []
-            found.setdefault(draft.id, []).extend(
-                Turn(entry=entry, lane_in=a, exit=exit_, lane_out=b, radius_m=radius_m)
-                for a, b in other
-            )
-    return found
-
-
-def _both_turn_across(scene: Setup, first: DriveDraft, second: DriveDraft) -> bool:
-    """Whether two who come towards each other both turn across the oncoming lane."""
-    angles = arm_angles_deg(scene.functional.junction)
-    across = Maneuver.LEFT if scene.road.driving_side is DrivingSide.RIGHT else Maneuver.RIGHT
-    facing = Approach.OPPOSITE in seen_from(angles, first.drive.entry, second.drive.entry)
-    return facing and first.drive.turn is second.drive.turn is across
+        _note(scene, name, before[name], lanes, possible)
+    met = any(wish.met(chosen) for wish in meetings)
+    for wish in meetings:
+        if not wish.met(chosen) and (wish.weight >= LIKELY or not met):
+            met |= _move_over(scene, chosen, *(scene.drives[name] for name in wish.who))
 
 
 def _options(scene: Setup, draft: DriveDraft) -> list[Lanes]:
     """The lanes that lead to a drive's exit, the outermost and those that stay so first."""
     found = {Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in scene.routes_of(draft)}
     usual = sorted(found, key=lambda o: (-o.entry, -(o.ring or 0), o.exit != o.entry, -o.exit))
-    reached: set[int] = set()
+    reached = {lanes_abreast(scene.functional, scene.logical, scene.road).get(draft.id)}
     if draft.from_arm is not None:  # from where it comes out backwards
         out = scene.network.routes.get((draft.drive.entry, draft.from_arm), ())
         reached = {route.entry_lane for route in out}
@@ -165,7 +94,7 @@ def _from_words(scene: Setup) -> Iterator[LaneWish]:
         name, reference = drive.participant, other.participant
         if {name, reference} <= scene.drives.keys():
             groups.setdefault(reference, []).append(name)
-            yield from _beside(scene, name, reference, drive.beside_on)
+            yield from _beside(scene, name, reference)
     for names in groups.values():
         for a, b in combinations(names, 2):
             yield Wish((a, b), USUAL, _steps(a, b, lambda out: out != 0), f"{a} is not before {b}")
@@ -207,13 +136,12 @@ def _clear_of_turning_back(scene: Setup) -> Iterator[LaneWish]:
             yield Wish((name,), LIKELY, _in(name, innermost), f"{name} keeps inside")
 
 
-def _beside(scene: Setup, name: str, reference: str, on: Side | None = None) -> Iterator[LaneWish]:
-    """In the next lane, on the side that is said, else ``on`` one; else rather the inner one."""
-    words, said = f"{name} is beside {reference}", side_of(scene.functional, name, reference)
+def _beside(scene: Setup, name: str, reference: str) -> Iterator[LaneWish]:
+    """In the next lane, on the side that is said; where none is, rather the inner one."""
+    words = f"{name} is beside {reference}"
     yield Wish((name, reference), SAID, _steps(name, reference, lambda out: abs(out) == 1), words)
-    step, weight = -1, USUAL / 2
-    if side := said or on:
-        step, weight = outward(scene.functional, side), LIKELY if said else 2 * USUAL
+    outward = is_outward(scene.functional, name, reference)
+    step, weight = (1 if outward else -1), (USUAL / 2 if outward is None else LIKELY)
     yield Wish((name, reference), weight, _steps(name, reference, lambda out: out == step), words)
 
 
@@ -229,10 +157,11 @@ def _is_in_ring(name: str, ring: int, lanes: Choice) -> bool:
     return lanes[name].ring == ring
 
 
-def _sideways(scene: Setup) -> set[str]:
-    """Those on whose arm somebody changes lanes: theirs follow from that."""
-    arms = {d.drive.entry for d in scene.drives.values() if d.drive.maneuver in SIDEWAYS}
-    return {d.id for d in scene.drives.values() if d.drive.entry in arms}
+def _bound(scene: Setup, placed: Sequence[LaneWish]) -> set[str]:
+    """Those whose lanes follow from something else than whom they meet."""
+    bound = {name for wish in placed for name in wish.who}
+    sideways = {d.drive.entry for d in scene.drives.values() if d.drive.maneuver in SIDEWAYS}
+    return bound | {d.id for d in scene.drives.values() if d.drive.entry in sideways}
 
 
 def _stays(scene: Setup, name: str, own: Lanes) -> LaneWish:
@@ -248,32 +177,20 @@ def _meetings(scene: Setup) -> Iterator[LaneWish]:
     def touch(first: str, lanes: Lanes, second: str, others: Lanes) -> bool:
         return ways_touch(way(first, lanes), way(second, others))
 
-    def meeting(first: str, second: str, weight: float) -> LaneWish:
-        met = lambda lanes: touch(first, lanes[first], second, lanes[second])  # noqa: E731
-        return Wish((first, second), weight, met, "they meet")
+    def meet(lanes: Choice, names: tuple[str, str]) -> bool:
+        first, second = names
+        return touch(first, lanes[first], second, lanes[second])
 
-    for drive, other in abreast(scene.logical):
-        names = drive.participant, other.participant
-        turns = {drive.turn, other.turn} != {Maneuver.STRAIGHT}
-        if (
-            turns
-            and not SIDEWAYS & {drive.maneuver, other.maneuver}
-            and scene.drives.keys() >= {*names}
-            and at_odds(scene.functional, drive, other)
-        ):
-            yield meeting(*names, _ABREAST)
-    alone = len(scene.drives) == 2 and not (scene.functional.hazards or scene.walks)
-    for one, two in combinations(scene.drives.values(), 2) if alone else ():
-        if not same_arm(one, two):
-            yield meeting(one.id, two.id, USUAL)  # of what else does it tell?
     for hazard in scene.functional.hazards:
         for cause, sufferer in pairs(scene, hazard):
             if cause.drive.entry != sufferer.drive.entry:
-                yield meeting(cause.id, sufferer.id, LIKELY)
+                who = (cause.id, sufferer.id)
+                yield Wish(who, LIKELY, lambda lanes, who=who: meet(lanes, who), "they meet")  # type: ignore[misc]
     for conflict in scene.logical.conflicts:
         who = (conflict.first, conflict.second)
         if conflict.kind in _MEETS and scene.drives.keys() >= {*who}:
-            yield meeting(*who, USUAL if scene.functional.ego.id in who else USUAL / 2)
+            weight = USUAL if scene.functional.ego.id in who else USUAL / 2
+            yield Wish(who, weight, lambda lanes, who=who: meet(lanes, who), "they meet")  # type: ignore[misc]
 
 
 def _laid(scene: Setup, name: str, lanes: Lanes) -> DriveDraft:
@@ -284,6 +201,36 @@ def _laid(scene: Setup, name: str, lanes: Lanes) -> DriveDraft:
     draft.lane_changes = list(known.lane_changes)
     draft.lay(scene.network)
     return draft
+
+
+def _move_over(scene: Setup, lanes: Choice, first: DriveDraft, second: DriveDraft) -> bool:
+    """Let one of two who leave by one arm change into the other's lane there; whether it can.
+
+    Rather not the ego: its way is the text's.
+    """
+    if scene.ring or scene.network.plain or first.drive.exit != second.drive.exit:
+        return False
+    laid = {draft.id: _laid(scene, draft.id, lanes[draft.id]) for draft in (first, second)}
+    fixed = _bound(scene, ())
+    for draft, other in sorted([(first, second), (second, first)], key=lambda o: o[0] is scene.ego):
+        own, lane = laid[draft.id], laid[other.id].exit_lane
+        if draft.id in fixed or draft.lane_changes or abs(lane - own.exit_lane) != 1:
+            continue
+        change = LaneChange(
+            position_m=round(own.laid.turning_ends_m + _BEHIND_JUNCTION_M, 3),
+            length_m=round(change_length_m(draft.cruise_mps), 3),
+            lane_after=lane,
+        )
+        over = change.position_m + change.length_m - own.laid.stretches[-1].end_m + END_MARGIN_M
+        if over > 0.0:
+            raise NeedsLongerArms(over + 1.0, draft.id)
+        draft.lane_changes.append(change)
+        if ways_touch(*(_laid(scene, each.id, lanes[each.id]) for each in (draft, other))):
+            reason = f"moves over behind the junction, so that its way and that of {other.id} meet"
+            scene.note(f"{draft.id}.exit_lane", lane, reason, own.exit_lane)
+            return True
+        draft.lane_changes.clear()
+    return False
 
 
 def _note(scene: Setup, name: str, before: Lanes, after: Lanes, wishes: Sequence[LaneWish]) -> None:

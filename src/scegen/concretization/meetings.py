@@ -119,11 +119,10 @@ def before_front_m(
 
 def nearest_s_m(path: Path, x_m: float, y_m: float) -> tuple[float, float]:
     """(arc length, distance) of the place of a path that is nearest to a point."""
-    s, x, y, heading = sampled(path)
+    s, x, y, _ = sampled(path)
     gaps = np.hypot(x - x_m, y - y_m)
     i = int(gaps.argmin())
-    on_m = (x_m - x[i]) * cos(heading[i]) + (y_m - y[i]) * sin(heading[i])
-    return float(s[i] + on_m), float(gaps[i])
+    return float(s[i]), float(gaps[i])
 
 
 def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:

@@ -5,17 +5,11 @@ A move is told from where it is over.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import pi, sqrt
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.limits import (
-    CUT_IN_HEADWAY_S,
-    LANE_CHANGE_S,
-    LATE_BRAKING_MPS2,
-    LATERAL_MPS2,
-)
-from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
+from scegen.concretization.limits import LANE_CHANGE_S, LATERAL_MPS2
+from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.setup import Setup, require_room
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.bodies import Body
@@ -29,8 +23,6 @@ BEFORE_TURNING_M = 3.0
 _OF_GRIP = 0.8
 _BEFORE_JUNCTION_M = 5.0
 _LEAST_RUN_UP_M, _SPARE_M = 5.0, 10.0
-_MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
-_SAME_LINE_M = 1.0
 
 
 def change_length_m(speed_mps: float, seconds: float = LANE_CHANGE_S) -> float:
@@ -108,32 +100,6 @@ def move_aside(
     ]
     draft.lay(scene.network)
     return moves[0][0]
-
-
-def close_before(
-    scene: Setup, draft: DriveDraft, others: Sequence[DriveDraft], ends_m: float
-) -> list[Meeting]:
-    """Who has come into a lane at a station is close before the first of others whose lane it is.
-
-    One who is much faster brakes late.
-    """
-    place = draft.laid.path_s_m(ends_m)
-    pose = draft.laid.path.pose(place)
-    for other in others:
-        there, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
-        if other is draft or apart > _SAME_LINE_M:
-            continue
-        closing = other.course.speed_at(there) - draft.course.speed_at(place)
-        if closing < _MUCH_FASTER_MPS:
-            headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
-            gap = headway * other.cruise_mps
-            reason = f"comes into its lane {headway:.2f} s ahead"
-        else:
-            gap = _GAP_M + closing**2 / (2 * LATE_BRAKING_MPS2)
-            reason = f"comes up behind {draft.id}"
-        met = max(0.0, there - gap - draft.body.rear_m - other.body.front_m)
-        return [Meeting(STRUCTURAL, draft.id, other.id, place, met, 0.0, reason)]
-    return []
 
 
 def pass_drive(

@@ -10,9 +10,9 @@ from math import pi
 
 from scegen.concretization.deeds import marks_of
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import Meeting
+from scegen.concretization.hazards.aside import close_before
+from scegen.concretization.meetings import Meeting, nearest_s_m
 from scegen.concretization.others import StandDraft
-from scegen.concretization.passing import close_before
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
@@ -28,6 +28,7 @@ _LONG_CHANGE = 1.4
 """Lorries and buses, by their length, need more room than a car to leave a gap."""
 _LONG_M = 7.0
 _SHARE = 0.8
+_LANE_M = 1.0
 _TURNS = (
     HazardKind.CUT_IN,
     HazardKind.SUDDEN_TURN,
@@ -42,10 +43,9 @@ def pull_out(scene: Setup) -> list[Meeting]:
     for name, stand in list(scene.stands.items()):
         if scene.functional.participant(name).pulls_out and not stand.standing.in_lane:
             del scene.stands[name]
-            draft = scene.drives[name] = _draft(scene, stand)
-            change = draft.lane_changes[0]
-            in_lane_m = change.position_m + change.length_m
-            meetings += close_before(scene, draft, scene.concerned(name), in_lane_m)
+            draft = _draft(scene, stand)
+            scene.drives[name] = draft
+            meetings += _meets(scene, draft)
     return meetings
 
 
@@ -101,3 +101,16 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     draft.steps = list(marks_of(scene, draft))
     scene.note(f"{name}.start_m", start, "is parked, and pulls out")
     return draft
+
+
+def _meets(scene: Setup, draft: DriveDraft) -> list[Meeting]:
+    """The one in whose way it pulls out is close behind as it is in the lane."""
+    change = draft.lane_changes[0]
+    in_lane_m = draft.laid.path_s_m(change.position_m + change.length_m)
+    pose = draft.laid.path.pose(in_lane_m)
+    for other in scene.concerned(draft.id):
+        place, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
+        if other is draft or apart > _LANE_M:
+            continue
+        return [close_before(scene, draft, other, in_lane_m, place)]
+    return []

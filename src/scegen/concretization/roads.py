@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.concretization.limits import LATERAL_MPS2
 from scegen.concretization.tale import SIDEWAYS, SWERVING
-from scegen.concretization.turning_ways import lanes_to_turn_back, turning_back, with_half_circles
+from scegen.concretization.turning_ways import lanes_to_turn_back, turning_back, with_turns
 from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.road import build_network, plan_road
@@ -47,8 +47,7 @@ def plan(
         parking_lanes=frozenset(s.arm for s in standing_in_bays(functional, logical)),
         u_turns=frozenset(drive.entry for drive in turning_back(logical)),
     )
-    if functional.junction.kind is JunctionKind.STRAIGHT and parameters.u_turns:
-        return with_half_circles(functional, logical, parameters)
+    parameters = with_turns(functional, logical, parameters)
     if functional.junction.kind is not JunctionKind.ROUNDABOUT:
         return parameters
     if HazardKind.CUT_IN in kinds:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,14 +12,13 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.others import StandDraft, WalkDraft
 from scegen.concretization.tale import Tale
 from scegen.errors import MotionInfeasibleError
-from scegen.road import build_network
 from scegen.road.model import RoadNetwork, Route
 from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.objects import StaticObject
-from scegen.scenario.road_parameters import RoadParameters, Turn
+from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.signals import SignalPlan
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
@@ -137,11 +136,6 @@ class Setup(Tale):
                 f"no route leads from arm {key[0]} to arm {key[1]}", where=draft.id
             )
         return routes
-
-    def mark(self, road: RoadParameters, turns: Sequence[Turn]) -> None:
-        """Build the road with some more ways through its junction."""
-        self.road = road.model_copy(update={"turns": (*road.turns, *dict.fromkeys(turns))})
-        self.network = build_network(self.road)
 
     def entry_lanes(self, draft: DriveDraft) -> tuple[int, ...]:
         """The lanes from which a drive's exit can be reached, outermost first."""

@@ -1,25 +1,35 @@
-"""Who drives beside whom, and how tightly who turns back on a road without a junction does so."""
+"""Turns and lanes that a scenario needs and that the usual lane markings of its road do not give.
+
+Who drives beside whom: where the text names the side, that side; else, where two beside each other
+turn different ways, the sides on which one turns across the other's nose: that is what such a text
+tells of. And who turns back, or turns late behind another.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
+from itertools import combinations
 from math import radians, tan
 
 from scegen.concretization.tale import outward, side_of
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.bodies import Body
+from scegen.road.lane_choice import lane_ways
+from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.road_parameters import RoadParameters, Turn
-from scegen.scenario.vocabulary import JunctionKind
+from scegen.scenario.vocabulary import Approach, DrivingSide, JunctionKind, Maneuver
 from scegen.scenario.wording import counted, with_article
 
+_WITHOUT_TURNS = frozenset({JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT})
 _STEERING = tan(radians(38.0))
 """Front wheels turn by about so much: the rear axle then runs on a radius of wheelbase / this."""
 _HALF_CIRCLE_LANES = 2
 _MOST_LANES = 3
 _BULB_RADIUS_M = 4.0
 """What a road of one lane per direction with room beside it allows one who swings out first."""
+_LATE_RADIUS_M = 6.5
 
 
 def is_outward(functional: FunctionalScenario, name: str, reference: str) -> bool | None:
@@ -37,7 +47,24 @@ def abreast(logical: LogicalScenario) -> Iterator[tuple[Drive, Drive]]:
             yield drive, other
 
 
-def at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
+def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tuple[str, str] | None:
+    """(on the kerb's side, on the centre line's side) of two; None if either will do."""
+    names = drive.participant, other.participant
+    said, back = is_outward(functional, *names), is_outward(functional, *names[::-1])
+    if said is None and back is not None:
+        said = not back
+    if said is None:
+        first, second = _bend(functional, drive), _bend(functional, other)
+        turnless = functional.junction.kind in _WITHOUT_TURNS or first == second == 0
+        if turnless or not _at_odds(functional, drive, other):
+            return None
+        # Of two who turn alike one cuts across the other: rather not the ego.
+        cuts = other.participant == functional.ego.id
+        said = first < second if first != second else (first > 0) is not cuts
+    return names if said else names[::-1]
+
+
+def _at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
     """Whether the danger is between the two: no other is asked for."""
     pair = {drive.participant, other.participant}
     if not functional.hazards:
@@ -48,9 +75,61 @@ def at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
     )
 
 
-def least_radius_m(body: Body) -> float:
+def _bend(functional: FunctionalScenario, drive: Drive) -> int:
+    """1 for a turn towards the kerb, -1 for one across the oncoming lane, 0 for straight on."""
+    if drive.turn is Maneuver.U_TURN:
+        return -2
+    if drive.turn not in {Maneuver.LEFT, Maneuver.RIGHT}:
+        return 0
+    return 1 if drive.turn.value == functional.junction.driving_side.value else -1
+
+
+def lanes_abreast(
+    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
+) -> dict[str, int]:
+    """Lanes of those two by two beside each other of whom one turns across the other."""
+    lanes: dict[str, int] = {}
+    if road.kind in _WITHOUT_TURNS:
+        return lanes
+    for drive, other in abreast(logical):
+        count = road.arms[drive.entry].lanes_in
+        found = outer_of(functional, drive, other)
+        if found is None or count < 2 or lanes.keys() & {drive.participant, other.participant}:
+            continue
+        outer, _ = found
+        bends = {d.participant: _bend(functional, d) for d in (drive, other)}
+        inside = 1 if min(bends.values()) < 0 else count - 1
+        lanes |= {name: inside + 1 if name == outer else inside for name in bends}
+    return lanes
+
+
+def turns_across(
+    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
+) -> tuple[Turn, ...]:
+    """The ways that these lanes need and that the usual markings do not give."""
+    lanes = lanes_abreast(functional, logical, road)
+    if not lanes:
+        return ()
+    usual = lane_ways(road.arms, road.driving_side)
+    found: list[Turn] = []
+    for drive in logical.drives:
+        lane = lanes.get(drive.participant)
+        ways = [w for w in usual if (w.entry, w.exit) == (drive.entry, drive.exit)]
+        if lane is None or not ways or any(w.lane_in == lane for w in ways):
+            continue
+        together = [
+            other
+            for other in logical.drives
+            if other is not drive and other.exit == drive.exit and other.participant in lanes
+        ]
+        out = ways[0].lane_out if together else min(lane, road.arms[drive.exit].lanes_out)
+        found.append(Turn(entry=drive.entry, lane_in=lane, exit=drive.exit, lane_out=out))
+    return tuple(dict.fromkeys(found))
+
+
+def least_radius_m(drive: Drive, functional: FunctionalScenario) -> float:
     """The tightest circle of a vehicle's rear axle."""
-    return body.wheelbase_m / _STEERING
+    return functional.participant(drive.participant).body.wheelbase_m / _STEERING
 
 
 def turning_back(logical: LogicalScenario) -> list[Drive]:
@@ -63,7 +142,7 @@ def lanes_to_turn_back(functional: FunctionalScenario, logical: LogicalScenario)
     drives, junction = turning_back(logical), functional.junction
     if junction.kind is not JunctionKind.STRAIGHT or junction.lanes or not drives:
         return 1
-    radius = max(least_radius_m(functional.participant(d.participant).body) for d in drives)
+    radius = max(least_radius_m(drive, functional) for drive in drives)
     wide = [
         count
         for count in range(_HALF_CIRCLE_LANES, _MOST_LANES + 1)
@@ -77,22 +156,40 @@ def _half_circle_m(lanes: int, width_m: float) -> float:
     return (2 * lanes - 1) * width_m / 2
 
 
-def with_half_circles(
+def with_turns(
     functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
 ) -> RoadParameters:
-    """A road without a junction on which those turn back who do, from kerb to kerb.
-
-    It has strips beside its lanes: who turns back needs more room than these.
+    """The road with all that the scenario needs beside the usual ways.
 
     Raises:
         MotionInfeasibleError: the road is too narrow for somebody to turn back on it.
     """
-    turns: dict[Turn, None] = {}
+    turns = [
+        *_half_circles(functional, logical, road),
+        *turns_across(functional, logical, road),
+        *_late_turns(functional, logical, road),
+    ]
+    update: dict[str, object] = {}
+    if turns:
+        update["turns"] = tuple(turns)
+    if road.kind is JunctionKind.STRAIGHT and road.u_turns:
+        # Strips beside the lanes: one who turns back needs more room than the lanes.
+        update["parking_lanes"] = frozenset(arm.id for arm in road.arms)
+    return road.model_copy(update=update) if update else road
+
+
+def _half_circles(
+    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
+) -> list[Turn]:
+    """Turning back on a road without a junction, from kerb to kerb."""
+    if road.kind is not JunctionKind.STRAIGHT:
+        return []
+    found = []
     for drive in turning_back(logical):
         arm = road.arms[drive.entry]
         count = min(arm.lanes_in, arm.lanes_out)
         radius = max(_half_circle_m(count, arm.lane_width_m), _BULB_RADIUS_M)
-        needed = least_radius_m(functional.participant(drive.participant).body)
+        needed = least_radius_m(drive, functional)
         if radius < needed:
             kind = functional.participant(drive.participant).kind
             raise MotionInfeasibleError(
@@ -102,7 +199,49 @@ def with_half_circles(
                 where=drive.participant,
                 hint="Say that the road has more lanes, or let it turn back at a junction.",
             )
-        lanes, radius = {"lane_in": count, "lane_out": count}, round(min(radius, 50.0), 3)
-        turns[Turn(entry=drive.entry, exit=drive.exit, radius_m=radius, **lanes)] = None
-    strips = frozenset(arm.id for arm in road.arms)
-    return road.model_copy(update={"turns": tuple(turns), "parking_lanes": strips})
+        found.append(
+            Turn(
+                entry=drive.entry,
+                lane_in=count,
+                exit=drive.exit,
+                lane_out=count,
+                radius_m=round(min(radius, 50.0), 3),
+            )
+        )
+    return list(dict.fromkeys(found))
+
+
+def _late_turns(
+    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
+) -> list[Turn]:
+    """Two from opposite arms who both turn across the oncoming lane, each behind the other.
+
+    On the widest arcs they pass in front of each other and never meet; who goes on to the middle
+    and turns there crosses the other's way twice.
+    """
+    if road.kind in _WITHOUT_TURNS:
+        return []
+    across = Maneuver.LEFT if road.driving_side is DrivingSide.RIGHT else Maneuver.RIGHT
+    angles = arm_angles_deg(functional.junction)
+    turning = [drive for drive in logical.drives if drive.turn is across]
+    late: dict[str, Drive] = {}
+    for first, second in combinations(turning, 2):
+        if first.entry == second.entry or not _meant(functional, first, second):
+            continue
+        if Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
+            late |= {first.participant: first, second.participant: second}
+    radii = {
+        (drive.entry, drive.exit): max(_LATE_RADIUS_M, 1.1 * least_radius_m(drive, functional))
+        for drive in sorted(late.values(), key=lambda each: least_radius_m(each, functional))
+    }
+    return [
+        Turn(**asdict(way), radius_m=round(radii[way.entry, way.exit], 3))
+        for way in lane_ways(road.arms, road.driving_side)
+        if (way.entry, way.exit) in radii
+    ]
+
+
+def _meant(functional: FunctionalScenario, first: Drive, second: Drive) -> bool:
+    """Whether these two are to meet: a danger between them, or the ego and nothing else said."""
+    others = {d.id for d in functional.vehicles} | {c.id for c in functional.crossers}
+    return _at_odds(functional, first, second) and (bool(functional.hazards) or len(others) == 2)

@@ -11,33 +11,29 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import lasting_s
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import ahead_on_arm, culprits, same_arm, victims
+from scegen.concretization.hazards.parties import culprits, same_arm, victims
 from scegen.concretization.limits import (
     ABRUPT_LANE_CHANGE_S,
+    CUT_IN_HEADWAY_S,
     HARD_BRAKING_MPS2,
     LANE_CHANGE_S,
+    LATE_BRAKING_MPS2,
 )
-from scegen.concretization.meetings import DANGER, STRUCTURAL, Meeting, drives_meet
-from scegen.concretization.passing import (
-    change_length_m,
-    close_before,
-    move_aside,
-    neighbour_lane,
-    over_by_m,
-    pass_drive,
-)
+from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
+from scegen.concretization.passing import change_length_m, move_aside, neighbour_lane, over_by_m
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
-from scegen.concretization.stationary import blocking_m, goes_round_a_thing
-from scegen.concretization.tale import SIDEWAYS, outward
+from scegen.concretization.stationary import blocking_m
+from scegen.concretization.tale import outward
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 
 _STAYS_M, _STAYS_ASTRAY_S = 1.0, 2.0
 _IN_LANE_M, _IN_LANE_S = 0.85, 0.75
+_MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
 _BEND_RAD = 0.35
 _ABRUPT = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL, HazardKind.SUDDEN_TURN})
 _ASIDE = (
@@ -49,6 +45,7 @@ _ASIDE = (
 )
 """The dangers of those who leave their way, in the order in which they do so."""
 _RING_MARGIN_M, _LEAST_RING_CHANGE_M = 0.25, 7.0
+_SAME_LINE_M = 2.0
 
 
 def goes_outwards(scene: Setup, draft: DriveDraft) -> bool:
@@ -61,9 +58,9 @@ def goes_outwards(scene: Setup, draft: DriveDraft) -> bool:
 
 
 def leave_lanes(scene: Setup) -> list[Meeting]:
-    """The moves to the side that dangers and manoeuvres ask for, and the meetings that they need.
+    """The moves of those who endanger somebody by one, and the meetings that they need.
 
-    One that leaves its lane for a danger already does all in one.
+    One that leaves its lane for another danger already does both in one.
     """
     meetings: list[Meeting] = []
     for kind in _ASIDE:
@@ -72,8 +69,7 @@ def leave_lanes(scene: Setup) -> list[Meeting]:
                 if not draft.lane_changes:
                     others = victims(scene, hazard, draft)
                     meetings += _leave_lane(scene, draft, others, kind)
-    moves = [m for d in scene.drives.values() if not d.lane_changes for m in _manoeuvre(scene, d)]
-    return [*meetings, *moves, *_side_by_side(scene, moves)]
+    return meetings
 
 
 def _leave_lane(
@@ -84,31 +80,13 @@ def _leave_lane(
         return _in_ring(scene, draft, others[0], kind) if others else []
     if kind is HazardKind.CUT_IN:
         wide = along and scene.lanes_in(draft) > 1
-        return _come_into_lane(scene, draft, along[0], kind) if wide else []
+        return come_into_lane(scene, draft, along[0], kind) if wide else []
     if kind is HazardKind.ONCOMING_LANE and blocking_m(scene, draft):
         return []  # it strays round that one
     heading = draft.laid.path.heading_rad
     if kind is HazardKind.SUDDEN_TURN and abs(heading - heading[0]).max() > _BEND_RAD:
         return []  # it turns; where there is no bend, it turns the wheel all the same
     return _out_and_back(scene, draft, along, kind)
-
-
-def _manoeuvre(scene: Setup, draft: DriveDraft) -> list[Meeting]:
-    """Past the one ahead on its arm, the one that the text calls slow or the nearest.
-
-    Else into a lane beside; who overtakes as a danger does so, too.
-    """
-    changes = draft.drive.maneuver in SIDEWAYS
-    overtakes = HazardKind.OVERTAKING in scene.kinds_by(draft.id)
-    if not (changes or overtakes):
-        return []
-    ahead = [other for other in ahead_on_arm(scene, draft) if other.drive.beside is None]
-    ahead = [other for other in ahead if other.drive.reverses is None]
-    slow = [other for other in ahead if HazardKind.SLOW_DRIVING in scene.kinds_by(other.id)]
-    if ahead:
-        comes_back = overtakes or draft.drive.maneuver is Maneuver.OVERTAKE
-        return pass_drive(scene, draft, (slow or ahead)[-1], comes_back=comes_back)
-    return _free_change(scene, draft) if changes and not _has_cause(scene, draft) else []
 
 
 def _in_ring(
@@ -131,12 +109,15 @@ def _in_ring(
     theirs = {piece.road.id for piece in victim.laid.stretches}
     end_m = ([end for end in usable if rooms[end][1].id in theirs] or usable)[-1]
     length = min(rooms[end_m][0], change_length_m(culprit.cruise_mps, ABRUPT_LANE_CHANGE_S))
+    end_s = culprit.laid.path_s_m(end_m)
     target = scene.road.ring_lanes if goes_outwards(scene, culprit) else 1
     move_aside(scene, culprit, target, ends_m=end_m, over_m=length, hazard=kind)
-    return close_before(scene, culprit, [victim], end_m)
+    pose = culprit.laid.path.pose(end_s)
+    place, apart = nearest_s_m(victim.laid.path, pose.x_m, pose.y_m)
+    return [] if apart > _SAME_LINE_M else [close_before(scene, culprit, victim, end_s, place)]
 
 
-def _come_into_lane(
+def come_into_lane(
     scene: Setup, draft: DriveDraft, other: DriveDraft | None, kind: HazardKind | None = None
 ) -> list[Meeting]:
     """Change lanes: into another's, close before it, or into the one that leads on."""
@@ -149,7 +130,7 @@ def _come_into_lane(
         length = draft.cruise_mps * lasting_s(act, width_m, length / draft.cruise_mps)
     end = over_by_m(draft, other)
     move_aside(scene, draft, target, ends_m=end, over_m=length, hazard=kind)
-    return close_before(scene, draft, [] if other is None else [other], end)
+    return [] if other is None else [close_before(scene, draft, other, draft.laid.path_s_m(end))]
 
 
 def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> tuple[int, int]:
@@ -189,6 +170,30 @@ def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None)
     return start, target
 
 
+def close_before(
+    scene: Setup,
+    draft: DriveDraft,
+    other: DriveDraft,
+    place_s_m: float,
+    other_s_m: float | None = None,
+) -> Meeting:
+    """At a place of its way, one is close before another; one who is much faster brakes late.
+
+    ``other_s_m`` is the same place on the other's way, if that differs.
+    """
+    there = place_s_m if other_s_m is None else other_s_m
+    closing = other.course.speed_at(there) - draft.course.speed_at(place_s_m)
+    if closing < _MUCH_FASTER_MPS:
+        headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
+        gap = headway * other.cruise_mps
+        reason = f"comes into its lane {headway:.2f} s ahead"
+    else:
+        gap = _GAP_M + closing**2 / (2 * LATE_BRAKING_MPS2)
+        reason = f"comes up behind {draft.id}"
+    met = max(0.0, there - gap - draft.body.rear_m - other.body.front_m)
+    return Meeting(STRUCTURAL, draft.id, other.id, place_s_m, met, 0.0, reason)
+
+
 def _out_and_back(
     scene: Setup, draft: DriveDraft, along: list[DriveDraft], kind: HazardKind
 ) -> list[Meeting]:
@@ -225,7 +230,9 @@ def _out_and_back(
         hazard=kind,
         offset_m=offset,
     )
-    return close_before(scene, draft, [] if beside is None else [beside], out + length)
+    if beside is None or beside.entry_lane != aside:
+        return []
+    return [close_before(scene, draft, beside, draft.laid.path_s_m(out + length))]
 
 
 def brake_out_of_control(scene: Setup) -> None:
@@ -236,63 +243,3 @@ def brake_out_of_control(scene: Setup) -> None:
             rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
             place = draft.laid.path_s_m(change.position_m)
             draft.hold(SpeedChange(2.0, rate, s_m=place, hazard=kind), 1.0)
-
-
-def _has_cause(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether it goes round what stands or lies in its lane, or "overtakes" without leaving it.
-
-    That is who passes one that is parked beside the lanes, or one that reverses into its way.
-    """
-    arms = {draft.drive.entry, draft.drive.exit}
-    standing = {s.standing.in_lane for s in scene.stands.values() if s.standing.arm in arms}
-    past = False in standing
-    past |= any(other.drive.reverses is not None for other in ahead_on_arm(scene, draft))
-    stays = past and draft.drive.maneuver is Maneuver.OVERTAKE
-    return stays or True in standing or goes_round_a_thing(scene, draft)
-
-
-def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:
-    """A change into the lane of one beside it, rather the ego's, or into the one that leads on."""
-    if scene.lanes_in(draft) < 2 and draft.drive.maneuver is Maneuver.OVERTAKE:
-        raise MotionInfeasibleError(
-            f"nobody is ahead of it on arm {draft.drive.entry} whom it could overtake",
-            where=draft.id,
-            hint="Let another vehicle enter on that arm before it, or let it drive straight on.",
-        )
-    near = [
-        other
-        for other in scene.drives.values()
-        if (other.id == draft.drive.beside or other.drive.beside == draft.id)
-        and same_arm(other, draft)
-        and abs(other.entry_lane - draft.entry_lane) == 1
-        and other.entry_lane in scene.entry_lanes(draft)
-        and not other.lane_changes
-    ]
-    beside = max(near, key=lambda other: other is scene.ego, default=None)
-    return _come_into_lane(scene, draft, beside)
-
-
-def _side_by_side(scene: Setup, meetings: list[Meeting]) -> list[Meeting]:
-    """Those who travel beside another are level with it half way along the arm.
-
-    Where one turns across the other, they are so there.
-    """
-    arranged = {frozenset((m.first, m.second)) for m in meetings}
-    found = []
-    # The second in the same lane drives in a line with the first.
-    taken: set[tuple[str, int]] = set()
-    for draft in scene.drives.values():
-        beside = scene.drives.get(draft.drive.beside or "")
-        if beside is None or not same_arm(draft, beside):
-            continue
-        if frozenset((beside.id, draft.id)) in arranged or (beside.id, draft.entry_lane) in taken:
-            continue
-        taken.add((beside.id, draft.entry_lane))
-        point = drives_meet(beside, draft)
-        place = draft.junction_s_m * 0.6
-        priority, places, words = STRUCTURAL + 1, (place, place), "side by side"
-        if point is not None:
-            priority, places = DANGER, (point.first_s_m, point.second_s_m)
-            words += ", one turns across the other"
-        found.append(Meeting(priority, beside.id, draft.id, *places, 0.0, words))
-    return found
