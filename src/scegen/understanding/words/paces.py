@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
-from scegen.understanding.words.quantities import Quantity, as_written, quantity_at
+from scegen.understanding.words.quantities import Quantity, as_written, in_unit, quantity_at
 from scegen.understanding.words.terms import Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 
@@ -19,6 +21,8 @@ _LOWEST_LIMIT = 10
 _CRAWL = 40
 """What nobody drives on a motorway, be it in mph or in km/h."""
 _MOTORWAY = 50
+_LOWEST_BARE = 15
+"""Lower numbers without a unit, after "at", are hours as well."""
 _GUESS_REACH = 7
 _SAID_REACH = 4
 
@@ -88,7 +92,7 @@ def _must_have_been(tokens: list[Token], i: int) -> bool:
 
 
 def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
-    """``a car comes at 50, the ego was doing 40 km/h``: in the unit of the other speeds.
+    """``a car comes at 50, the ego was doing 40 km/h``: in the unit of the other speeds, if any.
 
     Args:
         tokens: the tokens of the text.
@@ -111,7 +115,12 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
         given = quantity_at(tokens, k)
         if given is not None and given.dimension == "speed":
             return as_written(tokens, i, j, given)
-    return None
+    if number.value < _LOWEST_BARE:
+        return None
+    unit = "mph" if any(t.low in word_list("imperial") for t in tokens) else "km/h"
+    note = f"no unit is said; read as {unit}"
+    found = in_unit(tokens, i, j, "speed", unit)
+    return replace(found, note=note) if found is not None else None
 
 
 def _its_speed(tokens: list[Token], i: int) -> bool:

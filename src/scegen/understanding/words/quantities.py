@@ -219,12 +219,24 @@ def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity
         j: index after the last one.
         other: the quantity with the unit.
     """
-    number = number_at(tokens, i)
     units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
-    if number is None or not units:
+    return in_unit(tokens, i, j, other.dimension, units[0][1]) if units else None
+
+
+def in_unit(tokens: list[Token], i: int, j: int, dimension: str, unit: str) -> Quantity | None:
+    """A number without a unit, in a given one.
+
+    Args:
+        tokens: the tokens of the text.
+        i: index of its first token.
+        j: index after the last one.
+        dimension: of the unit.
+        unit: its name.
+    """
+    number = number_at(tokens, i)
+    if number is None:
         return None
-    value = _si(number.value, other.dimension, units[0][1])
-    return _build(tokens, i, j, [value], other.dimension)
+    return _build(tokens, i, j, [_si(number.value, dimension, unit)], dimension)
 
 
 def ends_a_quantity(tokens: list[Token], i: int) -> Quantity | None:
