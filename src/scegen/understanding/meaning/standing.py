@@ -240,7 +240,7 @@ def _over(event: Event, context: Context) -> bool:
         return False
     if event.perfect:
         return event.form in {"ed", "base"}  # "has come to a stop"
-    now = not context.told_in_the_past and not event.mods
+    now = not context.told_in_the_past and all(m.cat == "quantity" for m in event.mods)
     since = bool(word_list("since") & _words_before(event, context))
     return event.form == "ed" and (event.reduced or now or since)
 
