@@ -15,12 +15,9 @@ GOVERNING = frozenset({"prep", "locus"})
 _LINKS = frozenset({"sub", "conj", "rel", "copy"})
 _VIEW_OF = 3
 _CLAUSE = 14
-_SAID_OF_IT = 3
 _INSERTED = 9
 _PUT_IN = frozenset({"prep", "locus", "quantity", "rel"})
 """Classes of words with which it begins what is put in."""
-_STANDING = frozenset({"stop", "park", "wait", "locate", "pull_over"})
-_STILL = frozenset({"parked", "stationary", "stop", "park"})
 
 
 def chunk_at(chunks: list[Chunk], k: int) -> Chunk | None:
@@ -215,19 +212,6 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
         if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
     return False
-
-
-def stands_there(who: Mention, after: list[Chunk]) -> bool:
-    """``a stationary car``, ``a van is parked``, ``a bus stands``.
-
-    Args:
-        who: somebody.
-        after: the chunks behind.
-    """
-    verb = next((c for c in after[:_SAID_OF_IT] if c.cat not in {"aux", "copy", "manner"}), None)
-    stands = isinstance(verb, Event) and verb.name in _STANDING
-    stands = stands or (verb is not None and verb.cat == "state")
-    return stands or any(m.cat in {"state", "verb"} and m.value in _STILL for m in who.mods)
 
 
 def view_of(before: list[Chunk]) -> Thing | None:

@@ -78,7 +78,7 @@ def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     if place is None or not owners(place, clause, context):
         return False
     words = context.tokens
-    egos = any(m.value == "first_person" for m in place.mods)
+    egos = place.has("possessive", "first_person")
     egos = egos or (place.owner is not None and any(e.ego for e in place.owner.entities))
     oncoming = any(context.oncoming(e) and not e.ego for e in clause.drivers)
     if place.kind == "side" and not place.dirs:  # "comes onto its side", "ends up on my side"

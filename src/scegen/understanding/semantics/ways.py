@@ -78,7 +78,7 @@ def _drives_along(event: Event) -> bool:
 
 def _our_side(side: Place, event: Event) -> bool:
     """``a van comes down the ramp to our left``: where that is, for whoever tells it."""
-    ours = any(m.value == "first_person" for m in side.mods)
+    ours = side.has("possessive", "first_person")
     return ours and not any(e.ego for m in event.subject for e in m.entities)
 
 
