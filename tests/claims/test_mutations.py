@@ -3,7 +3,18 @@
 import pytest
 from mutating import changed, later, phase, start
 from saying import made, missed
-from sayings import BRAKES, CROSSES, CUTS_AND_BRAKES, CUTS_IN, EVERY, HIDES, STANDS, WALKS
+from sayings import (
+    BRAKES,
+    CROSSES,
+    CUTS_AND_BRAKES,
+    CUTS_IN,
+    EVERY,
+    HIDES,
+    PASSES,
+    RUNS_INTO,
+    STANDS,
+    WALKS,
+)
 
 from scegen.scenario.concrete import AtTime, ConcreteParticipant, SpeedPhase, Travelled
 from scegen.scenario.environment import Weather
@@ -64,6 +75,13 @@ def other_lane(c):
     return changed(c, "van", motion)
 
 
+def bumper_to_bumper(c):
+    """At one speed, a hand's breadth apart, and both brake alike."""
+    near = start(c, "ego") + c.ego.body.length_m + 0.05
+    braking = c.participant("car").speed_program
+    return changed(changed(c, "car", {"start_m": near}), "ego", speed_program=braking)
+
+
 def one_more(c):
     other = c.participant("car")
     motion = other.motion.model_copy(update={"entry": 1, "exit": 0, "start_m": 5.0})
@@ -88,6 +106,13 @@ MUTATIONS = {
         lambda c: gains_speed(c, "ego"),
         "steady.ego",
     ),
+    "it is level, not behind": (
+        PASSES,
+        lambda c: changed(c, "car", {"start_m": start(c, "ego")}),
+        "approach.car.ego",
+    ),
+    "bumper to bumper": (RUNS_INTO, bumper_to_bumper, "opening.apart"),
+    "bumper to bumper, no collision": (RUNS_INTO, bumper_to_bumper, "outcome.kind"),
     "the leader is slower": (
         BRAKES,
         lambda c: changed(c, "car", speed_mps=c.participant("car").speed_mps - 0.5),

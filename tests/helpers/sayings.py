@@ -143,4 +143,17 @@ LANES = said(
     junction={"lanes": [2, 2, 2, 2]},
 )
 AT_JUNCTIONS = [TURNS_LEFT, RUSHES, QUEUE, RING, ZEBRA, RED, SKEWED, LANES]
-EVERY = [BRAKES, CUTS_IN, CUTS_AND_BRAKES, CROSSES, WALKS, STANDS, HIDES]
+PASSES = said(
+    "straight",
+    person("ego", speed=80),
+    person("car", speed=100, approaches=["adjacent", "left", "behind"]),
+    junction={"lanes": [2, 2]},
+)
+RUNS_INTO = said(
+    "straight",
+    person("ego", speed=70),
+    person("car", speed=70, approaches=["ahead"]),
+    acts=[{"id": "brake", "participant": "car", "kind": "brake", "rate_mps2": 5}],
+    outcome={"kind": "collision", "between": ["ego", "car"]},
+)
+EVERY = [BRAKES, CUTS_IN, CUTS_AND_BRAKES, CROSSES, WALKS, STANDS, HIDES, PASSES, RUNS_INTO]

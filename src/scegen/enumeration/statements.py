@@ -14,6 +14,7 @@ from scegen.enumeration.backing import backs_square, passes_behind
 from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, ring_move, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.in_line import in_next_lane
 from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import (
@@ -174,10 +175,13 @@ def _approaches(out: Stated, functional: FunctionalScenario) -> None:
 def _places(words: list[Approach], *, open_road: bool) -> list[str]:
     """The words for places: ``adjacent`` is on either side, or with a side on that one.
 
-    On a road without a junction nobody comes from the side but out of the next lane.
+    Whether that is ahead or behind there makes no difference to lanes and arms. On a road without
+    a junction nobody comes from the side but out of the next lane.
     """
     sides = [word for word in words if word in {Approach.LEFT, Approach.RIGHT}]
     others = [word.value for word in words if word not in sides and word is not Approach.ADJACENT]
+    if in_next_lane(words) is not None:
+        others = []
     if Approach.ADJACENT in words:
         lanes = sides if len(sides) == 1 else [Approach.LEFT, Approach.RIGHT]
         arms = [] if len(sides) == 1 else sides

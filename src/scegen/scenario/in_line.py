@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import Literal
 
 from scegen.scenario.acts import LEAVING, SLOWING, Act, ActKind
@@ -42,6 +42,15 @@ def words_between(functional: FunctionalScenario, name: str, reference: str) -> 
     """Where somebody is said to be, seen from another; nothing is said of things."""
     told = (words for *two, words in functional.sayings if two == [name, reference])
     return frozenset[Approach]().union(*told)
+
+
+def in_next_lane(words: Collection[Approach]) -> Approach | None:
+    """Where along the road one is that is beside another; None where that is not said.
+
+    ``adjacent`` with one of ``ahead`` and ``behind`` says so; with both, any of the three is meant.
+    """
+    along = {Approach.AHEAD, Approach.BEHIND} & set(words)
+    return along.pop() if Approach.ADJACENT in words and len(along) == 1 else None
 
 
 def _by_act(

@@ -263,7 +263,8 @@ class Approach(Word):
     )
     ADJACENT = (
         "adjacent",
-        "in a lane beside the reference's, same way, level or not; with `left` or `right`: there",
+        "in a lane beside the reference's, same way, level or not; with `left` or `right`: there; "
+        "with `ahead` or `behind`: not level but there",
         "`left`, `right` alone, which are other roads",
         "the car in the next lane",
     )

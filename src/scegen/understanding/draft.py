@@ -55,6 +55,8 @@ class Entity:
     """Words that say that it stands in the lane from the start."""
     beside: tuple[str, Basis] | None = None
     """On which side the lane lies in which it drives beside the ego."""
+    in_next_lane: tuple[set[Approach], Basis] | None = None
+    """Whether it is ahead or behind there."""
     circulates: Basis | None = None
     on_call: Basis | None = None
     """Words that say that its siren and blue lights are on."""

@@ -7,13 +7,14 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes, box_at, course, seen
+from scegen.claims.boxes import Boxes, Seen, box_at, course, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
 from scegen.claims.series import first
 from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
+from scegen.scenario.in_line import in_next_lane
 from scegen.scenario.logical import Reverses, Walking
 from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import (
@@ -87,7 +88,9 @@ def _told(words: frozenset[Approach], reference: str, aside: bool) -> str:
     if Approach.ADJACENT in words:
         sides = [plain(word) for word in words if word in _SIDES]
         where = f" on its {either(sorted(sides))}" if sides else ""
-        return _WORDS[Approach.ADJACENT].format(the) + where
+        along = in_next_lane(words)
+        far = f", {plain(along)}" if along is not None else ""
+        return _WORDS[Approach.ADJACENT].format(the) + where + far
     told = [_WORDS[word].format(the) for word in Approach if word in words]
     return either([phrase.removesuffix(" in its lane") for phrase in told] if aside else told)
 
@@ -98,8 +101,11 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
     turned = np.degrees(_course(view, name, frame))
     moves = view.place_m(name)[:, -1] - view.place_m(name)[:, 0] > 0.5
     sides = [word for word in words if word in _SIDES]
-    if Approach.ADJACENT in words and sides:
-        choices = [_beside(place.y * _SIDES[word]) for word in sides]
+    along = in_next_lane(words)
+    if Approach.ADJACENT in words and (sides or along):
+        choices = [_beside(place.y * _SIDES[word]) for word in sides] or [_beside(np.abs(place.y))]
+        if along is not None:
+            choices = [np.minimum(c, _ahead_m(along, place, frame)) for c in choices]
     else:
         walks = told.functional.participant(name).kind in ON_FOOT
         lane = _in_lane_m(told, name, reference, frame.half_width + box.half_width)
@@ -108,11 +114,9 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
             if word is Approach.ADJACENT:
                 choices.append(_beside(np.abs(place.y)))
             elif word in {Approach.AHEAD, Approach.BEHIND}:
-                along = place.rear if word is Approach.AHEAD else -place.front
-                along = along - frame.half_length
                 faces = np.degrees(course(frame, box)) if _backs_up(told, name) else turned
                 same = walks | ~moves | (np.cos(np.radians(faces)) > _SAME_WAY)
-                inside = np.minimum(along, lane - np.abs(place.y))
+                inside = np.minimum(_ahead_m(word, place, frame), lane - np.abs(place.y))
                 choices.append(np.where(same, inside, -NEVER))
             elif told.crossing(name) is not None:
                 choices.append(_crosses(view, name, reference, word))
@@ -120,6 +124,12 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
                 choices.append(_comes(told, view, name, reference, word, turned, moves))
     measured = turned if words <= _COURSES else place.x
     return Judged(np.max(choices, axis=0), measured, np.zeros(view.count))
+
+
+def _ahead_m(word: Approach, place: Seen, frame: Boxes) -> Floats:
+    """How far one is wholly ahead of another, or behind it."""
+    clear: Floats = (place.rear if word is Approach.AHEAD else -place.front) - frame.half_length
+    return clear
 
 
 def _backs_up(told: Told, name: str) -> bool:

@@ -1,16 +1,17 @@
-"""A danger has a beginning: everybody goes on undisturbed before it."""
+"""A danger has a beginning: everybody goes on undisturbed before it, none bumper to bumper."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from itertools import permutations
 
 import numpy as np
 
 from scegen.claims import tolerances
 from scegen.claims.claim import Claim, ClaimKind, Judged
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import CHANGES_MPS2, LEAVES_M
+from scegen.claims.moments import CHANGES_MPS2, LEAVES_M, STANDS_MPS
 from scegen.claims.series import first
 from scegen.claims.told import Told
 from scegen.claims.view import View
@@ -20,6 +21,8 @@ from scegen.scenario.vocabulary import Maneuver
 
 LEAD_IN_S = 1.0
 """The shortest time in which an observer sees what somebody does before it does something else."""
+CLOSEST_S = 0.2
+"""Nobody follows closer; half of the least headway of tailgating."""
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -35,6 +38,29 @@ def claims(told: Told) -> Iterator[Claim]:
         field, test = f"participants.{name}", partial(_undisturbed, told, name)
         kind, tolerance = ClaimKind.OPENING, tolerances.TIME_S
         yield Claim(f"opening.{name}", kind, does, field, "s", test, tolerance)
+    if pairs := list(_at_their_own_distance(told)):
+        does = f"nobody drives less than {CLOSEST_S:g} s behind another at first"
+        kind, apart = ClaimKind.OPENING, partial(_apart, pairs)
+        yield Claim("opening.apart", kind, does, "participants", "s", apart)
+
+
+def _at_their_own_distance(told: Told) -> Iterator[tuple[str, str]]:
+    """Two who drive, if the text tells of no distance between them along the road."""
+    said = [
+        {s.participant, s.reference} for s in told.functional.spacings if s.measure in LENGTHWISE
+    ]
+    drive = [d.participant for d in told.logical.drives if d.maneuver is not Maneuver.STAY]
+    return (pair for pair in permutations(drive, 2) if {*pair} not in said)
+
+
+def _apart(pairs: list[tuple[str, str]], view: View) -> Judged:
+    """The shortest headway at first of those who follow another that moves, too."""
+    least = np.full(view.count, np.inf)
+    for follower, leader in pairs:
+        moves = view.speed_mps(leader)[:, 0] > STANDS_MPS
+        headway = view.headway_s(follower, leader)[:, 0]
+        least = np.where(moves, np.minimum(least, headway), least)
+    return Judged(np.minimum(least, LEAD_IN_S) - CLOSEST_S, least, np.zeros(view.count))
 
 
 def _begins_as_said(told: Told, name: str) -> bool:

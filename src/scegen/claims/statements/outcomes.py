@@ -20,6 +20,8 @@ from scegen.scenario.outcome import BodySide, Outcome, OutcomeKind
 
 _CORNER_M = 0.3
 """Nearer to a corner than this, which side is touched first would be a matter of rounding."""
+_MET_MPS = 0.5
+"""Who drives on bumper to bumper with another at one speed does not collide with it."""
 _SIDES = (BodySide.FRONT, BodySide.REAR, BodySide.LEFT, BodySide.RIGHT)
 
 
@@ -78,13 +80,14 @@ def pairs_of(told: Told, outcome: Outcome, view: View) -> list[tuple[str, str]]:
 
 
 def _touch(told: Told, outcome: Outcome, view: View) -> Judged:
-    """At least one of those pairs touches."""
+    """At least one of those pairs touches, at a speed that differs."""
     margin = np.full(view.count, -NEVER)
     when = np.full(view.count, np.nan)
     for pair in pairs_of(told, outcome, view):
         time_s = view.of_pair("contact_s", *pair)
-        apart = view.of_pair("distance_m", *pair)
-        margin = np.maximum(margin, np.where(np.isnan(time_s), -np.nan_to_num(apart, nan=NEVER), 0))
+        apart = np.nan_to_num(view.of_pair("distance_m", *pair), nan=NEVER)
+        slow = np.clip(_MET_MPS - view.of_pair("impact_mps", *pair), 0.0, None)
+        margin = np.maximum(margin, -np.where(np.isnan(time_s), apart, slow))
         when = np.fmin(when, time_s)
     return Judged(margin, -margin, when)
 

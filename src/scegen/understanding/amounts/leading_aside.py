@@ -29,7 +29,7 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         return
     event, entity = scene.event, doing.entity
     turns = doing.kind is ActKind.TURN
-    for value, basis in _sides(event, text, leaves=not turns):
+    for value, basis in _sides(doing.kind, event, text):
         if value in _BACK and doing.side is None:
             doing.side, doing.side_basis = Side(value), basis
     if turns:
@@ -53,7 +53,7 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         doing.side_basis = words.because("into the lane beside its own")
 
 
-def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basis]]:
+def _sides(kind: ActKind, event: Event, text: Telling) -> list[tuple[str, Basis]]:
     """The sides that words name to which a movement leads; the other of the lane that it leaves."""
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
@@ -62,16 +62,15 @@ def _sides(event: Event, text: Telling, *, leaves: bool) -> list[tuple[str, Basi
     sources = [p.target for p in event.pps if out & {p.value, p.outer, text.tokens[p.word.i].low}]
     # "moves one lane to the left", "leaves the lane to the left"
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
-    # "in the left lane, a car wanders towards ours": where it is
-    starts = [p.target for p in event.pps if p.fronted and p.value == "in"]
-    sources += starts if event.name == "swerve" else []
+    # "in the left lane, a car wanders towards ours": where it is, but "on the left, it overtakes"
+    starts = [p.target for p in event.pps if p.fronted and kind is not ActKind.OVERTAKE]
     goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
-    for goal in (g for g in goals if all(g is not source for source in sources)):
+    for goal in (g for g in goals if all(g is not place for place in (*sources, *starts))):
         if not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
             # "from the lane to its right": from there
             sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]
     # Who drifts out of the right lane may do so to either side.
-    for place in sources if leaves and event.name != "swerve" else []:
+    for place in sources if kind is not ActKind.TURN and event.name != "swerve" else []:
         if isinstance(place, Place):
             basis = Basis(place.i, place.j)
             sides += [(_BACK[d], basis) for d in place.dirs if d in _BACK]

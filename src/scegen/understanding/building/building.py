@@ -49,6 +49,7 @@ _ON_THE_WAY = frozenset({
     HazardKind.CROSSING_CYCLIST, HazardKind.CROSSING_ANIMAL,
 })  # fmt: skip
 """Dangers to those who drive."""
+_COMING_IN = (HazardKind.CUT_IN, HazardKind.MERGING_CONFLICT, HazardKind.SWERVING)
 _NO_LIGHT = "no light stands there for it that could show that; left open"
 _NOT_SAID = (None, None)
 _FIELDS = set(FunctionalScenario.model_fields)
@@ -172,6 +173,8 @@ class Builder:
         """The fields of a participant, each with the words for it."""
         beside = _beside(entity)
         seen = {Approach.ADJACENT, Approach(beside[0])} if beside else entity.approaches
+        if (along := self._in_next_lane(entity)) is not None:
+            seen = seen | along[0]
         maneuvers = maneuvers_of(entity, junction, self.draft)
         ring = junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
         light = self._light(entity, maneuvers, junction)
@@ -223,8 +226,17 @@ class Builder:
         placed = self.draft.placements_of(entity)
         found += [p.basis for p in placed if p.approaches & entity.approaches]
         told = [b for b in dict.fromkeys(found) if b.i is not None and b != entity.approach_basis]
-        beside = _beside(entity)
-        return [*told, beside[1]] if beside is not None else told
+        aside = (_beside(entity), self._in_next_lane(entity))
+        return [*told, *(words for _, words in filter(None, aside))]
+
+    def _in_next_lane(self, entity: Entity) -> tuple[set[Approach], Basis] | None:
+        """Whether it is ahead or behind there; where one comes in ahead, that is where it ends."""
+        along = entity.in_next_lane
+        if along is None or entity.approaches != {Approach.ADJACENT}:
+            return None
+        into = [a.entity for a in self.happenings.acts if a.into is not None and a.into.ego]
+        comes_in = entity in (*into, *self.draft.causing(*_COMING_IN))
+        return None if comes_in and along[0] == {Approach.AHEAD} else along
 
     def _hazard(self, danger: Danger) -> Hazard:
         on_foot = danger.kind in {HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_ANIMAL}

@@ -155,8 +155,9 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
         if verb is None or prep.value != "in":
             return False
         past = (p for p in verb.pps if "passes" in p.word.term.data)
-        if place.kind == "side" and any(p.target is whom for p in past):
-            return True  # "moves past a van on the left"
+        stands = any(m.cat == "state" for m in whom.mods)
+        if place.kind == "side" and not stands and any(p.target is whom for p in past):
+            return True  # "moves past a van on the left", but "past a parked van on the left"
         if verb.name not in _PASSING:  # "is hit by a van in its left side"
             return verb.name == "collide" and verb.passive and place.kind == "side"
         # "passes a truck in the left lane"; who is in the right lane is passed

@@ -221,16 +221,20 @@ def _is_of_the_verb(prep: Prep, event: Event, kerb: str) -> bool:
     if _from_behind(prep) and _goes_into(event, who):
         return True
     beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
-    beside = beside and not _stands_there(prep, kerb)
+    beside = beside and not _stands_there(prep, event, kerb)
     of_verb = beside or _starts(event, prep) or own_lane(event, prep)
     return who is event.object and of_verb
 
 
-def _stands_there(prep: Prep, kerb: str) -> bool:
-    """``passes a parked van on the right``: at the kerb, not the side on which one passes it."""
+def _stands_there(prep: Prep, event: Event, kerb: str) -> bool:
+    """``passes a parked van on the right``: at the kerb, not the side on which one passes it.
+
+    Who "drives past a parked van on the left" passes it on neither.
+    """
     who, side = prep.on_mention, prep.place
     parked = who is not None and all(e.parked for e in who.entities)
-    return parked and side is not None and kerb in side.dirs
+    past = event.name == "bypass" or any("passes" in p.word.term.data for p in event.pps)
+    return parked and side is not None and (kerb in side.dirs or past)
 
 
 def _met_there(prep: Prep) -> bool:

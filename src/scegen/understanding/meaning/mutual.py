@@ -5,6 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.draft import Basis, Draft, Entity
 
+_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
+
 
 def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     """Two statements narrow each other down; where they differ, both are allowed.
@@ -14,13 +16,14 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
         approaches: where from, as one statement says.
         basis: its words.
     """
+    if approaches and approaches <= _ALONG and entity.approaches == {Approach.ADJACENT}:
+        entity.in_next_lane = approaches, basis
+        return
     if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
         return  # "… from the left and stops in front of the ego": where it gets to
-    along = {Approach.AHEAD, Approach.BEHIND}
-    if approaches == {Approach.ADJACENT} and entity.approaches and entity.approaches <= along:
+    if approaches == {Approach.ADJACENT} and entity.approaches and entity.approaches <= _ALONG:
+        entity.in_next_lane = entity.approaches, entity.approach_basis or entity.basis
         entity.approaches = set()  # "30 m ahead in the next lane": beside, so far ahead
-    if approaches <= along and entity.approaches == {Approach.ADJACENT}:
-        return
     common = entity.approaches & approaches
     entity.approaches = common or (entity.approaches | approaches)
     if entity.approach_basis is None or common:

@@ -16,6 +16,8 @@ from scegen.understanding.phrases.on_sides import sides_of
 from scegen.understanding.words.tokens import Token
 
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
+_FOLLOWS = frozenset({"follow", "tailgate"})
+_SLOWS = frozenset({"brake", "hard_brake", "slow", "stop"})
 _WAYS = frozenset({"left", "right", "straight"})
 _ALONG = frozenset({"ahead", "behind"})
 _DESCRIBES = frozenset({"ed", "ing"})
@@ -44,6 +46,7 @@ class Bonds:
         subjects: those that a clause tells of.
         settled: those of whom the text says which way they go.
         everywhere: those that come one from each of so many sides.
+        landmarks: of whom a phrase of place tells where somebody is, with its word.
         along: who drives or stands ahead of whom, or behind, under both of them.
     """
 
@@ -54,6 +57,7 @@ class Bonds:
     subjects: set[int] = field(default_factory=set)
     settled: set[int] = field(default_factory=set)
     everywhere: dict[int, int] = field(default_factory=dict)
+    landmarks: dict[int, str] = field(default_factory=dict)
     along: dict[int, list[_Along]] = field(default_factory=lambda: defaultdict(list))
 
 
@@ -75,13 +79,16 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     found = Bonds(
-        subjects=(subjects | there) - _in_reasons(chunks, tokens),
+        subjects=(subjects | there | _revealed(events)) - _in_reasons(chunks, tokens),
         settled=_settled(events),
         everywhere=sides_of(events, chunks),
     )
     mentions = [c for c in chunks if isinstance(c, Mention)]
-    for waiting, event in pairwise(events):
-        _waited_for(waiting, event, tokens, found)
+    found.landmarks |= {id(m): m.prep.value for m in mentions if m.prep and m.prep.cat == "locus"}
+    found.landmarks |= _whose_sides(chunks)
+    for before, event in pairwise(events):
+        _waited_for(before, event, tokens, found)
+        _slows_ahead(before, event, found)
     for event in events:
         _done_to(event, mentions, found)
         _drives_along(event, found)
@@ -104,6 +111,18 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
                 found.unlike[id(whose)].append(mention)  # "two vans on either side of it"
         _stands_along(mention, [p for p in mention.pps if p.predicate], found)
     return found
+
+
+def _whose_sides(chunks: list[Chunk]) -> dict[int, str]:
+    """``to the left of the ego``, ``in the lane right of it``: of whom, and which side."""
+    places = [c for c in chunks if isinstance(c, Place) and c.kind in {"side", "lane"} and c.dirs]
+    whose = [(place.beside or place.owner, " ".join(place.dirs)) for place in places]
+    return {id(who): side for who, side in whose if who is not None}
+
+
+def _revealed(events: list[Event]) -> set[int]:
+    """``the lead car reveals a standing one. The ego hits it.``: told of what came into view."""
+    return {id(e.object) for e in events if e.name == "reveal" and e.object is not None}
 
 
 def _keeps_away(event: Event, tokens: list[Token], found: Bonds) -> None:
@@ -168,6 +187,14 @@ def _waited_for(waiting: Event, event: Event, tokens: list[Token], found: Bonds)
     for who in (m for m in event.subject if is_it(m) and m.i > waiting.i):
         if waits and tokens[who.i - 1].low in word_list("until"):
             found.unlike[id(who)] += waiting.subject
+
+
+def _slows_ahead(follows: Event, event: Event, found: Bonds) -> None:
+    """``the ego follows a car; it brakes``: who is followed, as who follows would brake for it."""
+    follows_it = follows.name in _FOLLOWS and isinstance(follows.object, Mention)
+    if follows_it and event.name in _SLOWS and not (follows.passive or event.negated):
+        for who in (m for m in event.subject if is_it(m) and m.i > follows.i):
+            found.unlike[id(who)] += follows.subject
 
 
 def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
-from scegen.understanding.clauses.located import loci_of
+from scegen.understanding.clauses.located import is_it, loci_of
 from scegen.understanding.draft import Basis, Draft, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import (
@@ -68,6 +68,7 @@ class Discourse:
         exclude: list[Entity],
         sides: int | None = None,
         settled: bool = False,
+        near: str | None = None,
     ) -> list[Entity]:
         """The participants that a mention refers to.
 
@@ -77,6 +78,7 @@ class Discourse:
             exclude: participants that it cannot mean (the subject, for an object).
             sides: its members come one from each of so many sides; 0: from each arm.
             settled: the text says which way all its members go.
+            near: where it says that somebody is, by it ("behind it").
         """
         if mention.entities:
             return mention.entities
@@ -91,12 +93,12 @@ class Discourse:
         if refers_to_nobody(mention) or self._a_measure(mention) or self._their_own_queue(mention):
             return []
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
-        if located or mention.besides:
+        if (located and not is_it(mention)) or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if two := self._of_two(mention) or self._at_the_wheel(mention):
             found = two
         elif mention.pronoun is not None:
-            found = self._we(mention) or of_pronoun(self._roster, mention, exclude)
+            found = self._we(mention) or of_pronoun(self._roster, mention, exclude, near)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
             one = of_both(reading, loci_of(mention), self._roster)
@@ -109,7 +111,7 @@ class Discourse:
             entity.named_by |= states_of(mention)
         self._as_somebody(mention)
         self._roster.spoken_of(found, subject=subject, settled=settled)
-        self._roster.stands_near(mention, found)
+        self._roster.stands_near(near, found)
         if subject and mention.joined is not None:
             self._roster.joined = [*mention.joined.entities, *found]
         return found

@@ -17,14 +17,18 @@ _MOST = 20
 _TWO = 2
 
 
-def of_pronoun(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-    """The participants that a pronoun refers to."""
+def of_pronoun(
+    roster: Roster, mention: Mention, exclude: list[Entity], near: str | None
+) -> list[Entity]:
+    """The participants that a pronoun refers to; ``near`` as in ``Discourse.resolve``."""
     which = mention.pronoun
     basis = Basis(mention.i, mention.j)
     if which == "everybody":
         return everybody(mention, roster.draft)
     if which in {"it", "him"}:
-        return _single(roster, mention, exclude)
+        beside = [e for e in roster.still_near(near) if e not in exclude]
+        told = beside if _word(roster, mention) == "it" else []
+        return told or _single(roster, mention, exclude)
     if which == "they" and not mention.walks and all(e.ego for e in roster.entities):
         drives = mention.drives and _word(roster, mention) == "they"
         return _new_driver(roster, mention) if drives else roster.together([])
@@ -67,9 +71,6 @@ def _word(roster: Roster, mention: Mention) -> str:
 def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
     subject, recent = roster.subject, roster.recent
     word = _word(roster, mention)
-    near = [e for e in roster.still_near(mention) if e not in exclude]
-    if near and word == "it":
-        return near
     afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
     if word == "it" and mention.walks and not mention.drives and afoot:
         return afoot[-1:]  # "two cars hide a child; it walks out"

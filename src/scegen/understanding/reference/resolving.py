@@ -97,6 +97,7 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: Bonds) -> None:
         exclude=exclude,
         sides=bonds.everywhere.get(id(mention)),
         settled=id(mention) in bonds.settled,
+        near=bonds.landmarks.get(id(mention)),
     )
     loci = _seen_from_the_ego(mention, unlike, bonds.follows[id(mention)])
     for entity in mention.entities:

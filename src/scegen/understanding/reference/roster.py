@@ -73,18 +73,18 @@ class Roster:
                 self.before = self.subject
             self.subject = found
 
-    def stands_near(self, mention: Mention, found: list[Entity]) -> None:
+    def stands_near(self, word: str | None, found: list[Entity]) -> None:
         """Remembers of whom a phrase of place says where somebody is ("ahead of the ego")."""
         self.turns += 1
-        if mention.prep is not None and mention.prep.cat == "locus" and len(found) == 1:
-            self.landmark = (found, mention.prep.value, self.turns)
+        if word is not None and len(found) == 1:
+            self.landmark = (found, word, self.turns)
 
-    def still_near(self, mention: Mention) -> list[Entity]:
+    def still_near(self, word: str | None) -> list[Entity]:
         """``a van drives ahead of the ego, a bus behind it``: "it" is the ego, not the van."""
-        if self.landmark is None or mention.prep is None or mention.prep.cat != "locus":
+        if self.landmark is None or word is None:
             return []
-        found, word, since = self.landmark
-        parallel = word != mention.prep.value and self.turns - since == 1
+        found, before, since = self.landmark
+        parallel = before != word and self.turns - since == 1
         return found if parallel else []
 
     @property
