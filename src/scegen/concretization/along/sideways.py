@@ -112,13 +112,13 @@ def _left_m(
 
 
 def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner, at_s: float) -> int:
-    """1 if it is to the reference's left, as said or as the lanes are; else towards the kerb."""
+    """1 if it is to the reference's left, as said or as the lanes are; else the ego is inside."""
     if spacing.side is not None:
         return 1 if spacing.side is Side.LEFT else -1
     apart = (who.y_m(at_s) - other.y_m(at_s)) * other.sign
     if abs(apart) > 0.1:
         return 1 if apart > 0 else -1
-    return outward(story.functional, Side.LEFT)
+    return outward(story.functional, Side.LEFT) * (-1 if who is story.ego else 1)
 
 
 def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -> None:

@@ -71,8 +71,9 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
     text = figure.text
     if any(figure.start <= m.i < figure.i for m in text.mentions):
         return []
-    verbs = [c.event for c in text.within(figure.j, figure.end) if c.event.name not in _BEGINNING]
-    return [a for a in acts if a.places & {verb.i for verb in verbs[:1]}]
+    told = [c.event for c in text.within(figure.j, figure.end) if not c.event.embedded]
+    verbs = [event.i for event in told if event.name not in _BEGINNING]
+    return [a for a in acts if a.places & {*verbs[:1]}]
 
 
 def _of_its_doer(figure: Figure, acts: list[Doing]) -> list[Doing]:

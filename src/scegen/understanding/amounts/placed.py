@@ -17,6 +17,7 @@ from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 
 _SOON = 14
+_PASSING = frozenset({"pass", "bypass", "overtake"})
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _TWO_LANES = 7
@@ -101,9 +102,12 @@ def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
         return measure
     far = figure.quantity.exact.high
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}
-    overtaking = (a for a in figure.text.found.acts if a.kind is ActKind.OVERTAKE)
+    overtaking = [a.entity for a in figure.text.found.acts if a.kind is ActKind.OVERTAKE]
+    for event, targets in ((s.event, s.targets) for s in figure.text.scenes):
+        ways = [p.who.entities for p in event.pps if "passes" in p.word.term.data and p.who]
+        overtaking += [*sum(ways, []), *(targets if event.name in _PASSING else [])]
     past = figure.does in by and (one.parked or other.parked)
-    past = past or (far <= _ARMS_LENGTH and any(a.entity in (one, other) for a in overtaking))
+    past = past or (far <= _ARMS_LENGTH and (one in overtaking or other in overtaking))
     beside = any(at == {Approach.ADJACENT} for _, at in figure.text.stand(one, other))
     moved = (one.maneuvers | other.maneuvers) & {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
     lateral = past or (beside and not moved and far <= _TWO_LANES)

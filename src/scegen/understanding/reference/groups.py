@@ -39,15 +39,13 @@ def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[E
 
 
 def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
-    """``someone in a van``: people in or on a vehicle stand for it."""
-    afoot = reading.kind in ON_FOOT or mention.goes_by is not None
-    if not afoot and not reading.driver:
-        return None
+    """``someone in a van``, ``a cyclist on a racing bike``: people in or on a vehicle stand for it."""
+    person = reading.driver or reading.kind in ON_FOOT or mention.goes_by is not None
     for prep in mention.pps:
         target = prep.target
         if prep.value == "in" and isinstance(target, Mention):
             kinds = [KINDS[h.value] for h in target.heads if h.value in KINDS]
-            if set(kinds) - ON_FOOT:
+            if set(kinds) - ON_FOOT and (person or set(kinds) == {reading.kind}):
                 return target
     return None
 

@@ -77,6 +77,14 @@ def begins(tokens: list[Token], i: int, *cats: str) -> bool:
     return match is not None and match.has(*cats)
 
 
+def _names_more(tokens: list[Token], j: int, phrase: _Phrase, end: int | None) -> bool:
+    """``come to a stop sign``: whether the last word of a verb opens the name of a place."""
+    if "verb" not in phrase.cats:
+        return False
+    place = longest_match(tokens, j - 1, end)
+    return place is not None and place.j > j and place.has("place")
+
+
 class _Phrase(NamedTuple):
     """What ends at some nodes: all meanings, the form, the classes."""
 
@@ -122,6 +130,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
         return None
     states, best, more = _opening(tokens[i].low)
     best_j = j = i + 1
+    shorter = best, best_j
     if j < last and "~" not in more and more.isdisjoint([base for base, _ in tokens[j].forms]):
         states = []
     while states and j < last:
@@ -137,5 +146,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
                 reached.append((following["~"], form))
         states, ended = reached, _ending(reached)
         if ended is not None:
-            best, best_j = ended, j
+            shorter, (best, best_j) = (best, best_j), (ended, j)
+    if best is not None and best_j > i + 1 and _names_more(tokens, best_j, best, end):
+        best, best_j = shorter
     return Match(best.entries, best_j, best.form, best.cats) if best is not None else None
