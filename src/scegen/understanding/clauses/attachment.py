@@ -24,6 +24,7 @@ _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "p
                       "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
 """Verbs that may stand before their subject ("from the left comes a bus")."""
 _PASSING = frozenset({"overtake", "pass", "undertake"})
+_MET = _PASSING | {"collide"}
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
@@ -113,6 +114,11 @@ def attach(prep: Prep, state: State) -> None:
         prep.on_mention = None  # "a boy whom I can't see because of a van"
     if whom is not None and (_of_who_acts(prep, whom, state) or _came_from(prep, whom, state)):
         prep.on_mention = None
+    astern = "," in state.between and (prep.outer, prep.value) == ("from", "behind")
+    if astern and state.events:  # "hits the ego, which is stationary, from behind"
+        prep.on_mention = None
+        _told_of(prep, state).pps.append(prep)
+        return
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
     described = _described(prep, state) or _also_there(state)
@@ -130,10 +136,11 @@ def _told_of(prep: Prep, state: State) -> Event:
 
     So it does in "steps out from behind a van parked there, 10 m ahead of the ego".
     """
-    last, closed = state.events[-1], "," in state.between and prep.names("side")
+    closed = "," in state.between and (prep.names("side") or prep.outer == "from")
+    last = state.events[-1]
     if "," in state.between and prep.who is not None and last.name == "park" and not last.finite:
         return next((e for e in reversed(state.events) if e.finite), last)
-    around = (e for e in reversed(state.events) if not e.embedded and e.name in _PASSING)
+    around = (e for e in reversed(state.events) if not e.embedded and e.name in _MET)
     return next(around, last) if closed and last.embedded else last
 
 
