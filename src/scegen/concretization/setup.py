@@ -126,10 +126,15 @@ class Setup(Tale):
 
     def runs_into_standing(self, name: str) -> bool:
         """Whether one is to touch another that stands on its arm: it comes no farther."""
-        own = self.drives[name]
-        ahead = (d for d in self.drives.values() if d.stands and d.drive.rank < own.drive.rank)
-        same = (d.id for d in ahead if d.drive.entry == own.drive.entry)
-        return any(self.contact_wanted(name, other) for other in same)
+        drives = self.logical.drives
+        own = next(drive for drive in drives if drive.participant == name)
+        return any(
+            drive.maneuver is Maneuver.STAY
+            and drive.entry == own.entry
+            and drive.rank < own.rank
+            and self.contact_wanted(name, drive.participant)
+            for drive in drives
+        )
 
     def routes_of(self, draft: DriveDraft) -> tuple[Route, ...]:
         """The routes between a drive's arms.
