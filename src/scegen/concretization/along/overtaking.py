@@ -183,11 +183,12 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     at_once = act.when is not None
     at_once |= any(spacing.at == act.id for spacing in story.functional.spacings)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
-    if not stays and not at_once and aside is None:
-        begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
     clear_m = _gap_at(story, back) if back is not None else 0.0 if stays else _CLEAR_M
-    from_s = begins if stays else begins + lasts
-    clear = _when(partial(_is_past, fast, foremost, clear_m), from_s)
+    is_clear = partial(_is_past, fast, foremost, clear_m)
+    if not stays and not at_once and aside is None:
+        latest = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
+        begins = max(min(latest, _when(is_clear, begins) - lasts), begins)
+    clear = _when(is_clear, begins if stays else begins + lasts)
     story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins) if stays else begins
     story.ends_s[act.id] = clear if stays or back is not None else clear + lasts
     if not stays:
