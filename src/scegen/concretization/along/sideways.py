@@ -57,8 +57,8 @@ def offset_all(story: Story) -> None:
             story.runners[who].shift(spacing.value.middle)
         elif {who, other} <= story.runners.keys():
             mover, fixed = (who, other) if who != story.ego.id else (other, who)
-            turned = mover != who
             pair = story.runners[who], story.runners[other]
+            turned = mover != who and pair[0].forward == pair[1].forward
             meet = _meet(spacing, *pair)
             left = _left_m(story, spacing, *pair, NEVER_S if meet else 0.0)
             if left is not None and not _in_passing(story, spacing):
