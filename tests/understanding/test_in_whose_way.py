@@ -137,7 +137,7 @@ def test_an_ego_that_stood_beside_the_road_is_said_to_drive(text):
         ("A woman stands at the side of the road.", Strip.PAVEMENT, "avoided"),
         ("A woman walks along the lane ahead of the ego.", None, "near-miss"),
         ("The ego hits a woman who walks along the edge of the road.", None, "collision"),
-        ("The ego passes a woman on the edge of the road 1 m to its side.", None, "near-miss"),
+        ("The ego passes a woman on the edge of the road 1 m to its side.", None, "avoided"),
     ],
 )
 def test_who_keeps_to_the_edge_is_beside_the_lanes_unless_somebody_comes_near(text, strip, target):

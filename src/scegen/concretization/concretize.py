@@ -156,7 +156,10 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
         lateral_mps2=FAST_LATERAL_MPS2 if fast else LATERAL_MPS2,
         grip_mps2=scene.grip_mps2,
         waits_s=waits_s,
-        stops_at_line=participant.id in must_stop(scene.functional, scene.logical)
+        stops_at_line=(
+            participant.id in must_stop(scene.functional, scene.logical)
+            and not scene.runs_into_standing(participant.id)
+        )
         or any(
             act.kind is ActKind.WAIT and act.participant == participant.id and act.into in others
             for act in scene.functional.acts

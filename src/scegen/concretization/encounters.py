@@ -40,7 +40,7 @@ def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
         named |= {*hazard.by, *hazard.to}
         for cause, sufferer in pairs(scene, hazard):
             key = frozenset((cause.id, sufferer.id))
-            if key not in involved:
+            if key not in involved and not scene.runs_into_standing(cause.id):
                 priority = DANGER if scene.ego.id in key else DANGER_TO_OTHERS
                 reason = f"{hazard.kind}: arrives together"
                 if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:

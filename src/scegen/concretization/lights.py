@@ -122,7 +122,8 @@ def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
     plan = _plan(scene, green_phases(functional, logical))
     if plan.working:
         plan = _suiting(plan, list(_driven(scene, offsets_s)))
-    return Lights(plan, functional, must_obey(functional, logical))
+    halted = {name for name in scene.drives if scene.runs_into_standing(name)}
+    return Lights(plan, functional, must_obey(functional, logical) - halted)
 
 
 def _green_delays_s(functional: FunctionalScenario) -> dict[str, float]:

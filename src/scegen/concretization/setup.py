@@ -73,7 +73,8 @@ def _implied(tale: Tale, hazard: Hazard) -> Iterator[Act]:
         name = drive.participant
         reverses = drive.reverses is not None or HazardKind.REVERSING in tale.kinds_by(name)
         stays = reverses or drive.maneuver is Maneuver.STAY
-        runs_in = late and any(tale.contact_wanted(name, to) for to in hazard.to)
+        whom = hazard.to or [person.id for person in tale.functional.participants]
+        runs_in = late and any(tale.contact_wanted(name, to) for to in whom)
         if name not in hazard.by or name in own or stays or runs_in:
             continue
         act = implied(hazard.kind, name, name, kind)
@@ -122,6 +123,18 @@ class Setup(Tale):
         """Whose way somebody may come into: named sufferers first, then the ego, then others."""
         ranked = dict.fromkeys([*self.endangered_by(name), self.ego.id, *self.drives])
         return [self.drives[other] for other in ranked if other in self.drives]
+
+    def runs_into_standing(self, name: str) -> bool:
+        """Whether one is to touch another that stands on its arm: it comes no farther."""
+        drives = self.logical.drives
+        own = next(drive for drive in drives if drive.participant == name)
+        return any(
+            drive.maneuver is Maneuver.STAY
+            and drive.entry == own.entry
+            and drive.rank < own.rank
+            and self.contact_wanted(name, drive.participant)
+            for drive in drives
+        )
 
     def routes_of(self, draft: DriveDraft) -> tuple[Route, ...]:
         """The routes between a drive's arms.

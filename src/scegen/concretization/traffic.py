@@ -99,15 +99,26 @@ def runs_first_into(traffic: Traffic, name: str) -> Contact | None:
 
 def unwanted(traffic: Traffic) -> Iterator[Contact]:
     """The contacts that somebody should brake for; whoever is to crash before is halted by it."""
-    crashed: set[str] = set()
-    for time_s, *pair in contacts(traffic):
-        if traffic.tale.contact_wanted(*pair):
-            crashed |= {*pair}
-            continue
+    for (time_s, *pair), crashed in _unasked(traffic):
         for who, other in permutations(pair):
             contact = Contact(time_s, who, other)
             if who in traffic.movers and who not in crashed and _runs_in(traffic, contact):
                 yield contact
+
+
+def goes_wrong(traffic: Traffic) -> bool:
+    """Whether two touch who are not to, but as a crash that is said leads to others."""
+    return any(not crashed & {*contact[1:]} for contact, crashed in _unasked(traffic))
+
+
+def _unasked(traffic: Traffic) -> Iterator[tuple[Contact, frozenset[str]]]:
+    """The contacts that nobody asked for, with those who have crashed before as they are to."""
+    crashed: frozenset[str] = frozenset()
+    for contact in contacts(traffic):
+        if traffic.tale.contact_wanted(*contact[1:]):
+            crashed |= {*contact[1:]}
+        else:
+            yield contact, crashed
 
 
 def _runs_in(traffic: Traffic, contact: Contact) -> bool:

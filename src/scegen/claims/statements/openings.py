@@ -9,7 +9,7 @@ from itertools import permutations
 import numpy as np
 
 from scegen.claims import tolerances
-from scegen.claims.claim import Claim, ClaimKind, Judged
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import CHANGES_MPS2, LEAVES_M, STANDS_MPS
 from scegen.claims.series import first
@@ -38,10 +38,20 @@ def claims(told: Told) -> Iterator[Claim]:
         field, test = f"participants.{name}", partial(_undisturbed, told, name)
         kind, tolerance = ClaimKind.OPENING, tolerances.TIME_S
         yield Claim(f"opening.{name}", kind, does, field, "s", test, tolerance)
+    if told.collides and not any(_begins_as_said(told, p.id) for p in told.people):
+        does = f"nobody is hit within the first {LEAD_IN_S:g} s"
+        kind, tolerance = ClaimKind.OPENING, tolerances.TIME_S
+        yield Claim("opening.contact", kind, does, "outcome", "s", _unhurt, tolerance)
     if pairs := list(_at_their_own_distance(told)):
         does = f"nobody drives less than {CLOSEST_S:g} s behind another at first"
         kind, apart = ClaimKind.OPENING, partial(_apart, pairs)
         yield Claim("opening.apart", kind, does, "participants", "s", apart)
+
+
+def _unhurt(view: View) -> Judged:
+    """When two first touch that do not do so all the time."""
+    time_s = np.nanmin(view.summary.contact_s, axis=1, initial=np.inf)
+    return Judged(np.minimum(time_s, NEVER) - LEAD_IN_S + tolerances.TIME_S, time_s, time_s)
 
 
 def _at_their_own_distance(told: Told) -> Iterator[tuple[str, str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 from itertools import combinations
 
@@ -11,6 +11,7 @@ import numpy as np
 from scegen.claims.boxes import contact, free, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, best_of, within
 from scegen.claims.near_miss import near_miss
+from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import PERCENT
 from scegen.claims.view import View
@@ -154,17 +155,28 @@ def _nobody_else(told: Told, view: View) -> Judged:
         for first, second in combinations(view.index, 2)
         if not told.may_touch(first, second) and not {first, second} <= standing
     ]
-    return _untouched(view, pairs)
+    over_s = {name: hit_s(told, view, name) for name in view.index}
+    return _untouched(view, pairs, over_s)
 
 
-def _untouched(view: View, pairs: list[tuple[str, str]]) -> Judged:
-    """The smallest distance of any pair, and how deep into each other's time the worst are."""
-    measured = [found[0] for pair in pairs if (found := view.pair(*pair)) is not None]
+def _untouched(
+    view: View, pairs: list[tuple[str, str]], over_s: Mapping[str, Floats] | None = None
+) -> Judged:
+    """The smallest distance of any pair, and how deep into each other's time the worst are.
+
+    What those do is no matter for whom it is ``over``: a crash that is said may lead to others.
+    """
+    known = {pair: found[0] for pair in pairs if (found := view.pair(*pair)) is not None}
+    measured = list(known.values())
     if not measured:
         free = np.full(view.count, NEVER)
         return Judged(free, free, np.full(view.count, np.nan))
     time_s = view.summary.contact_s[:, measured]
     apart = np.nan_to_num(view.summary.distance_m[:, measured], nan=NEVER)
+    if over_s is not None:
+        ends = np.stack([np.minimum(over_s[a], over_s[b]) for a, b in known], axis=1)
+        time_s = np.where(time_s > ends, np.nan, time_s)
+        apart = np.where(apart > 0.0, apart, np.where(np.isnan(time_s), NEVER, apart))
     depth = np.nan_to_num(np.clip(-view.summary.pet_s[:, measured], 0.0, 3.0), nan=1.0)
     value = np.where(np.isnan(time_s), apart, -1.0 - depth)
     worst = np.arange(view.count), value.argmin(axis=1)

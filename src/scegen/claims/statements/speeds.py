@@ -133,10 +133,12 @@ def _held_until(told: Told, person: Participant, view: View) -> Ints:
     name = person.id
     closest = _closest(told, view, name)
     ends = [_own_change(told, person, view), view.last_step, closest]
-    if _turns(told, name):
+    if _turns(told, name) and not _comes_no_farther(told, name):
         ends.append(_before_turn(told, name, view))
     between = told.functional.outcome.between if told.functional.outcome else ()
     hits = told.collides and (not between or name in between)
+    hit = hit_s(told, view, name)
+    ends.append(np.where(np.isfinite(hit), view.step_of(hit), view.steps))
     if not hits and _may_react(told, name):
         ends.append(_others_begin(told, name, view, closest))
     return np.asarray(np.min(ends, axis=0))
@@ -178,6 +180,15 @@ def _turns(told: Told, name: str) -> bool:
         or junction.control in _STOPPING
         or any(c.yields == name for c in told.logical.conflicts)
     )
+
+
+def _comes_no_farther(told: Told, name: str) -> bool:
+    """Whether it is to hit who stands before it on its arm."""
+    outcome, own = told.functional.outcome, told.drive(name)
+    if not told.collides or outcome is None or own is None or name not in outcome.between:
+        return False
+    others = (told.drive(other) for other in outcome.between if other != name)
+    return any(d and d.maneuver is Maneuver.STAY and d.entry == own.entry for d in others)
 
 
 def _before_turn(told: Told, name: str, view: View) -> Ints:

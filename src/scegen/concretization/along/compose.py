@@ -35,7 +35,7 @@ from scegen.concretization.boxes import apart
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
 from scegen.concretization.things import made_of, shape_of
-from scegen.concretization.traffic import contacts
+from scegen.concretization.traffic import goes_wrong
 from scegen.concretization.written import written_scenario
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import build_paths
@@ -93,7 +93,7 @@ def lay(story: Story) -> None:
         react(story)
         cross(story)
         react(story)
-        if all(story.contact_wanted(a, b) for _, a, b in contacts(traffic_of(story))):
+        if not goes_wrong(traffic_of(story)):
             break
 
 

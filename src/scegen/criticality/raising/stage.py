@@ -193,11 +193,12 @@ class Stage:
         """Whose danger with the ego it is, the target's partner first, and when it happens.
 
         Things do not wait for anybody, nor does who is said to drive at some speed or distance:
-        who waits drives otherwise.
+        who waits drives otherwise. Whom the ego passes does not gain speed then.
         """
         stated = Stated.of(self.functional)
         ego = self.concrete.ego.id
-        fixed = {*stated.speeds, *stated.placed} - {ego}
+        passed = self.functional.overtaken(ego) if self.functional is not None else ()
+        fixed = {*stated.speeds, *stated.placed, *passed} - {ego}
         people = {p.id for p in self.concrete.participants} - fixed
         pairs = [p for p in (self.pair, *judged_pairs(self.concrete)) if people >= {*p}]
         met = {frozenset(pair): pair for pair in pairs if ego in pair}

@@ -84,6 +84,8 @@ def _give(doing: Doing, figure: Figure, name: str) -> bool:
     if role == "lateral_move":
         doing = _further(doing, figure) if name in doing.amounts else doing
         _side(doing, figure)
+        if both := figure.text.find("both_ways", figure.j, figure.j + _SIDE_REACH):
+            _to_both_sides(doing, figure, amount, Basis(*both, "which side first is not said"))
     for same in figure.text.acts(doing.i, doing.i + 1, {doing.kind}):  # "both brake with 6 m/s²"
         same.amounts.setdefault(name, amount)
     return True
@@ -154,6 +156,14 @@ def _further(doing: Doing, figure: Figure) -> Doing:
     acts = figure.text.found.acts
     acts.insert(acts.index(doing) + 1, second)
     return second
+
+
+def _to_both_sides(doing: Doing, figure: Figure, amount: Amount, basis: Basis) -> None:
+    """``weaves 0.5 m to either side``: to one and to the other."""
+    second = _further(doing, figure)
+    second.amounts["lateral_m"] = amount
+    doing.side, second.side = Side.LEFT, Side.RIGHT
+    doing.side_basis = second.side_basis = basis
 
 
 def _side(doing: Doing, figure: Figure) -> None:

@@ -104,11 +104,14 @@ def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}
     overtaking = [a.entity for a in figure.text.found.acts if a.kind is ActKind.OVERTAKE]
     for event, targets in ((s.event, s.targets) for s in figure.text.scenes):
-        ways = [p.who.entities for p in event.pps if "passes" in p.word.term.data and p.who]
-        overtaking += [*sum(ways, []), *(targets if event.name in _PASSING else [])]
+        ways = [p.who for p in event.pps if "passes" in p.word.term.data and p.who]
+        overtaking += [e for who in ways for e in who.entities]
+        overtaking += targets if event.name in _PASSING else []
     past = figure.does in by and (one.parked or other.parked)
     past = past or (far <= _ARMS_LENGTH and (one in overtaking or other in overtaking))
-    beside = any(at == {Approach.ADJACENT} for _, at in figure.text.stand(one, other))
+    stand = [at for _, at in figure.text.stand(one, other)]
+    beside = {Approach.ADJACENT} in stand
+    past = past or ({Approach.OPPOSITE} in stand and far <= _ARMS_LENGTH)  # as they are level
     moved = (one.maneuvers | other.maneuvers) & {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
     lateral = past or (beside and not moved and far <= _TWO_LANES)
     return Measure.LATERAL_GAP_M if lateral else measure

@@ -24,6 +24,7 @@ _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "p
                       "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
 """Verbs that may stand before their subject ("from the left comes a bus")."""
 _PASSING = frozenset({"overtake", "pass", "undertake"})
+_MET = _PASSING | {"collide"}
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
@@ -97,25 +98,10 @@ def attach(prep: Prep, state: State) -> None:
         if not _counts_lanes(prep, before):
             state.fronted.append(prep)
         return
-    part = prep.on_mention
-    if part is not None and part.whole is not None and part.whole.j == prep.word.i:
-        prep.on_mention = part.whole  # "one of the two cars ahead": both are
-    head = _head_of(prep, state)
-    whom = prep.on_mention
-    if whom is not None and whom.is_landmark and prep.value == "from" and state.events:
-        # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
-        # side of its own: "turns in front of a car from the left"
-        own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
-        prep.on_mention = whom if own else None
-    if head is not None:
-        prep.on_mention = head
-    if prep.value == "due" and state.events:
-        prep.on_mention = None  # "a boy whom I can't see because of a van"
-    if whom is not None and (_of_who_acts(prep, whom, state) or _came_from(prep, whom, state)):
-        prep.on_mention = None
+    prep.on_mention = _noun(prep, state)
     if prep.on_mention is not None:
         prep.on_mention.pps.append(prep)
-    described = _described(prep, state) or _also_there(state)
+    described = None if _astern(prep, state) else _described(prep, state) or _also_there(state)
     if described is not None and not _of_who_acts(prep, described, state):
         described.pps.append(prep)
         prep.predicate = "rel" not in state.between
@@ -125,15 +111,42 @@ def attach(prep: Prep, state: State) -> None:
         state.candidate.pps.append(prep)
 
 
+def _noun(prep: Prep, state: State) -> Mention | None:
+    """The noun to which a phrase belongs; None: none."""
+    whom = prep.on_mention
+    if whom is not None and whom.whole is not None and whom.whole.j == prep.word.i:
+        whom = prep.on_mention = whom.whole  # "one of the two cars ahead": both are
+    head = _head_of(prep, state)
+    if prep.value == "due" and state.events:
+        return None  # "a boy whom I can't see because of a van"
+    if whom is None:
+        return head
+    if _of_who_acts(prep, whom, state) or _came_from(prep, whom, state) or _astern(prep, state):
+        return None
+    if head is None and whom.is_landmark and prep.value == "from" and state.events:
+        # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
+        # side of its own: "turns in front of a car from the left"
+        own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
+        return whom if own else None
+    return head or whom
+
+
+def _astern(prep: Prep, state: State) -> bool:
+    """``hits the ego, which is stationary, from behind``: it comes from there, not the ego."""
+    behind = (prep.outer, prep.value) == ("from", "behind")
+    return behind and "," in state.between and bool(state.events)
+
+
 def _told_of(prep: Prep, state: State) -> Event:
     """``passes a van, which does 60 km/h, on the left``: the comma closes what is put in.
 
     So it does in "steps out from behind a van parked there, 10 m ahead of the ego".
     """
-    last, closed = state.events[-1], "," in state.between and prep.names("side")
+    closed = "," in state.between and (prep.names("side") or prep.outer == "from")
+    last = state.events[-1]
     if "," in state.between and prep.who is not None and last.name == "park" and not last.finite:
         return next((e for e in reversed(state.events) if e.finite), last)
-    around = (e for e in reversed(state.events) if not e.embedded and e.name in _PASSING)
+    around = (e for e in reversed(state.events) if not e.embedded and e.name in _MET)
     return next(around, last) if closed and last.embedded else last
 
 

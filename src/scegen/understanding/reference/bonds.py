@@ -13,11 +13,10 @@ from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
 from scegen.understanding.phrases.on_sides import sides_of
+from scegen.understanding.reference.its import others_than_it, same_again
 from scegen.understanding.words.tokens import Token
 
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
-_FOLLOWS = frozenset({"follow", "tailgate"})
-_SLOWS = frozenset({"brake", "hard_brake", "slow", "stop"})
 _WAYS = frozenset({"left", "right", "straight"})
 _ALONG = frozenset({"ahead", "behind"})
 _DESCRIBES = frozenset({"ed", "ing"})
@@ -46,6 +45,7 @@ class Bonds:
         subjects: those that a clause tells of.
         settled: those of whom the text says which way they go.
         everywhere: those that come one from each of so many sides.
+        again: an "it" that is the same as one before.
         landmarks: of whom a phrase of place tells where somebody is, with its word.
         along: who drives or stands ahead of whom, or behind, under both of them.
     """
@@ -57,6 +57,7 @@ class Bonds:
     subjects: set[int] = field(default_factory=set)
     settled: set[int] = field(default_factory=set)
     everywhere: dict[int, int] = field(default_factory=dict)
+    again: dict[int, Mention] = field(default_factory=dict)
     landmarks: dict[int, str] = field(default_factory=dict)
     along: dict[int, list[_Along]] = field(default_factory=lambda: defaultdict(list))
 
@@ -69,6 +70,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         events: its events, their subjects found.
         tokens: its tokens.
     """
+    mentions = [c for c in chunks if isinstance(c, Mention)]
     objects = {id(e.object) for e in events}
     there = _said_to_be_there(chunks)
     subjects = {
@@ -82,13 +84,12 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         subjects=(subjects | there | _revealed(events)) - _in_reasons(chunks, tokens),
         settled=_settled(events),
         everywhere=sides_of(events, chunks),
+        again=same_again(mentions, events, tokens),
     )
-    mentions = [c for c in chunks if isinstance(c, Mention)]
     found.landmarks |= {id(m): m.prep.value for m in mentions if m.prep and m.prep.cat == "locus"}
     found.landmarks |= _whose_sides(chunks)
-    for before, event in pairwise(events):
-        _waited_for(before, event, tokens, found)
-        _slows_ahead(before, event, found)
+    for it, other in others_than_it(mentions, events, tokens):
+        found.unlike[id(it)].append(other)
     for event in events:
         _done_to(event, mentions, found)
         _drives_along(event, found)
@@ -98,7 +99,6 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
             found.nearing |= {id(m) for m in event.subject}
         if _comes_out(event):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
-        _going_elsewhere(event, events, found)
         for place in (p.place for p in event.pps):
             if place is not None and place.beside is not None:
                 # "drives in the lane to the left of it": "it" is somebody else
@@ -169,34 +169,6 @@ def _along(who: Mention, locus: str, by: Mention | None, found: Bonds) -> None:
         found.along[id(of)].append(_Along(who, locus, by))
 
 
-def _going_elsewhere(event: Event, events: list[Event], found: Bonds) -> None:
-    """``a car going straight on hits the ego as it turns left``: "it" is not that car."""
-    ways = {d.value for d in event.dirs} & _WAYS
-    it = [m for m in event.subject if is_it(m)]
-    here = [e for e in events if e.sentence == event.sentence and e.i < event.i]
-    hits = any(e.name == "collide" for e in here)
-    for other in here if ways and it and hits else []:
-        if {d.value for d in other.dirs} & _WAYS - ways:
-            for who in it:
-                found.unlike[id(who)] += other.subject
-
-
-def _waited_for(waiting: Event, event: Event, tokens: list[Token], found: Bonds) -> None:
-    """``waits until it has passed``: "it" is not who waits."""
-    waits = waiting.name in {"wait", "yield"} and not event.modal
-    for who in (m for m in event.subject if is_it(m) and m.i > waiting.i):
-        if waits and tokens[who.i - 1].low in word_list("until"):
-            found.unlike[id(who)] += waiting.subject
-
-
-def _slows_ahead(follows: Event, event: Event, found: Bonds) -> None:
-    """``the ego follows a car; it brakes``: who is followed, as who follows would brake for it."""
-    follows_it = follows.name in _FOLLOWS and isinstance(follows.object, Mention)
-    if follows_it and event.name in _SLOWS and not (follows.passive or event.negated):
-        for who in (m for m in event.subject if is_it(m) and m.i > follows.i):
-            found.unlike[id(who)] += follows.subject
-
-
 def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:
     """Who acts is none of those on whom it is done."""
     known = event.object
@@ -211,7 +183,6 @@ def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:
             # "it strikes the motorcycle": "it" is not that motorcycle
             found.unlike[id(who)] += [m for m in mentions if m.i < who.i and m.noun == known.noun]
     _of_another(event, found)
-    _not_by_itself(event, found)
     to = [m for m in (known, *(p.who for p in event.pps)) if isinstance(m, Mention) and m.is_ego]
     for who in (m for m in event.subject if m.pronoun == "it"):
         found.unlike[id(who)] += to  # "it does not yield to the ego"
@@ -240,16 +211,6 @@ def _of_another(event: Event, found: Bonds) -> None:
 def _comes_out(event: Event) -> bool:
     """Whether somebody comes into view: on foot, or by a verb that says so."""
     return event.name in _COMING_OUT or any(m.is_person for m in event.subject)
-
-
-def _not_by_itself(event: Event, found: Bonds) -> None:
-    """``it is hit by the ego``, ``by the ego's front``: "it" is not the ego."""
-    for prep in (p for p in event.pps if p.value == "by"):
-        agent = prep.target.owner if isinstance(prep.target, Place) else prep.target
-        if not isinstance(agent, Mention):
-            continue
-        for who in (m for m in event.subject if m.pronoun):
-            found.unlike[id(who)].append(agent)
 
 
 def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:

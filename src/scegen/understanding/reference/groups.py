@@ -39,7 +39,7 @@ def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[E
 
 
 def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
-    """``someone in a van``, ``a cyclist on a racing bike``: people in or on a vehicle stand for it."""
+    """``someone in a van``, ``a cyclist on a racing bike``: they stand for the vehicle."""
     person = reading.driver or reading.kind in ON_FOOT or mention.goes_by is not None
     for prep in mention.pps:
         target = prep.target

@@ -83,6 +83,7 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: Bonds) -> None:
     if mention.joined is not None and mention.pronoun is None:
         unlike.append(mention.joined)  # "a van and the van behind": two
     exclude = [e for m in unlike for e in m.entities]
+    mention.same_as = bonds.again.get(id(mention), mention.same_as)
     known = discourse.entities
     egos = [e for e in known if e.ego]
     hides = id(mention) in bonds.hiding and is_it(mention) and len(egos) < len(known)

@@ -163,6 +163,14 @@ def _how(rest: str) -> Test:
     return lambda clause, _: clause.event.how(*values) is not None
 
 
+def _next_word(clause: Clause, context: Context) -> list[str]:
+    """The word behind a verb, if it is one by itself: not that of "in front of"."""
+    opened = next((p.word for p in clause.event.pps if p.word.i == clause.event.j), None)
+    if opened is not None and opened.j - opened.i > 1:
+        return []
+    return context.lows(clause.event.j, clause.event.j + 1)
+
+
 def _said(rest: str) -> Test:
     return lambda clause, c: base_words(c.tokens, clause.event.i, clause.event.j) == rest
 
@@ -214,7 +222,7 @@ _KINDS: dict[str, Kind] = {
     ),
     "ends": _among(lambda clause, c: [c.tokens[clause.event.j - 1].low]),
     "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),
-    "next": _among(lambda clause, c: c.lows(clause.event.j, clause.event.j + 1)),
+    "next": _among(_next_word),
     "soon": _among(lambda clause, c: c.lows(clause.event.j, clause.event.j + _SOON)),
     "said": _said,
     "lemma": _among(lambda clause, _: [clause.event.lemma]),

@@ -1,0 +1,91 @@
+"""Whom an "it" cannot mean, by what the clauses around it say, and which is the same as another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise, product
+
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
+from scegen.understanding.clauses.located import is_it
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.words.tokens import Token
+
+_FOLLOWS = frozenset({"follow", "tailgate"})
+_SLOWS = frozenset({"brake", "hard_brake", "slow", "stop"})
+_WAYS = frozenset({"left", "right", "straight"})
+
+
+def others_than_it(
+    mentions: Sequence[Mention], events: Sequence[Event], tokens: list[Token]
+) -> Iterator[tuple[Mention, NounPhrase]]:
+    """Each "it" with one whom it does not mean.
+
+    Args:
+        mentions: of the text.
+        events: its events, their subjects found.
+        tokens: its tokens.
+    """
+    for again, prep, whose in _goes_on(mentions, events, tokens):
+        if prep.target is None or is_it(prep.who):
+            yield again, whose
+    for before, event in pairwise(events):
+        if _is_waited_for(before, event, tokens) or _slows_ahead(before, event):
+            yield from product((m for m in _its(event) if m.i > before.i), before.subject)
+    for event in events:
+        yield from _going_elsewhere(event, events)
+        yield from _not_by_itself(event)
+
+
+def same_again(
+    mentions: Sequence[Mention], events: Sequence[Event], tokens: list[Token]
+) -> dict[int, Mention]:
+    """``when the ego is 15 m behind it, it brakes``: the second "it" with the first."""
+    found = _goes_on(mentions, events, tokens)
+    return {id(again): prep.who for again, prep, _ in found if is_it(prep.who)}
+
+
+def _its(event: Event) -> list[Mention]:
+    return [m for m in event.subject if is_it(m)]
+
+
+def _goes_on(
+    mentions: Sequence[Mention], events: Sequence[Event], tokens: list[Token]
+) -> Iterator[tuple[Mention, Prep, Mention]]:
+    """``… is 15 m behind it, it brakes``: an "it" right behind a clause that says where one is."""
+    acting = [m for event in events for m in _its(event)]
+    for whose in mentions:
+        for prep in (p for p in whose.pps if p.predicate and p.word.cat == "locus"):
+            last = prep.who or prep.word
+            for again in acting:
+                if [t.low for t in tokens[last.j : again.i]] == [","]:
+                    yield again, prep, whose
+
+
+def _slows_ahead(follows: Event, event: Event) -> bool:
+    """``the ego follows a car; it brakes``: who is followed, as who follows would brake for it."""
+    follows_it = follows.name in _FOLLOWS and isinstance(follows.object, Mention)
+    return follows_it and event.name in _SLOWS and not (follows.passive or event.negated)
+
+
+def _is_waited_for(waiting: Event, event: Event, tokens: list[Token]) -> bool:
+    """``waits until it has passed``: "it" is not who waits."""
+    waits = waiting.name in {"wait", "yield"} and not event.modal
+    return waits and any(tokens[m.i - 1].low in word_list("until") for m in _its(event))
+
+
+def _going_elsewhere(event: Event, events: Sequence[Event]) -> Iterator[tuple[Mention, NounPhrase]]:
+    """``a car going straight on hits the ego as it turns left``: "it" is not that car."""
+    ways = {d.value for d in event.dirs} & _WAYS
+    here = [e for e in events if e.sentence == event.sentence and e.i < event.i]
+    hits = any(e.name == "collide" for e in here)
+    for other in here if ways and hits else []:
+        if {d.value for d in other.dirs} & _WAYS - ways:
+            yield from product(_its(event), other.subject)
+
+
+def _not_by_itself(event: Event) -> Iterator[tuple[Mention, NounPhrase]]:
+    """``it is hit by the ego``, ``by the ego's front``: "it" is not the ego."""
+    for prep in (p for p in event.pps if p.value == "by"):
+        agent = prep.target.owner if isinstance(prep.target, Place) else prep.target
+        if isinstance(agent, Mention):
+            yield from ((who, agent) for who in event.subject if who.pronoun)
