@@ -43,9 +43,14 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
         return last
     if act.kind is ActKind.WAIT:
         return rest(told, act, view)[1]
-    if act.kind is ActKind.OVERTAKE and _comes_back_by_another(told, act):
-        return _is_past(told, act, begins, view)
-    return _ends_aside(told, act, begins, view) if act.kind in LEAVING else begins
+    if act.kind not in LEAVING:
+        return begins
+    aside = _ends_aside(told, act, begins, view)
+    if act.kind is not ActKind.OVERTAKE:
+        return aside
+    # Who passes in its own lane, or comes back by another act, has done so when it is past.
+    there = (aside < view.steps) & (not _comes_back_by_another(told, act))
+    return np.where(there, aside, _is_past(told, act, begins, view))
 
 
 def _comes_back_by_another(told: Told, act: Act) -> bool:

@@ -60,7 +60,7 @@ def claims(told: Told) -> Iterator[Claim]:
         yield Claim(
             id=f"approach.{name}.{reference}",
             kind=ClaimKind.APPROACH,
-            statement=f"{name} is {_told(words, reference, _aside(told, name))} at the start",
+            statement=f"{name} is {_told(words, reference, _aside(told, name, reference))} at the start",
             field=field,
             unit="deg" if words <= _COURSES else "m",
             test=partial(_judge, told, name, reference, words),
@@ -77,10 +77,11 @@ def _by_other_arms(told: Told, name: str, reference: str) -> bool:
     return one.entry != other.entry
 
 
-def _aside(told: Told, name: str) -> bool:
-    """Whether somebody is beside the lane at first: on foot, on a strip, or parked there."""
-    participant = told.functional.participant(name)
-    return participant.parked or participant.strip is not None or participant.kind in ON_FOOT
+def _aside(told: Told, name: str, reference: str) -> bool:
+    """Whether somebody is beside the other's lane at first: on foot, on a strip, or parked there."""
+    participant, other = map(told.functional.participant, (name, reference))
+    strips = participant.strip is not None or other.strip is not None
+    return participant.parked or strips or participant.kind in ON_FOOT
 
 
 def _told(words: frozenset[Approach], reference: str, aside: bool) -> str:
@@ -143,7 +144,7 @@ def _in_lane_m(told: Told, name: str, reference: str, touching_m: float) -> floa
 
     As far as it is said to be; where an overlap is said, as long as they share any width.
     """
-    lane = _ASIDE_M if _aside(told, name) else SAME_LANE_M
+    lane = _ASIDE_M if _aside(told, name, reference) else SAME_LANE_M
     for spacing in told.functional.spacings:
         if {spacing.participant, spacing.reference} != {name, reference}:
             continue

@@ -18,7 +18,7 @@ from scegen.road.cross_section import LANE_TYPES
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Drive, Reverses
-from scegen.scenario.roadway import Strip
+from scegen.scenario.roadway import BAYS, Strip
 from scegen.scenario.vocabulary import Maneuver, Side
 
 _STAYS_ON_IT = frozenset({Maneuver.STRAIGHT, Maneuver.STAY})
@@ -44,6 +44,8 @@ def _stays(told: Told, person: Participant) -> bool:
     causes = any(person.id in hazard.by for hazard in told.hazards)
     aside = any(act.kind not in _LEADS_ALONG for act in told.acts_of(person.id))
     parked = person.parked and not person.pulls_out
+    if person.strip in BAYS and told.drive(person.id) is not None:
+        return False  # nobody drives along in a bay
     return parked or not (causes or aside or person.pulls_out or person.maneuvers - _STAYS_ON_IT)
 
 

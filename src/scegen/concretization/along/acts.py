@@ -35,7 +35,26 @@ def all_acts(story: Story) -> list[Act]:
             acts.insert(_place_of(act, acts), act)
     for drive in story.logical.drives:
         acts += _manoeuvre(story, drive, acts)
+    for name in story.in_bays:
+        acts = _out_of_its_bay(story, name, acts)
     return list(_from_rest(acts))
+
+
+def _out_of_its_bay(story: Story, name: str, acts: list[Act]) -> list[Act]:
+    """Who stands in a bay beside the lanes sets off, rolls a little and moves into the lane."""
+    own = [act for act in acts if act.participant == name]
+    aside = next((act for act in own if act.kind in ASIDE), None)
+    on = next((act for act in own if act.kind is ActKind.SET_OFF), None)
+    if on is None:
+        on = implied("on", name, name, ActKind.SET_OFF)
+        on = on.model_copy(update={"when": aside.when if aside is not None else None})
+    out = aside or implied("out", name, name, ActKind.CHANGE_LANE, side=story.inwards)
+    rolls = Interval(low=ROLLS_S, high=ROLLS_S)
+    then = AfterAct(act=on.id, since="begin", delay_s=rolls)
+    out = out.model_copy(update={"kind": ActKind.CHANGE_LANE, "when": then})
+    first = acts.index(own[0]) if own else 0
+    before, after = acts[:first], acts[first:]
+    return [*before, on, out, *(act for act in after if act.id not in {on.id, out.id})]
 
 
 def _from_rest(acts: list[Act]) -> Iterator[Act]:

@@ -183,11 +183,15 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     at_once = act.when is not None
     at_once |= any(spacing.at == act.id for spacing in story.functional.spacings)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
+    said_m = _gap_at(story, back) if back is not None else None
+    clear_m = said_m or (0.0 if stays and back is None else _CLEAR_M)
+    is_clear = partial(_is_past, fast, foremost, clear_m)
     if not stays and not at_once and aside is None:
-        begins = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
-    clear_m = _gap_at(story, back) if back is not None else 0.0 if stays else _CLEAR_M
-    from_s = begins if stays else begins + lasts
-    clear = _when(partial(_is_past, fast, foremost, clear_m), from_s)
+        latest = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
+        # Who is to be as near as is said when it comes back has come out by then.
+        soon = NEVER_S if said_m is None else _when(is_clear, begins) - lasts
+        begins = max(min(latest, soon), begins)
+    clear = _when(is_clear, begins if stays else begins + lasts)
     story.begins_s[act.id] = _when(partial(_level, fast, slow, 0.0), begins) if stays else begins
     story.ends_s[act.id] = clear if stays or back is not None else clear + lasts
     if not stays:
@@ -243,10 +247,10 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     return max(0, fast.lane - 1), 0.0
 
 
-def _gap_at(story: Story, act: Act) -> float:
+def _gap_at(story: Story, act: Act) -> float | None:
     """How far ahead it is when an act begins, if that is said."""
     said = (s for s in story.functional.spacings if s.at == act.id and s.measure is Measure.GAP_M)
-    return next((spacing.value.middle for spacing in said), _CLEAR_M)
+    return next((spacing.value.middle for spacing in said), None)
 
 
 def _latest_out_s(

@@ -16,9 +16,9 @@ from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Drive
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.roadway import Carriageway
+from scegen.scenario.roadway import BAYS, Carriageway
 from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import DrivingSide, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import DrivingSide, HazardKind, Maneuver, ParticipantKind, Side
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
@@ -60,6 +60,17 @@ class Story(Tale):
     def people(self) -> dict[str, Runner]:
         """Those along the road who are no things."""
         return {name: runner for name, runner in self.runners.items() if not runner.thing}
+
+    @property
+    def in_bays(self) -> list[str]:
+        """Those who drive, and stand in a bay beside the lanes at first."""
+        driven = (self.functional.participant(d.participant) for d in self.logical.drives)
+        return [p.id for p in driven if p.strip in BAYS and p.id in self.runners]
+
+    @property
+    def inwards(self) -> Side:
+        """The side away from the kerb."""
+        return self.functional.junction.kerb.opposite
 
     @property
     def merging(self) -> frozenset[str]:

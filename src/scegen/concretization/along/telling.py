@@ -73,6 +73,7 @@ def _speeds(story: Story) -> None:
     functional, logical = story.functional, story.logical
     said = {p.id: p.speed_mps for p in functional.participants if p.speed_mps is not None}
     cruising = pace_of(functional, logical, functional.ego.id).default
+    bays = story.in_bays
     ramps = functional.junction.auxiliary is AuxiliaryLane.ON_RAMP
     on_ramp = story.merging if ramps else frozenset()
     for runner in story.runners.values():
@@ -82,7 +83,7 @@ def _speeds(story: Story) -> None:
         )
         if (back := _begins_with(story, runner.id, ActKind.REVERSE)) is not None:
             _reverse(runner, said.get(runner.id), back)
-        elif stays or _begins_with(story, runner.id, ActKind.SET_OFF):
+        elif stays or runner.id in bays or _begins_with(story, runner.id, ActKind.SET_OFF):
             runner.speed_mps = 0.0
         else:
             pace = pace_of(functional, logical, runner.id)

@@ -18,6 +18,7 @@ from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import quantity_at
 
 _CHANGING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
+_GOING_OVER = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
 
@@ -82,14 +83,14 @@ def _go_back(doing: Doing, first: Doing, scene: Clause, found: list[Doing]) -> N
 def _out_to_pass(found: list[Doing], text: Telling) -> None:
     """``changes to the left lane and overtakes it``: going over is how the passing begins.
 
-    Also "overtakes it by changing to the left lane".
+    Also "overtakes it by changing to the left lane", "swings out and passes it".
     """
     for doing in [d for d in found if d.kind is ActKind.OVERTAKE]:
         own = [d for d in found if d.entity is doing.entity]
         n = own.index(doing)
         means = [d for d in own[n + 1 : n + 2] if text.tokens[d.i - 1].low == "by"]
         for out in [*own[max(n - 1, 0) : n], *means]:
-            goes_over = out.kind is ActKind.CHANGE_LANE and out.into is None
+            goes_over = out.kind in _GOING_OVER and out.into is None
             if goes_over and doing.side in {None, out.side}:
                 found.remove(out)
                 doing.side, doing.side_basis = out.side, out.side_basis

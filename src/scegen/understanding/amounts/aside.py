@@ -30,7 +30,7 @@ def within_the_lane(text: Telling) -> None:
             basis = Basis(place.i, place.j, "on one side of the lane and still in it")
             low, high = _TOWARDS_THE_EDGE_M
             amount = _to("right" in place.dirs, Interval(low=low, high=high), basis)
-            for who in [e for e in clause.actors if e.is_vehicle and not e.parked]:
+            for who in [e for e in clause.actors if e.is_vehicle and not (e.parked or e.strip)]:
                 text.found.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who, who, amount))
 
 

@@ -40,7 +40,10 @@ def _clause_of_acts(acts: list[Doing]) -> Clause:
     first = next((a.basis for found in told.values() for a in found if a), acts[0].basis)
     amounts = {n: [a.value if a else None for a in found] for n, found in told.items()}
     whose = list(dict.fromkeys(act.entity for act in acts))
-    return Clause(_event(acts[0].kind.value, first), whose, [], amounts)
+    triggers = (act.when for act in acts if act.when is not None and act.when.since == "end")
+    befores = (t.act for t in triggers if t.act is not None)
+    passed_by = [other.entity for other in befores if other.kind is ActKind.OVERTAKE]
+    return Clause(_event(acts[0].kind.value, first), whose, passed_by, amounts)
 
 
 def _clause_of_spacing(apart: Apart) -> Clause:

@@ -34,9 +34,10 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
             doing.side, doing.side_basis = Side(value), basis
     if turns:
         return
-    if entity.by_ramp is not None and doing.kind is ActKind.CHANGE_LANE:
+    joins = entity.by_ramp or (entity.strip and entity.strip[1])
+    if joins is not None and doing.kind is ActKind.CHANGE_LANE:
         doing.side = OTHER[Side(context.draft.kerb)]  # "into the right lane", off the ramp
-        words = entity.by_ramp.because("who joins comes from the side of the kerb")
+        words = joins.because("who joins comes from the side of the kerb")
         doing.side_basis = doing.side_basis or words
     _into(doing, scene, context)
     _homewards(doing, event.name == "return", context)

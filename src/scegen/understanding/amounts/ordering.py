@@ -83,7 +83,7 @@ def _at_once(before: Doing, doing: Doing, text: Telling) -> Amount | None:
 def _end(opens: Word, start: int, stop: int, text: Telling) -> int:
     """At the comma, or where the sentence goes on without one: "once it stands the ego …"."""
     comma = next((k for k in range(opens.j, stop) if text.tokens[k].low == ","), None)
-    if comma is not None or opens.i > start:
+    if comma is not None or text.within(start, opens.i):
         return stop if comma is None else comma
     told = [i for i, _ in told_in(text, opens.j, stop)]
     return told[1] if len(told) > 1 else stop
@@ -101,7 +101,7 @@ def _clauses(text: Telling) -> None:
             continue  # "after 2 s"
         end = _end(chunk, start, stop, text)
         inside = [a for a in text.found.acts if any(chunk.j <= i < end for i in a.places)]
-        outside = [a for a in text.acts(start, stop) if a not in inside]
+        outside = [(i, a) for i, a in told_in(text, start, stop) if a not in inside]
         main = _main(chunk, start, end, outside, text)
         if not inside or main is None or main.when is not None:
             continue
@@ -119,10 +119,12 @@ def _clauses(text: Telling) -> None:
         main.when = Trigger("after", basis, at_once, first, since)
 
 
-def _main(chunk: Word, start: int, end: int, outside: list[Doing], text: Telling) -> Doing | None:
+def _main(
+    chunk: Word, start: int, end: int, outside: list[tuple[int, Doing]], text: Telling
+) -> Doing | None:
     """What a clause sets off: the act before it, else the one that follows."""
     opens = chunk.i - (2 if ends_a_quantity(text.tokens, chunk.i) else 0)
     joined = text.low(max(start, opens - 2), opens).replace(",", " ").split()
     put_between = joined[-1:] in (["and"], ["but"])  # "brakes and, once it stands, turns"
-    front = [a for a in outside if a.i < chunk.i and not put_between]
-    return next((a for a in (*front[-1:], *outside) if a in front or a.i >= end), None)
+    front = [a for i, a in outside if i < chunk.i and not put_between]
+    return next(iter([*front[-1:], *(a for i, a in outside if i >= end)]), None)

@@ -109,8 +109,11 @@ def _used(draft: Draft, term: Term, crossing: bool) -> bool:
     if term.value in {"ramp", "exit"}:
         users = (basis for e in draft.entities for basis in (e.by_ramp, e.exits))
         return any(basis is not None for basis in users)
-    strips = (e.strip[1] for e in draft.entities if e.strip is not None)
-    return any((b.i or 0) <= term.i < (b.j or 0) for b in strips)
+    strips = [(*e.strip, e.ego) for e in draft.entities if e.strip is not None]
+    return any(
+        (b.i or 0) <= term.i < (b.j or 0) or (ego and strip.value == term.value)
+        for strip, b, ego in strips
+    )
 
 
 def _unknown(draft: Draft, terms: list[Term]) -> None:

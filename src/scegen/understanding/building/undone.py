@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.evidence import Unsupported
 from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.roadway import BAYS
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.chunks import Event
@@ -83,4 +84,6 @@ def _shown(kind: ActKind, doer: Participant, scenario: FunctionalScenario) -> bo
     at_rest = kind in {ActKind.STOP, ActKind.GIVE_WAY, ActKind.BRAKE}
     if at_rest and (doer.parked or doer.light in {AtLight.RED, AtLight.WAITS}):
         return True
+    if kind is ActKind.SET_OFF and doer.strip in BAYS:
+        return True  # nobody drives along in a bay
     return bool(own & {kind, *_SHOWN_BY[kind]} or doer.maneuvers & _MOVES[kind])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Basis, Danger, Draft, Entity, Placement
 from scegen.understanding.lexicon import word_list
@@ -23,7 +24,7 @@ _ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.S
                         HazardKind.ONCOMING_LANE, HazardKind.REVERSING})  # fmt: skip
 """What one vehicle does to another, which a text need not name."""
 _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
-_DRIVES = "an ego that stands beside the road at first is not built; it drives from the start"
+_DRIVES = "an ego that stays parked beside the road is not built; it drives from the start"
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
 Placed = tuple[Entity, Entity, set[Approach], Basis]
@@ -42,7 +43,10 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         _look_on(draft, named)
     elif named is not None:
         stood = named.was_parked or (named.parked_basis if named.parked else None)
-        draft.note_at(stood, _DRIVES)
+        if stood is not None and (named.pulls_out or named.sets_off >= 0):
+            named.strip = named.strip or (Strip.PARKING, _with_its_side(stood, named, draft))
+        else:
+            draft.note_at(stood, _DRIVES)
         named.parked = False
         words = named.basis.i is not None
         return named, Basis(named.basis.i, named.basis.j) if words else named.basis
@@ -84,6 +88,14 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
             if placement.reference is None and not facing:
                 placement.reference = afoot[0]
     return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _with_its_side(stood: Basis, ego: Entity, draft: Draft) -> Basis:
+    """``parked on the right``: at the kerb, where there are bays."""
+    kerb, i, j = {Approach(draft.kerb)}, stood.i or 0, stood.j or 0
+    sides = [p.basis for p in draft.placements_of(ego) if p.approaches == kerb]
+    ends = [(min(i, b.i or 0), max(j, b.j or 0)) for b in sides if b.i is not None]
+    return Basis(*ends[0]) if ends else stood
 
 
 def _numbered(draft: Draft, vehicles: list[Entity], seen: list[Entity]) -> tuple[Entity, Basis]:

@@ -64,10 +64,11 @@ def _ways(event: Event, cat: str, count: int) -> list[Term]:
 
 
 def _sides(event: Event, count: int) -> list[Prep]:
-    """``approach from the north and from the east``: phrases of one kind, one for each."""
+    """``approach from the north and from the east``, ``in the left and in the right lane``."""
     for word, group in groupby(event.pps, key=lambda p: p.value):
         sides = [p for p in group if p.place is not None]
-        if word in {"from", "to"} and len(sides) == count:
+        alike = word in {"from", "to"} or all(p.names("lane") for p in sides)
+        if alike and len(sides) == count:
             return sides
     return []
 

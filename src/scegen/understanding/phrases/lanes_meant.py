@@ -12,6 +12,7 @@ from scegen.understanding.words.tokens import Token
 
 _LANES = frozenset({"lane", "ramp"})  # "the right lane ends"
 _SIDES = frozenset({"left", "right", "adjacent"})
+_JOINTS = frozenset({("from", "to"), ("from", "into"), ("in", "and")})
 _OF_A_LANE = 3
 """Phrases: the side, "of", the lane."""
 _MOVING = frozenset({"move", "swerve", "try", "dash", "enter", "cross", "sharp_turn", "pull_out"})
@@ -27,12 +28,17 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """
     found: list[Chunk] = []
     named: Place | None = None
+    short: Place | None = None
     chunks = _within_a_lane(chunks, tokens)
     for k, chunk in enumerate(chunks):
         lane = _lane(chunk, k, chunks, named)
         if lane is not None and found[-1:] and found[-1].i == lane.i:
             found.pop()  # "the left" of "the left one"
+        elif isinstance(chunk, Place) and chunk.kind == "lane" and found[-2:-1] == [short]:
+            found.append(Word(Term("prep", "in", chunk.i, chunk.i)))
         found.append(lane or chunk)
+        if lane is not None and value_at(chunks, k + 1) == "and":
+            short = lane  # "in the left and the right lane": in both
         part = found[-3:-2] == [named] and found[-2].value == "of"
         if isinstance(found[-1], Place) and found[-1].kind in _LANES and not part:
             named = found[-1]
@@ -70,8 +76,9 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
     if not isinstance(chunk, Place | Mention):
         return None
     before, word, whole = chunk_at(chunks, k - 1), value_at(chunks, k - 1), _whole(k, chunks)
-    if isinstance(chunk, Place) and chunk.kind == "side":
-        named_side = chunk.has("det") and chunk.head is None and _sided(chunk)
+    if isinstance(chunk, Place) and chunk.kind in {"side", "middle"}:
+        bare = chunk.head is None and _sided(chunk)
+        named_side = chunk.has("det") and (bare or (chunk.kind == "middle" and whole is None))
         part = whole is not None or _to_another(k, chunks)
         return _as_lane(chunk, chunk) if named_side and part and word not in {"to", "on"} else None
     if not isinstance(chunk, Mention):
@@ -89,14 +96,17 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
 
 
 def _to_another(k: int, chunks: list[Chunk]) -> bool:
-    """``from the left to the right lane``."""
-    lane = chunk_at(chunks, k + 2)
-    leads = value_at(chunks, k - 1) == "from" and value_at(chunks, k + 1) in {"to", "into"}
-    return leads and isinstance(lane, Place) and lane.kind == "lane"
+    """``from the left to the right lane``, ``in the middle and in the right lane``."""
+    joint = (value_at(chunks, k - 1), value_at(chunks, k + 1))
+    again = joint == ("in", "and") and value_at(chunks, k + 2) == "in"
+    lane = chunk_at(chunks, k + 3 if again else k + 2)
+    return joint in _JOINTS and isinstance(lane, Place) and lane.kind == "lane"
 
 
 def _as_lane(first: NounPhrase, last: NounPhrase) -> Place:
-    head = Term("place", "lane", last.j - 1, last.j)
+    middle = isinstance(first, Place) and first.kind == "middle"
+    data = {"ranked": True, "rank": "middle"} if middle else {}
+    head = Term("place", "lane", last.j - 1, last.j, data=data)
     return Place(first.i, last.j, list(first.mods), head, kind="lane")
 
 

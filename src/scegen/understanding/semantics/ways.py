@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -129,7 +129,7 @@ def _without_arrow(_: Clause, context: Context) -> bool:
 
 
 def _overtaking(clause: Clause, context: Context) -> bool:
-    """Whether passing is overtaking: somebody is passed, or who passes was behind somebody."""
+    """Whether passing is overtaking: of somebody, or by one who was behind or held up by one."""
     if clause.event.name != "pass":
         return True
     if clause.targets:
@@ -143,8 +143,13 @@ def _overtaking(clause: Clause, context: Context) -> bool:
     over = any(p.kind == "centerline" for p in clause.places())
     if any(p.value == "behind" for p in clause.event.pps):
         return False  # "passes behind": across the road there
-    placed = (p for e in clause.actors for p in context.draft.placements_of(e))
-    return over or any(p.approaches == {Approach.BEHIND} for p in placed)
+    if context.draft.causing(HazardKind.OBSTACLE) and any(e.pulls_out for e in clause.drivers):
+        return True  # "pulls out, passes": past what is in its way
+    return over or any(
+        (p.approaches == {Approach.BEHIND} and p.entity in clause.actors)
+        or (p.approaches == {Approach.AHEAD} and p.reference in clause.actors)
+        for p in context.draft.placements
+    )
 
 
 def _encounter(drivers: list[Entity], targets: list[Entity], context: Context) -> bool:
