@@ -125,8 +125,15 @@ def test_the_side_on_which_somebody_is_hit_is_that_ones(text, side):
         "The ego pulls out from the kerb as a van comes up from behind.",
     ],
 )
-def test_an_ego_that_stood_beside_the_road_is_said_to_drive(text):
-    assert any("drives from the start" in u.instead for u in read(text).unsupported)
+def test_an_ego_that_pulls_out_stands_in_a_bay_at_first(text):
+    found = read(text)
+    assert found.ego.strip == Strip.PARKING
+    assert not found.unsupported
+
+
+def test_an_ego_that_stays_parked_is_said_to_drive():
+    found = read("The ego is parked at the roadside and a van scrapes past it.")
+    assert any("drives from the start" in u.instead for u in found.unsupported)
 
 
 @pytest.mark.parametrize(

@@ -30,6 +30,22 @@ SENTENCES = [
     "The ego follows a car at 80 km/h with a gap of 25 m. The car changes to the left lane and "
     "reveals a stationary van 60 m ahead of the ego.",
     "A car from the left lane cuts in; when it has changed lanes it is 8 m ahead of the ego.",
+    "The test car is parked on the right. Only after a truck that comes from behind at 40 km/h has "
+    "gone by does the test car pull out.",
+    "The ego pulls out of a parking space on the right in front of a van that comes from behind at "
+    "50 km/h. The van brakes and there is no contact.",
+    "Our lane is blocked by a van that is double-parked. Approaching at 30 km/h, we pull out, pass "
+    "without contact and pull in again.",
+    "The ego drives at 60 mph in the right lane of a motorway. A truck travelling at 20 mph on the "
+    "hard shoulder changes into that lane ahead of the ego, and the ego slows down.",
+    "A motorbike behind the ego, doing 100 km/h, swings out, passes the ego and goes back to its "
+    "lane. The ego drives at 80 km/h.",
+    "A police car approaches us from behind at 80 km/h, swings to the left and passes. We keep "
+    "40 km/h.",
+    "A car cuts in ahead of us and shortly after goes back to its old lane. We and the car drive "
+    "at 80 km/h in the middle and in the right lane of three at first.",
+    "The ego drives at 60 km/h. A van passes it on the left at 130 km/h and cuts back in 8 m in "
+    "front of it.",
 ]
 
 
@@ -39,6 +55,15 @@ def test_it_holds_from_the_first(text):
     assert functional.acts
     crash = functional.outcome is not None  # halts them only in the end
     assert missed(functional, first(functional)) <= ({"contacts"} if crash else set())
+
+
+@pytest.mark.parametrize("who", ["cyclist rides at 15", "van drives at 50"])
+def test_two_who_face_each_other_pass_with_the_gap_that_is_said(who):
+    functional = read(
+        f"An oncoming {who} km/h. The ego does 40 km/h. The gap to the side is 1.4 m."
+    )
+    assert [spacing.measure for spacing in functional.spacings] == ["lateral_gap_m"]
+    assert not missed(functional, first(functional))
 
 
 @pytest.mark.parametrize("kind", [HazardKind.OCCLUSION, HazardKind.OBSTACLE])

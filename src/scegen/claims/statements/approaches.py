@@ -60,7 +60,7 @@ def claims(told: Told) -> Iterator[Claim]:
         yield Claim(
             id=f"approach.{name}.{reference}",
             kind=ClaimKind.APPROACH,
-            statement=f"{name} is {_told(words, reference, _aside(told, name, reference))} at the start",
+            statement=f"{name} is {_told(told, words, name, reference)} at the start",
             field=field,
             unit="deg" if words <= _COURSES else "m",
             test=partial(_judge, told, name, reference, words),
@@ -78,13 +78,13 @@ def _by_other_arms(told: Told, name: str, reference: str) -> bool:
 
 
 def _aside(told: Told, name: str, reference: str) -> bool:
-    """Whether somebody is beside the other's lane at first: on foot, on a strip, or parked there."""
+    """Whether one of two is beside the lanes at first: on a strip; or somebody on foot, parked."""
     participant, other = map(told.functional.participant, (name, reference))
     strips = participant.strip is not None or other.strip is not None
     return participant.parked or strips or participant.kind in ON_FOOT
 
 
-def _told(words: frozenset[Approach], reference: str, aside: bool) -> str:
+def _told(told: Told, words: frozenset[Approach], name: str, reference: str) -> str:
     the = "the ego" if reference == "ego" else reference
     if Approach.ADJACENT in words:
         sides = [plain(word) for word in words if word in _SIDES]
@@ -92,8 +92,9 @@ def _told(words: frozenset[Approach], reference: str, aside: bool) -> str:
         along = in_next_lane(words)
         far = f", {plain(along)}" if along is not None else ""
         return _WORDS[Approach.ADJACENT].format(the) + where + far
-    told = [_WORDS[word].format(the) for word in Approach if word in words]
-    return either([phrase.removesuffix(" in its lane") for phrase in told] if aside else told)
+    phrases = [_WORDS[word].format(the) for word in Approach if word in words]
+    aside = _aside(told, name, reference)
+    return either([p.removesuffix(" in its lane") for p in phrases] if aside else phrases)
 
 
 def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], view: View) -> Judged:

@@ -12,7 +12,7 @@ from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import Apart, Doing, Happenings
 from scegen.understanding.semantics.context import Clause
 
-_VERBS = {ActKind.CHANGE_LANE: "lane_change"}
+_VERBS = {ActKind.CHANGE_LANE: "lane_change", ActKind.SET_OFF: "leave"}
 """What rows call an act, where that is not its own name."""
 
 
@@ -43,7 +43,8 @@ def _clause_of_acts(acts: list[Doing]) -> Clause:
     triggers = (act.when for act in acts if act.when is not None and act.when.since == "end")
     befores = (t.act for t in triggers if t.act is not None)
     passed_by = [other.entity for other in befores if other.kind is ActKind.OVERTAKE]
-    return Clause(_event(acts[0].kind.value, first), whose, passed_by, amounts)
+    kind = acts[0].kind
+    return Clause(_event(_VERBS.get(kind, kind.value), first), whose, passed_by, amounts)
 
 
 def _clause_of_spacing(apart: Apart) -> Clause:

@@ -42,12 +42,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if named is not None and "speaks" in named.named_by and not named.is_vehicle:
         _look_on(draft, named)
     elif named is not None:
-        stood = named.was_parked or (named.parked_basis if named.parked else None)
-        if stood is not None and (named.pulls_out or named.sets_off >= 0):
-            named.strip = named.strip or (Strip.PARKING, _with_its_side(stood, named, draft))
-        else:
-            draft.note_at(stood, _DRIVES)
-        named.parked = False
+        _put_in_a_bay(draft, named)
         words = named.basis.i is not None
         return named, Basis(named.basis.i, named.basis.j) if words else named.basis
     vehicles = [e for e in draft.entities if e.moving_vehicle]
@@ -90,12 +85,17 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     return chosen, Basis(reason=f"the text names no ego; {reason}")
 
 
-def _with_its_side(stood: Basis, ego: Entity, draft: Draft) -> Basis:
-    """``parked on the right``: at the kerb, where there are bays."""
+def _put_in_a_bay(draft: Draft, ego: Entity) -> None:
+    """``parked on the right, it pulls out``: an ego drives, out of a bay if that is where it is."""
+    stood = ego.was_parked or (ego.parked_basis if ego.parked else None)
+    ego.parked = False
+    if stood is None or not (ego.pulls_out or ego.sets_off >= 0):
+        draft.note_at(stood, _DRIVES)
+        return
     kerb, i, j = {Approach(draft.kerb)}, stood.i or 0, stood.j or 0
     sides = [p.basis for p in draft.placements_of(ego) if p.approaches == kerb]
     ends = [(min(i, b.i or 0), max(j, b.j or 0)) for b in sides if b.i is not None]
-    return Basis(*ends[0]) if ends else stood
+    ego.strip = ego.strip or (Strip.PARKING, Basis(*ends[0]) if ends else stood)
 
 
 def _numbered(draft: Draft, vehicles: list[Entity], seen: list[Entity]) -> tuple[Entity, Basis]:
