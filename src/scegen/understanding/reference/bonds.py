@@ -243,13 +243,12 @@ def _comes_out(event: Event) -> bool:
 
 
 def _not_by_itself(event: Event, found: Bonds) -> None:
-    """``it is hit by the ego``, ``by the ego's front``: "it" is not the ego."""
-    for prep in (p for p in event.pps if p.value == "by"):
-        agent = prep.target.owner if isinstance(prep.target, Place) else prep.target
-        if not isinstance(agent, Mention):
-            continue
-        for who in (m for m in event.subject if m.pronoun):
-            found.unlike[id(who)].append(agent)
+    """``it is hit by the ego``, ``it moves into the ego's lane``: "it" is not the ego."""
+    by = [p.target for p in event.pps if p.value == "by"]
+    places = [n for n in (event.object, *(p.target for p in event.pps)) if isinstance(n, Place)]
+    named = [n for n in (*by, *(place.owner for place in places)) if isinstance(n, Mention)]
+    for who in (m for m in event.subject if m.pronoun):
+        found.unlike[id(who)] += [m for m in named if not m.pronoun]
 
 
 def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
