@@ -186,7 +186,9 @@ def _subjectless(event: Event, state: State) -> None:
 def _after_comma(event: Event, state: State) -> None:
     who = state.waiting
     beside = None if event.finite else _on_foot(event, state) or told_beside(state, "with", "by")
-    if event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
+    if event.form == "base" and (several := _several(state)) is not None:
+        event.subject = [several]
+    elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
         event.subject = main_in_sentence(state)  # "brakes when the ego is 20 m away, swerves"
     elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
         event.subject = _last_of(who, event)  # "when a van, turning left, fails to yield"
@@ -216,6 +218,13 @@ def _goes_on(event: Event, state: State) -> list[Mention]:
     again = state.candidate is not None and state.candidate.noun == last.subject[-1].noun
     alike = last.form == event.form and not (again or no_jam(event, last.subject, state))
     return last.subject if alike or not outer else outer[-1].subject
+
+
+def _several(state: State) -> Mention | None:
+    """``two men, one doing 3 km/h and the other doing 6 km/h, cross``: the two, not the other."""
+    one = state.candidate
+    told = one is None or bool(one.heads) or one.pronoun is None or auxiliary(state)
+    return None if told else next((m for m in state.mentions if m.has("num") and m.plural), None)
 
 
 def _on_foot(event: Event, state: State) -> Mention | None:
