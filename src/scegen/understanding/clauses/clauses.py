@@ -103,7 +103,7 @@ class ClauseReader:
         if word.value == "where":
             self._where()
         if word.cat == "sub" and self._put_between():
-            state.resumed = subjects.main_in_sentence(state)
+            state.resumed = [e for e in state.events if e.finite and e.subject]
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
         if word.cat == "rel" and _is_thing(state.at(-1 - is_word(state.at(-1), ","))):

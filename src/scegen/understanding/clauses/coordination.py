@@ -53,7 +53,7 @@ def coordinate(event: Event, state: State) -> None:
     like = bool(verbs) and (verbs[-1].form == event.form or (verbs[-1].finite and helped))
     relative = like and verbs[-1].embedded
     # "A car passes the ego, which drives on, and changes lanes", "… a jam that crawls and brakes".
-    if relative and ("," in state.between or _no_jam(event, verbs[-1].subject, state)):
+    if relative and ("," in state.between or no_jam(event, verbs[-1].subject, state)):
         verbs = outer or verbs
     alike = [e for e in verbs if _shape(e) == wanted]
     exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
@@ -87,7 +87,7 @@ def _in_the_past(event: Event, state: State) -> bool:
     return hits and told is not None and told.form == "ed" and not told.modal
 
 
-def _no_jam(event: Event, subject: list[Mention], state: State) -> bool:
+def no_jam(event: Event, subject: list[Mention], state: State) -> bool:
     """``comes up to a jam that crawls and brakes late``: what one does, and no jam.
 
     In "drives behind a van that does 40 km/h and overtakes it" it is the van that is overtaken.

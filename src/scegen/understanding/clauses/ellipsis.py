@@ -131,7 +131,16 @@ def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> list[Event]
         chunks[k] = rest = place  # "one takes the first exit, the other the second"
     if isinstance(rest, NounPhrase) and type(rest) is type(verb.object):
         return [replace(_again(verb, [who], rest.i, rest.j), object=rest)]
-    if not isinstance(rest, Word) or rest.cat != "prep" or not isinstance(target, Place):
+    if not isinstance(rest, Word) or rest.cat != "prep":
+        return []
+    if isinstance(target, Word) and (target.cat, target.value) == ("quantity", "speed"):
+        # "from the left a man crosses at 3 km/h and a woman at 7 km/h"
+        mods = [m for m in verb.mods if (m.cat, m.value) != ("quantity", "speed")]
+        alike = len(mods) < len(verb.mods) and chunks[k - 2].value in {"and", "but", "while"}
+        ends = getattr(chunk_at(chunks, k + 2), "cat", "punct") in {"punct", "conj", "sub"}
+        alike = alike and ends and not (who.is_ego or isinstance(verb.object, Mention))
+        return [replace(_again(verb, [who], rest.i, target.j), mods=mods)] if alike else []
+    if not isinstance(target, Place):
         return []
     # "a car comes from the left and a van from the right"
     kept = [p for p in verb.pps if p.value != rest.value]

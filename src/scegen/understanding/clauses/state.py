@@ -31,7 +31,7 @@ class State:
         fronted: phrases of place at the start of a clause, for the mention that follows.
         opening: the same phrases once that mention has come, for its verb.
         last_prep: the phrase read last.
-        resumed: who goes on after a clause put between ("and, once it has passed, drives on").
+        resumed: verbs before a clause put between; one goes on ("and, once it is past, drives on").
         relating: whom a relative clause is about that is interrupted ("who, looking down, walks").
         where: a clause has been opened that says what takes place somewhere.
         trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
@@ -61,7 +61,7 @@ class State:
     trailing: list[Mention] = field(default_factory=list)
     relative: tuple[Mention, Mention] | None = None
     relating: Mention | None = None
-    resumed: list[Mention] = field(default_factory=list)
+    resumed: list[Event] = field(default_factory=list)
     being: Mention | None = None
     dependent: bool = False
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase
-from scegen.understanding.clauses.coordination import auxiliary, coordinate, told_beside
+from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
     depend,
@@ -122,6 +122,8 @@ def _clause(event: Event, state: State) -> None:
         return  # "a fallen tree that blocks the lane"
     if state.relating is not None and event.finite and between == {","}:
         event.subject, state.relating = [state.relating], None
+    elif state.resumed and event.finite and _resumes(state):
+        event.subject, state.resumed = _goes_on(event, state), []
     elif state.waiting is not None and _past_being(event, state):
         event.subject, event.embedded = chain(state.waiting), False
     elif "rel" in between and state.mentions:
@@ -184,8 +186,8 @@ def _subjectless(event: Event, state: State) -> None:
 def _after_comma(event: Event, state: State) -> None:
     who = state.waiting
     beside = None if event.finite else _on_foot(event, state) or told_beside(state, "with", "by")
-    if state.resumed and event.finite and who is None:
-        event.subject, state.resumed = state.resumed, []
+    if event.form == "base" and (several := _several(state)) is not None:
+        event.subject = [several]
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
         event.subject = main_in_sentence(state)  # "brakes when the ego is 20 m away, swerves"
     elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
@@ -202,6 +204,27 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = chain(state.anchor)  # "there is a van, turning left"
     else:
         state.pending.append(event)
+
+
+def _resumes(state: State) -> bool:
+    """``and, once it has passed, …``, ``and, once it is past, …``: that clause has its verb."""
+    done = state.waiting is None or "aux:be" in state.between
+    return done and "," in state.between and "rel" not in state.between
+
+
+def _goes_on(event: Event, state: State) -> list[Mention]:
+    """``overtaken by a van that comes up and, once it is past, brakes``: the van, like "comes"."""
+    last, outer = state.resumed[-1], [e for e in state.resumed if not e.embedded]
+    again = state.candidate is not None and state.candidate.noun == last.subject[-1].noun
+    alike = last.form == event.form and not (again or no_jam(event, last.subject, state))
+    return last.subject if alike or not outer else outer[-1].subject
+
+
+def _several(state: State) -> Mention | None:
+    """``two men, one doing 3 km/h and the other doing 6 km/h, cross``: the two, not the other."""
+    one = state.candidate
+    told = one is None or bool(one.heads) or one.pronoun is None or auxiliary(state)
+    return None if told else next((m for m in state.mentions if m.has("num") and m.plural), None)
 
 
 def _on_foot(event: Event, state: State) -> Mention | None:

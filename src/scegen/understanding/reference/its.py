@@ -84,8 +84,8 @@ def _going_elsewhere(event: Event, events: Sequence[Event]) -> Iterator[tuple[Me
 
 
 def _not_by_itself(event: Event) -> Iterator[tuple[Mention, NounPhrase]]:
-    """``it is hit by the ego``, ``by the ego's front``: "it" is not the ego."""
-    for prep in (p for p in event.pps if p.value == "by"):
-        agent = prep.target.owner if isinstance(prep.target, Place) else prep.target
-        if isinstance(agent, Mention):
-            yield from ((who, agent) for who in event.subject if who.pronoun)
+    """``it is hit by the ego``, ``it moves into the ego's lane``: "it" is not the ego."""
+    by = [p.target for p in event.pps if p.value == "by"]
+    places = [n for n in (event.object, *(p.target for p in event.pps)) if isinstance(n, Place)]
+    named = [n for n in (*by, *(place.owner for place in places)) if isinstance(n, Mention)]
+    yield from product((m for m in event.subject if m.pronoun), (n for n in named if not n.pronoun))
