@@ -138,14 +138,19 @@ def _clause(event: Event, state: State) -> None:
         _after_comma(event, state)
     elif isinstance(anchor, Mention):
         _after_mention(event, anchor, state)
-    elif isinstance(anchor, Event) and event.finite and state.waiting is not None:
-        event.subject = chain(state.waiting)  # "a man with a walking frame crosses"
     elif isinstance(anchor, Event):
-        depend(event, anchor, "ing")
-        event.subject = anchor.subject
-        event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
+        _after_event(event, anchor, state)
     else:
         _subjectless(event, state)
+
+
+def _after_event(event: Event, anchor: Event, state: State) -> None:
+    if event.finite and state.waiting is not None:
+        event.subject = chain(state.waiting)  # "a man with a walking frame crosses"
+        return
+    depend(event, anchor, "ing")
+    event.subject = anchor.subject
+    event.negated = anchor.name == "prevent"  # "oncoming cars prevent overtaking"
 
 
 def _past_being(event: Event, state: State) -> bool:
