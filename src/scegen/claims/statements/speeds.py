@@ -138,7 +138,8 @@ def _held_until(told: Told, person: Participant, view: View) -> Ints:
     between = told.functional.outcome.between if told.functional.outcome else ()
     hits = told.collides and (not between or name in between)
     hit = hit_s(told, view, name)
-    ends.append(np.where(np.isfinite(hit), view.step_of(hit), view.steps))
+    happens = np.isfinite(hit)
+    ends.append(np.where(happens, view.step_of(np.where(happens, hit, 0.0)), view.steps))
     if not hits and _may_react(told, name):
         ends.append(_others_begin(told, name, view, closest))
     return np.asarray(np.min(ends, axis=0))
