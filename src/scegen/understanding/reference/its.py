@@ -85,7 +85,11 @@ def _going_elsewhere(event: Event, events: Sequence[Event]) -> Iterator[tuple[Me
 
 def _not_by_itself(event: Event) -> Iterator[tuple[Mention, NounPhrase]]:
     """``it is hit by the ego``, ``it moves into the ego's lane``: "it" is not the ego."""
-    by = [p.target for p in event.pps if p.value == "by"]
     places = [n for n in (event.object, *(p.target for p in event.pps)) if isinstance(n, Place)]
-    named = [n for n in (*by, *(place.owner for place in places)) if isinstance(n, Mention)]
-    yield from product((m for m in event.subject if m.pronoun), (n for n in named if not n.pronoun))
+    by = [p.target for p in event.pps if p.value == "by"]
+    agents = [n.owner if isinstance(n, Place) else n for n in by]
+    owners = [n.owner for n in places]
+    every = product((m for m in event.subject if m.pronoun), agents)
+    for who, other in (*every, *product(_its(event), owners)):
+        if isinstance(other, Mention) and not other.pronoun:
+            yield who, other
