@@ -126,15 +126,7 @@ class Setup(Tale):
 
     def runs_into_standing(self, name: str) -> bool:
         """Whether one is to touch another that stands on its arm: it comes no farther."""
-        drives = self.logical.drives
-        own = next(drive for drive in drives if drive.participant == name)
-        return any(
-            drive.maneuver is Maneuver.STAY
-            and drive.entry == own.entry
-            and drive.rank < own.rank
-            and self.contact_wanted(name, drive.participant)
-            for drive in drives
-        )
+        return any(self.contact_wanted(name, other) for other in self.logical.stand_before(name))
 
     def routes_of(self, draft: DriveDraft) -> tuple[Route, ...]:
         """The routes between a drive's arms.

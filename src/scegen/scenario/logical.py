@@ -206,6 +206,19 @@ class LogicalScenario(FrozenModel):
         """The assignments of parked vehicles, and of pedestrians who stand."""
         return tuple(a for a in self.assignments if isinstance(a, Standing))
 
+    def stand_before(self, participant: str) -> tuple[str, ...]:
+        """Who stands on its arm before somebody who drives: nobody before one who does not."""
+        lined = {drive.participant: drive for drive in self.drives}
+        if (own := lined.get(participant)) is None:
+            return ()
+        return tuple(
+            drive.participant
+            for drive in self.drives
+            if drive.maneuver is Maneuver.STAY
+            and drive.entry == own.entry
+            and drive.rank < own.rank
+        )
+
     def assignment(self, participant: str) -> Assignment:
         """The assignment of one participant; KeyError if it has none."""
         return {a.participant: a for a in self.assignments}[participant]

@@ -29,6 +29,7 @@ def claims(told: Told) -> Iterator[Claim]:
     """Of everybody who causes a danger or does something, but at a moment that the text gives."""
     causes = {name for hazard in told.hazards for name in hazard.by}
     causes |= {act.participant for act in told.functional.acts}
+    tolerance, opening = tolerances.TIME_S, ClaimKind.OPENING
     for person in told.people:
         name, drive = person.id, told.drive(person.id)
         backs = drive is not None and drive.reverses is not None
@@ -36,20 +37,18 @@ def claims(told: Told) -> Iterator[Claim]:
             continue
         does = f"{name} goes on undisturbed for {LEAD_IN_S:g} s at first"
         field, test = f"participants.{name}", partial(_undisturbed, told, name)
-        kind, tolerance = ClaimKind.OPENING, tolerances.TIME_S
-        yield Claim(f"opening.{name}", kind, does, field, "s", test, tolerance)
+        yield Claim(f"opening.{name}", opening, does, field, "s", test, tolerance)
     if told.collides and not any(_begins_as_said(told, p.id) for p in told.people):
         does = f"nobody is hit within the first {LEAD_IN_S:g} s"
-        kind, tolerance = ClaimKind.OPENING, tolerances.TIME_S
-        yield Claim("opening.contact", kind, does, "outcome", "s", _unhurt, tolerance)
+        yield Claim("opening.contact", opening, does, "outcome", "s", _unhurt, tolerance)
     if pairs := list(_at_their_own_distance(told)):
         does = f"nobody drives less than {CLOSEST_S:g} s behind another at first"
-        kind, apart = ClaimKind.OPENING, partial(_apart, pairs)
-        yield Claim("opening.apart", kind, does, "participants", "s", apart)
+        apart = partial(_apart, pairs)
+        yield Claim("opening.apart", opening, does, "participants", "s", apart)
 
 
 def _unhurt(view: View) -> Judged:
-    """When two first touch that do not do so all the time."""
+    """When any two first touch; never, if none do."""
     time_s = np.nanmin(view.summary.contact_s, axis=1, initial=np.inf)
     return Judged(np.minimum(time_s, NEVER) - LEAD_IN_S + tolerances.TIME_S, time_s, time_s)
 

@@ -175,8 +175,8 @@ def _untouched(
     apart = np.nan_to_num(view.summary.distance_m[:, measured], nan=NEVER)
     if over_s is not None:
         ends = np.stack([np.minimum(over_s[a], over_s[b]) for a, b in known], axis=1)
-        time_s = np.where(time_s > ends, np.nan, time_s)
-        apart = np.where(apart > 0.0, apart, np.where(np.isnan(time_s), NEVER, apart))
+        excused = time_s > ends
+        time_s, apart = np.where(excused, np.nan, time_s), np.where(excused, NEVER, apart)
     depth = np.nan_to_num(np.clip(-view.summary.pet_s[:, measured], 0.0, 3.0), nan=1.0)
     value = np.where(np.isnan(time_s), apart, -1.0 - depth)
     worst = np.arange(view.count), value.argmin(axis=1)

@@ -185,11 +185,9 @@ def _turns(told: Told, name: str) -> bool:
 
 def _comes_no_farther(told: Told, name: str) -> bool:
     """Whether it is to hit who stands before it on its arm."""
-    outcome, own = told.functional.outcome, told.drive(name)
-    if not told.collides or outcome is None or own is None or name not in outcome.between:
-        return False
-    others = (told.drive(other) for other in outcome.between if other != name)
-    return any(d and d.maneuver is Maneuver.STAY and d.entry == own.entry for d in others)
+    between = told.functional.outcome.between if told.functional.outcome else ()
+    before = told.logical.stand_before(name)
+    return told.collides and name in between and not {*before}.isdisjoint(between)
 
 
 def _before_turn(told: Told, name: str, view: View) -> Ints:

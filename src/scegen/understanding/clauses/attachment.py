@@ -167,7 +167,7 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     if place is not None:
         if verb is None or prep.value != "in":
             return False
-        past = (p for p in verb.pps if "passes" in p.word.term.data)
+        past = (p for p in verb.pps if p.leads_past)
         stands = any(m.cat == "state" for m in whom.mods)
         if place.kind == "side" and not stands and any(p.target is whom for p in past):
             return True  # "moves past a van on the left", but "past a parked van on the left"

@@ -233,7 +233,7 @@ def _stands_there(prep: Prep, event: Event, kerb: str) -> bool:
     """
     who, side = prep.on_mention, prep.place
     parked = who is not None and all(e.parked for e in who.entities)
-    past = event.name == "bypass" or any("passes" in p.word.term.data for p in event.pps)
+    past = event.name == "bypass" or any(p.leads_past for p in event.pps)
     return parked and side is not None and (kerb in side.dirs or past)
 
 
