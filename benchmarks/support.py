@@ -32,8 +32,8 @@ from scegen.errors import ScegenError
 from scegen.scenario.functional import FunctionalScenario
 
 PACKAGE = "scegen.understanding."
-NO_RULES = ("scegen.understanding.agents", "scegen.understanding.report")
-"""What compares readings, or reports on them, reads nothing itself."""
+NO_RULES = tuple(PACKAGE + part for part in ("agents", "report", "lexicon.loader", "frames.loader"))
+"""What compares readings, reports on them or loads data reads nothing itself."""
 ENOUGH = 2
 """Texts that a rule needs."""
 FEWEST_WORDS = 4
