@@ -43,6 +43,8 @@ class Figure(Clause):
         self.start, self.end = text.bounds(self.i)
         verb, scene = self.verb, self.scene
         told = (verb.name, None if verb.perfect else verb.i) if verb is not None else ()
+        ahead = verb is not None and verb.i > self.j and any(map(self._modifies, text.mentions))
+        told = () if ahead else told
         measured = numbers.measured(quantity, *told)
         self.words_around, self.frame = measured.around, measured.frame
         sized = self.frame.role in {"long", "wide"} or (
@@ -70,10 +72,6 @@ class Figure(Clause):
         """What sets an act off by this number."""
         return Trigger(kind, self.amount.basis, self.amount, **rest)
 
-    def is_said_by(self, basis: Basis | None) -> bool:
-        """Whether something rests on just these words."""
-        return basis is not None and (basis.i, basis.j) == (self.i, self.j)
-
     def note(self, instead: str | None = None) -> None:
         """Reports that no field holds it."""
         left_out = instead or self.frame.instead or NO_RULE
@@ -91,8 +89,8 @@ class Figure(Clause):
             before = [s for s in before if not s.tells_parked] or before
         return next(iter((*own, *before[-1:], *here)), None)
 
-    def _modifies(self, event: Event) -> bool:
-        return any((m.i, m.j) == (self.i, self.j) for m in event.mods)
+    def _modifies(self, phrase: Event | Mention) -> bool:
+        return any((m.i, m.j) == (self.i, self.j) for m in phrase.mods)
 
     @property
     def measure(self) -> Measure:
@@ -153,6 +151,19 @@ class Figure(Clause):
         ours = self.i > self.start and self.text.tokens[self.i - 1].low in {"our", "my"}
         return [self.text.ego] if ours else self.named_before(self.i)
 
+    @cached_property
+    def said_of_each(self) -> list[tuple[Entity, Quantity]]:
+        """Whose it is by the clause: of the noun, or who acts, with what it is of each of them."""
+        nouns = [(m.mods, m.entities) for m in self.text.mentions]
+        verbs = [(s.event.mods, s.actors) for s in self.text.scenes]
+        return [
+            (entity, term.data["quantity"])
+            for mods, who in (*nouns, *verbs)
+            for term in mods
+            if (term.i, term.j) == (self.i, self.j) and "quantity" in term.data
+            for entity in who
+        ]
+
     @property
     def heads(self) -> bool:
         """``30 mph, a cyclist ahead``: it opens its sentence, and is nobody's that is named."""
@@ -160,19 +171,43 @@ class Figure(Clause):
 
     def named_before(self, i: int) -> list[Entity]:
         """The same of another token."""
+        outside = self._outside(i) if self.role == "speed" else i
         for chunk in reversed(self.text.chunks):
-            if chunk.j > i:
+            if chunk.j > outside:
                 continue
             if chunk.j <= self.start:
                 return []
+            if isinstance(chunk, Thing) and self.text.tokens[chunk.j - 1].low in word_list("rates"):
+                if chunk.owner is not None:
+                    return list(chunk.owner.entities)
+                continue  # "the ego's speed of 90 km/h"
             if self.role == "lateral_offset" and (isinstance(chunk, Thing) or chunk.value == "by"):
                 continue  # "a van offset by 0.5 m"
             if isinstance(chunk, Mention):
                 owns = self.text.low(chunk.j, i).split() in _OWNS
-                return list(chunk.entities) if owns or not chunk.possessor else []
-            if not isinstance(chunk, Word) or not {chunk.cat, chunk.value} & _SKIPPED:
+                told = self.text.low(chunk.j, i) == " : " or self._goes_on
+                whole = self._placed_by(chunk) if told and self.role == "speed" else chunk
+                return list(whole.entities) if owns or not chunk.possessor else []
+            of = chunk.value == "of" and self.role == "speed"
+            if not isinstance(chunk, Word) or not (of or {chunk.cat, chunk.value} & _SKIPPED):
                 return []
         return []
+
+    @property
+    def _goes_on(self) -> bool:
+        """``the van ahead of the ego (70 km/h) brakes``: a verb comes behind the brackets."""
+        after = [c for c in self.text.chunks if c.i >= self.j][:2]
+        return [c.value for c in after[:1]] == [")"] and isinstance(after[-1], Event)
+
+    def _placed_by(self, landmark: Mention) -> Mention:
+        """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
+        placed = (m for m in self.text.mentions if any(p.target is landmark for p in m.pps))
+        return next(placed, landmark) if landmark.is_landmark else landmark
+
+    def _outside(self, i: int) -> int:
+        """``a tractor (width 2.5 m, speed 30 km/h)``: where the brackets open around a token."""
+        marks = [k for k in range(self.start, i) if self.text.tokens[k].low in {"(", ")"}]
+        return marks[-1] if marks and self.text.tokens[marks[-1]].low == "(" else i
 
     @cached_property
     def own_subject(self) -> list[Entity]:

@@ -7,12 +7,15 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.chunks import Word
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
 
 _PAIR = 2
 _RUNNING_MPS = 8.0
+_WAITS = frozenset({"wait", "yield", "cause"})
+_FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 
@@ -20,10 +23,7 @@ def held(figure: Figure) -> bool:
     """A speed that somebody holds: of whom the rules of the clause have not given it to."""
     text, speed, words_ = figure.text, figure.quantity.value, Basis(figure.i, figure.j)
     change = _from_to(figure)
-    taken = [e for e in text.draft.entities if figure.is_said_by(e.speed_basis)]
-    for entity in [e for e in taken if _stays(e, speed)]:
-        entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
-    taken = [e for e in taken if e.speed is not None]
+    taken = _taken(figure)
     if change is not None:
         for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = figure.quantity.parts[0], words_
@@ -49,6 +49,54 @@ def held(figure: Figure) -> bool:
         else:
             text.found.speeds_again.append((entity, words_))
     return bool(taken or whose)
+
+
+def _taken(figure: Figure) -> list[Entity]:
+    """Gives it to whose it is, by the words around or the clause, if they can be so fast."""
+    near = figure.named_before(figure.i - 1)
+    taken = []
+    owners = figure.adjacent or _of_the_noun(figure) or _opens_with(figure)
+    for entity, quantity in [(e, figure.quantity) for e in owners] or figure.said_of_each:
+        speed, basis = quantity.value, entity.speed_basis
+        later = basis is not None and figure.i < (basis.i or 0)  # "at 30 km/h …; nothing moves"
+        free = entity.speed is None or (entity.speed == STILL and later)
+        able = speed.low <= _fastest_mps(entity, near) and not _stays(entity, speed)
+        if free and able and not entity.parked:
+            entity.speed, entity.speed_basis = speed, Basis(figure.i, figure.j, quantity.note)
+            taken.append(entity)
+    return taken
+
+
+def _of_the_noun(figure: Figure) -> list[Entity]:
+    """``a car from the left at 50 km/h``, ``waits for a van at 50 km/h``, ``both at 50 km/h``.
+
+    Who waits has no speed, and who sets off has none yet.
+    """
+    text, verb, end = figure.text, figure.verb, figure.i - 1
+    who = next((m for m in reversed(text.mentions) if m.j < figure.i), None)
+    if who is None or who.possessor or who.i < figure.start:
+        return []
+    told = who.pronoun in {"both", "all"} and not text.within(who.j, figure.i)
+    sides = [p for p in who.pps if p.value == "from" and p.names("side", "direction")]
+    if any(p.place is not None and p.place.j == end for p in sides):
+        told |= who.pronoun is None and not who.stands_after("of")
+    elif verb is not None and who.j == end:
+        stood = verb.name in _FROM_REST or any(e.pulls_out for e in figure.actors)
+        ahead = any(p.value == "ahead" and p.target is who for p in verb.pps)
+        awaited = verb.name in _WAITS and (who.prep is not None or verb.object is who)
+        told |= awaited or (stood and ahead)
+    return list(who.entities) if told else []
+
+
+def _opens_with(figure: Figure) -> list[Entity]:
+    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
+    text, start = figure.text, figure.start
+    before = [c for c in text.chunks if start <= c.i < figure.i]
+    who = next((m for m in text.mentions if start <= m.i < figure.end), None)
+    if not before or who is None or not all(isinstance(c, Word) for c in before):
+        return []
+    told = who.prep is None and not who.possessor and not text.within(start, who.i)
+    return list(who.entities) if told else []
 
 
 def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
