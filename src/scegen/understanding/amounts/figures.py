@@ -151,19 +151,6 @@ class Figure(Clause):
         ours = self.i > self.start and self.text.tokens[self.i - 1].low in {"our", "my"}
         return [self.text.ego] if ours else self.named_before(self.i)
 
-    @cached_property
-    def said_of_each(self) -> list[tuple[Entity, Quantity]]:
-        """Whose it is by the clause: of the noun, or who acts, with what it is of each of them."""
-        nouns = [(m.mods, m.entities) for m in self.text.mentions]
-        verbs = [(s.event.mods, s.actors) for s in self.text.scenes]
-        return [
-            (entity, term.data["quantity"])
-            for mods, who in (*nouns, *verbs)
-            for term in mods
-            if (term.i, term.j) == (self.i, self.j) and "quantity" in term.data
-            for entity in who
-        ]
-
     @property
     def heads(self) -> bool:
         """``30 mph, a cyclist ahead``: it opens its sentence, and is nobody's that is named."""
@@ -171,9 +158,8 @@ class Figure(Clause):
 
     def named_before(self, i: int) -> list[Entity]:
         """The same of another token."""
-        outside = self._outside(i) if self.role == "speed" else i
         for chunk in reversed(self.text.chunks):
-            if chunk.j > outside:
+            if chunk.j > i:
                 continue
             if chunk.j <= self.start:
                 return []
@@ -186,9 +172,9 @@ class Figure(Clause):
             if isinstance(chunk, Mention):
                 owns = self.text.low(chunk.j, i).split() in _OWNS
                 told = self.text.low(chunk.j, i) == " : " or self._goes_on
-                whole = self._placed_by(chunk) if told and self.role == "speed" else chunk
+                whole = self.placed_by(chunk) if told else chunk
                 return list(whole.entities) if owns or not chunk.possessor else []
-            of = chunk.value == "of" and self.role == "speed"
+            of = chunk.value == "of"
             if not isinstance(chunk, Word) or not (of or {chunk.cat, chunk.value} & _SKIPPED):
                 return []
         return []
@@ -199,15 +185,10 @@ class Figure(Clause):
         after = [c for c in self.text.chunks if c.i >= self.j][:2]
         return [c.value for c in after[:1]] == [")"] and isinstance(after[-1], Event)
 
-    def _placed_by(self, landmark: Mention) -> Mention:
+    def placed_by(self, landmark: Mention) -> Mention:
         """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
         placed = (m for m in self.text.mentions if any(p.target is landmark for p in m.pps))
         return next(placed, landmark) if landmark.is_landmark else landmark
-
-    def _outside(self, i: int) -> int:
-        """``a tractor (width 2.5 m, speed 30 km/h)``: where the brackets open around a token."""
-        marks = [k for k in range(self.start, i) if self.text.tokens[k].low in {"(", ")"}]
-        return marks[-1] if marks and self.text.tokens[marks[-1]].low == "(" else i
 
     @cached_property
     def own_subject(self) -> list[Entity]:

@@ -7,15 +7,13 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.chunks import Word
+from scegen.understanding.amounts.whose import whose
 from scegen.understanding.draft import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
 
 _PAIR = 2
 _RUNNING_MPS = 8.0
-_WAITS = frozenset({"wait", "yield", "cause"})
-_FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 
@@ -31,15 +29,15 @@ def held(figure: Figure) -> bool:
     shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
         return True
-    meant = [e for e in _whose(figure) if e not in taken]
-    whose = _able(figure, meant)
-    if not whose and text.ego.speed is None:
-        whose = _able(figure, [text.ego]) or meant or [text.ego]
-    others = [e for e in whose if e.speed not in (None, speed)]
-    again = [e for e in whose if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
-    if whose and all(e in others or e in again for e in whose):
-        whose = _without_speed(figure) or whose  # "beside a truck, also 100 km/h"
-    for entity in whose:
+    meant = [e for e in _meant(figure) if e not in taken]
+    able = _able(figure, meant)
+    if not able and text.ego.speed is None:
+        able = _able(figure, [text.ego]) or meant or [text.ego]
+    others = [e for e in able if e.speed not in (None, speed)]
+    again = [e for e in able if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
+    if able and all(e in others or e in again for e in able):
+        able = _without_speed(figure) or able  # "beside a truck, also 100 km/h"
+    for entity in able:
         if entity.speed is not None and entity.speed != speed:
             _hand_on(entity, figure)
         if entity.speed is None:
@@ -48,15 +46,14 @@ def held(figure: Figure) -> bool:
             return False
         else:
             text.found.speeds_again.append((entity, words_))
-    return bool(taken or whose)
+    return bool(taken or able)
 
 
 def _taken(figure: Figure) -> list[Entity]:
     """Gives it to whose it is, by the words around or the clause, if they can be so fast."""
     near = figure.named_before(figure.i - 1)
     taken = []
-    owners = figure.adjacent or _of_the_noun(figure) or _opens_with(figure)
-    for entity, quantity in [(e, figure.quantity) for e in owners] or figure.said_of_each:
+    for entity, quantity in whose(figure):
         speed, basis = quantity.value, entity.speed_basis
         later = basis is not None and figure.i < (basis.i or 0)  # "at 30 km/h …; nothing moves"
         free = entity.speed is None or (entity.speed == STILL and later)
@@ -65,38 +62,6 @@ def _taken(figure: Figure) -> list[Entity]:
             entity.speed, entity.speed_basis = speed, Basis(figure.i, figure.j, quantity.note)
             taken.append(entity)
     return taken
-
-
-def _of_the_noun(figure: Figure) -> list[Entity]:
-    """``a car from the left at 50 km/h``, ``waits for a van at 50 km/h``, ``both at 50 km/h``.
-
-    Who waits has no speed, and who sets off has none yet.
-    """
-    text, verb, end = figure.text, figure.verb, figure.i - 1
-    who = next((m for m in reversed(text.mentions) if m.j < figure.i), None)
-    if who is None or who.possessor or who.i < figure.start:
-        return []
-    told = who.pronoun in {"both", "all"} and not text.within(who.j, figure.i)
-    sides = [p for p in who.pps if p.value == "from" and p.names("side", "direction")]
-    if any(p.place is not None and p.place.j == end for p in sides):
-        told |= who.pronoun is None and not who.stands_after("of")
-    elif verb is not None and who.j == end:
-        stood = verb.name in _FROM_REST or any(e.pulls_out for e in figure.actors)
-        ahead = any(p.value == "ahead" and p.target is who for p in verb.pps)
-        awaited = verb.name in _WAITS and (who.prep is not None or verb.object is who)
-        told |= awaited or (stood and ahead)
-    return list(who.entities) if told else []
-
-
-def _opens_with(figure: Figure) -> list[Entity]:
-    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
-    text, start = figure.text, figure.start
-    before = [c for c in text.chunks if start <= c.i < figure.i]
-    who = next((m for m in text.mentions if start <= m.i < figure.end), None)
-    if not before or who is None or not all(isinstance(c, Word) for c in before):
-        return []
-    told = who.prep is None and not who.possessor and not text.within(start, who.i)
-    return list(who.entities) if told else []
 
 
 def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
@@ -158,7 +123,7 @@ def _from_to(figure: Figure) -> Doing | None:
     return doing
 
 
-def _whose(figure: Figure) -> list[Entity]:
+def _meant(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
     ego = figure.text.ego
     if figure.heads and ego.speed is None:
