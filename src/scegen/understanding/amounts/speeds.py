@@ -18,7 +18,7 @@ _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 
 def held(figure: Figure) -> bool:
-    """A speed that somebody holds: of whom the rules of the clause have not given it to."""
+    """A speed that somebody holds: whose it is by its words or clause, else who acts there."""
     text, speed, words_ = figure.text, figure.quantity.value, Basis(figure.i, figure.j)
     change = _from_to(figure)
     taken = _taken(figure)
@@ -64,31 +64,22 @@ def _taken(figure: Figure) -> list[Entity]:
     return taken
 
 
-def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
-    """Those who can be so fast; if all of them stand, who comes to them."""
+def _able(figure: Figure, meant: list[Entity]) -> list[Entity]:
+    """Those who can be so fast."""
     speed = figure.quantity.value
     near = figure.named_before(figure.i - 1)  # "runs across in front of the ego at 50 km/h"
-    for entity in whose:  # "a bike passes us at 140 km/h"
+    for entity in meant:  # "a bike passes us at 140 km/h"
         bike = entity.kind is ParticipantKind.BICYCLE and entity.named_by == {"bike"}
         if bike and speed.low > BODIES[entity.kind].top_speed_mps:
             entity.kind = ParticipantKind.MOTORCYCLE
-    able = [e for e in whose if speed.low <= _fastest_mps(e, near)]
-    stand = bool(able) and all(_stays(e, speed) for e in able)
-    return _who_comes(able, figure) if stand else able
+    fast = [e for e in meant if speed.low <= _fastest_mps(e, near)]
+    return [] if all(_stays(e, speed) for e in fast) else fast
 
 
 def _stays(entity: Entity, speed: Interval) -> bool:
     """Whether it stands all the time, so that no speed can be its own."""
     stands = entity.still or entity.held is not None
     return stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
-
-
-def _who_comes(standing: list[Entity], figure: Figure) -> list[Entity]:
-    """``ran into a car parked there, at 30 km/h``: who does something to those who stand."""
-    before = figure.text.within(figure.start, figure.i)
-    before = [s for s in before if any(not e.still for e in s.actors)]
-    to_them = [s for s in before if set(standing) & set(s.targets)] or before
-    return [e for s in to_them[-1:] for e in s.actors if e.speed is None and not e.still]
 
 
 def _fastest_mps(entity: Entity, near: list[Entity]) -> float:
@@ -128,9 +119,8 @@ def _meant(figure: Figure) -> list[Entity]:
     ego = figure.text.ego
     if figure.heads and ego.speed is None:
         return [ego]
-    told = figure.adjacent or figure.own_subject
-    if told:
-        return told
+    if figure.own_subject:
+        return figure.own_subject
     movers = [e for e in figure.actors if not e.parked]
     owned = figure.text.tokens[figure.start].low in word_list("its_own")
     return figure.subject if owned or not movers else movers

@@ -43,9 +43,9 @@ def _of_the_noun(figure: Figure) -> list[Entity]:
     if any(p.place is not None and p.place.j == end for p in sides):
         told |= who.pronoun is None and not who.stands_after("of")
     elif verb is not None and who.j == end:
-        stood = verb.name in _FROM_REST or any(e.pulls_out for e in figure.actors)
         ahead = any(p.value == "ahead" and p.target is who for p in verb.pps)
         awaited = verb.name in _WAITS and (who.prep is not None or verb.object is who)
+        stood = verb.name in _FROM_REST or any(e.parked for e in figure.actors)
         told |= awaited or (stood and ahead)
     return list(who.entities) if told else []
 
