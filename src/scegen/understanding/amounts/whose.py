@@ -45,8 +45,8 @@ def _of_the_noun(figure: Figure) -> list[Entity]:
     elif verb is not None and who.j == end:
         ahead = any(p.value == "ahead" and p.target is who for p in verb.pps)
         awaited = verb.name in _WAITS and (who.prep is not None or verb.object is who)
-        stood = verb.name in _FROM_REST or any(e.parked for e in figure.actors)
-        told |= awaited or (stood and ahead)
+        out = verb.name == "cut_in" and any(e.pulls_out for e in figure.actors)
+        told |= awaited or ((out or verb.name in _FROM_REST) and ahead)
     return list(who.entities) if told else []
 
 
