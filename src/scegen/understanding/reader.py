@@ -18,7 +18,6 @@ from scegen.understanding.chunks import Chunk
 from scegen.understanding.clauses.again import named_again, names_another, said_of_one, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.ellipsis import fill_in
-from scegen.understanding.clauses.own_measures import own_measures
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
@@ -127,7 +126,6 @@ def read(text: str) -> FunctionalScenario:
     named_again(events)
     names_another(events)
     said_of_one(chunks, events)
-    own_measures(chunks, events, tokens)
     draft = Draft(text, tokens)
     draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
@@ -138,7 +136,7 @@ def read(text: str) -> FunctionalScenario:
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)
-    manners = Manners(context, numbers, surroundings.measured)
+    manners = Manners(context)
     scenes = Interpreter(context, manners).run(chunks, events)
     settle_far_sides(draft)
     ego = choose_ego(draft, crossing=junction.crossing)

@@ -45,8 +45,6 @@ def comes_to(figure: Figure) -> bool:
     last = before[-1]
     if last.amounts.get("target_speed_mps") is not None:
         return False
-    if figure.is_said_by(last.entity.speed_basis):
-        last.entity.speed = last.entity.speed_basis = None
     last.amounts["target_speed_mps"] = figure.amount
     return True
 

@@ -43,6 +43,8 @@ class Figure(Clause):
         self.start, self.end = text.bounds(self.i)
         verb, scene = self.verb, self.scene
         told = (verb.name, None if verb.perfect else verb.i) if verb is not None else ()
+        ahead = verb is not None and verb.i > self.j and any(map(self._modifies, text.mentions))
+        told = () if ahead else told
         measured = numbers.measured(quantity, *told)
         self.words_around, self.frame = measured.around, measured.frame
         sized = self.frame.role in {"long", "wide"} or (
@@ -70,10 +72,6 @@ class Figure(Clause):
         """What sets an act off by this number."""
         return Trigger(kind, self.amount.basis, self.amount, **rest)
 
-    def is_said_by(self, basis: Basis | None) -> bool:
-        """Whether something rests on just these words."""
-        return basis is not None and (basis.i, basis.j) == (self.i, self.j)
-
     def note(self, instead: str | None = None) -> None:
         """Reports that no field holds it."""
         left_out = instead or self.frame.instead or NO_RULE
@@ -91,8 +89,8 @@ class Figure(Clause):
             before = [s for s in before if not s.tells_parked] or before
         return next(iter((*own, *before[-1:], *here)), None)
 
-    def _modifies(self, event: Event) -> bool:
-        return any((m.i, m.j) == (self.i, self.j) for m in event.mods)
+    def _modifies(self, phrase: Event | Mention) -> bool:
+        return any((m.i, m.j) == (self.i, self.j) for m in phrase.mods)
 
     @property
     def measure(self) -> Measure:
@@ -165,14 +163,32 @@ class Figure(Clause):
                 continue
             if chunk.j <= self.start:
                 return []
+            if isinstance(chunk, Thing) and self.text.tokens[chunk.j - 1].low in word_list("rates"):
+                if chunk.owner is not None:
+                    return list(chunk.owner.entities)
+                continue  # "the ego's speed of 90 km/h"
             if self.role == "lateral_offset" and (isinstance(chunk, Thing) or chunk.value == "by"):
                 continue  # "a van offset by 0.5 m"
             if isinstance(chunk, Mention):
                 owns = self.text.low(chunk.j, i).split() in _OWNS
-                return list(chunk.entities) if owns or not chunk.possessor else []
-            if not isinstance(chunk, Word) or not {chunk.cat, chunk.value} & _SKIPPED:
+                told = self.text.low(chunk.j, i) == " : " or self._goes_on
+                whole = self.placed_by(chunk) if told else chunk
+                return list(whole.entities) if owns or not chunk.possessor else []
+            of = chunk.value == "of"
+            if not isinstance(chunk, Word) or not (of or {chunk.cat, chunk.value} & _SKIPPED):
                 return []
         return []
+
+    @property
+    def _goes_on(self) -> bool:
+        """``the van ahead of the ego (70 km/h) brakes``: a verb comes behind the brackets."""
+        after = [c for c in self.text.chunks if c.i >= self.j][:2]
+        return [c.value for c in after[:1]] == [")"] and isinstance(after[-1], Event)
+
+    def placed_by(self, landmark: Mention) -> Mention:
+        """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
+        placed = (m for m in self.text.mentions if any(p.target is landmark for p in m.pps))
+        return next(placed, landmark) if landmark.is_landmark else landmark
 
     @cached_property
     def own_subject(self) -> list[Entity]:

@@ -7,8 +7,9 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.amounts.whose import whose
 from scegen.understanding.draft import Basis, Entity
-from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
 
 _PAIR = 2
@@ -17,13 +18,10 @@ _BY_MUSCLE = ON_FOOT | {ParticipantKind.BICYCLE}
 
 
 def held(figure: Figure) -> bool:
-    """A speed that somebody holds: of whom the rules of the clause have not given it to."""
+    """A speed that somebody holds: whose it is by its words or clause, else who acts there."""
     text, speed, words_ = figure.text, figure.quantity.value, Basis(figure.i, figure.j)
     change = _from_to(figure)
-    taken = [e for e in text.draft.entities if figure.is_said_by(e.speed_basis)]
-    for entity in [e for e in taken if _stays(e, speed)]:
-        entity.speed = entity.speed_basis = None  # "all at 70 km/h": not the stationary one
-    taken = [e for e in taken if e.speed is not None]
+    taken = _taken(figure)
     if change is not None:
         for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = figure.quantity.parts[0], words_
@@ -31,15 +29,15 @@ def held(figure: Figure) -> bool:
     shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
         return True
-    meant = [e for e in _whose(figure) if e not in taken]
-    whose = _able(figure, meant)
-    if not whose and text.ego.speed is None:
-        whose = _able(figure, [text.ego]) or meant or [text.ego]
-    others = [e for e in whose if e.speed not in (None, speed)]
-    again = [e for e in whose if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
-    if whose and all(e in others or e in again for e in whose):
-        whose = _without_speed(figure) or whose  # "beside a truck, also 100 km/h"
-    for entity in whose:
+    meant = [e for e in _meant(figure) if e not in taken]
+    able = _able(figure, meant)
+    if not able and text.ego.speed is None:
+        able = _able(figure, [text.ego]) or meant or [text.ego]
+    others = [e for e in able if e.speed not in (None, speed)]
+    again = [e for e in able if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
+    if able and all(e in others or e in again for e in able):
+        able = _without_speed(figure) or able  # "beside a truck, also 100 km/h"
+    for entity in able:
         if entity.speed is not None and entity.speed != speed:
             _hand_on(entity, figure)
         if entity.speed is None:
@@ -48,34 +46,40 @@ def held(figure: Figure) -> bool:
             return False
         else:
             text.found.speeds_again.append((entity, words_))
-    return bool(taken or whose)
+    return bool(taken or able)
 
 
-def _able(figure: Figure, whose: list[Entity]) -> list[Entity]:
-    """Those who can be so fast; if all of them stand, who comes to them."""
+def _taken(figure: Figure) -> list[Entity]:
+    """Gives it to whose it is, by the words around or the clause, if they can be so fast."""
+    near = figure.named_before(figure.i - 1)
+    taken = []
+    for entity, quantity in whose(figure):
+        speed, basis = quantity.value, entity.speed_basis
+        later = basis is not None and figure.i < (basis.i or 0)  # "at 30 km/h …; nothing moves"
+        free = entity.speed is None or (entity.speed == STILL and later)
+        able = speed.low <= _fastest_mps(entity, near) and not _stays(entity, speed)
+        if free and able and not entity.parked:
+            entity.speed, entity.speed_basis = speed, Basis(figure.i, figure.j, quantity.note)
+            taken.append(entity)
+    return taken
+
+
+def _able(figure: Figure, meant: list[Entity]) -> list[Entity]:
+    """Those who can be so fast."""
     speed = figure.quantity.value
     near = figure.named_before(figure.i - 1)  # "runs across in front of the ego at 50 km/h"
-    for entity in whose:  # "a bike passes us at 140 km/h"
+    for entity in meant:  # "a bike passes us at 140 km/h"
         bike = entity.kind is ParticipantKind.BICYCLE and entity.named_by == {"bike"}
         if bike and speed.low > BODIES[entity.kind].top_speed_mps:
             entity.kind = ParticipantKind.MOTORCYCLE
-    able = [e for e in whose if speed.low <= _fastest_mps(e, near)]
-    stand = bool(able) and all(_stays(e, speed) for e in able)
-    return _who_comes(able, figure) if stand else able
+    fast = [e for e in meant if speed.low <= _fastest_mps(e, near)]
+    return [] if all(_stays(e, speed) for e in fast) else fast
 
 
 def _stays(entity: Entity, speed: Interval) -> bool:
     """Whether it stands all the time, so that no speed can be its own."""
     stands = entity.still or entity.held is not None
     return stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
-
-
-def _who_comes(standing: list[Entity], figure: Figure) -> list[Entity]:
-    """``ran into a car parked there, at 30 km/h``: who does something to those who stand."""
-    before = figure.text.within(figure.start, figure.i)
-    before = [s for s in before if any(not e.still for e in s.actors)]
-    to_them = [s for s in before if set(standing) & set(s.targets)] or before
-    return [e for s in to_them[-1:] for e in s.actors if e.speed is None and not e.still]
 
 
 def _fastest_mps(entity: Entity, near: list[Entity]) -> float:
@@ -110,14 +114,13 @@ def _from_to(figure: Figure) -> Doing | None:
     return doing
 
 
-def _whose(figure: Figure) -> list[Entity]:
+def _meant(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
     ego = figure.text.ego
     if figure.heads and ego.speed is None:
         return [ego]
-    told = figure.adjacent or figure.own_subject
-    if told:
-        return told
+    if figure.own_subject:
+        return figure.own_subject
     movers = [e for e in figure.actors if not e.parked]
     owned = figure.text.tokens[figure.start].low in word_list("its_own")
     return figure.subject if owned or not movers else movers

@@ -166,7 +166,7 @@ def _first_goes(clause: Clause, context: Context) -> bool:
     if away or words not in word_list("setting_off"):
         return False
     braked = any(e.brakes_from is not None and e.brakes_from < event.i for e in clause.actors)
-    return not braked and not any(entity.pulls_out or entity.speed for entity in clause.actors)
+    return not braked and not any(entity.pulls_out or entity.moves for entity in clause.actors)
 
 
 def _waits_there(event: Event, context: Context) -> bool:
