@@ -104,8 +104,6 @@ def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}
     overtaking = [a.entity for a in figure.text.found.acts if a.kind is ActKind.OVERTAKE]
     for event, targets in ((s.event, s.targets) for s in figure.text.scenes):
-        ways = [p.who for p in event.pps if p.leads_past and p.who]
-        overtaking += [e for who in ways for e in who.entities]
         overtaking += targets if event.name in _PASSING else []
     past = figure.does in by and (one.parked or other.parked)
     past = past or (far <= _ARMS_LENGTH and (one in overtaking or other in overtaking))

@@ -19,7 +19,6 @@ from scegen.understanding.words.nominal import (
     governed,
     has_dir,
     is_nominal,
-    one_side,
 )
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term, term_at
@@ -244,7 +243,7 @@ class Chunker:
             side = (mod.cat == "dir" and mod.value in _SIDE_DIRS) or mod.cat == "compass"
             if not side and (seen or mod.cat not in {"det", "possessive"}):
                 break
-            if seen and mod.value in WAYS and not one_side(mods[length - 1]):
+            if seen and mod.value in WAYS:
                 break  # "from the right straight on"
             seen = seen or side
             length += 1

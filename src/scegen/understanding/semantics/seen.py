@@ -18,8 +18,6 @@ from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.site import Put, Site
 from scegen.understanding.words.quantities import ends_a_quantity
 
-_SIDE_REACH = 3
-
 
 def seen(entity: Entity, site: Site) -> None:
     """``from the right``, ``in the next lane``, ``on the pavement``."""
@@ -42,7 +40,7 @@ def seen(entity: Entity, site: Site) -> None:
         approaches = _where_another_came_from(entity, site) or approaches
     reference = _first(place.beside or place.owner)
     sides = [d for d in place.dirs if d in SIDES]  # "in the right adjacent lane of the ego"
-    named = _lane_of(place) or _side_after(place, draft) or next(iter(sides), None)
+    named = _lane_of(place) or next(iter(sides), None)
     if named in SIDES and approaches == BY_DIR["adjacent"] and (not reference or reference.ego):
         entity.beside = entity.beside or (named, site.basis)
     kerb = place.kind in {"sidewalk", "shoulder"} and site.value == "from"
@@ -93,13 +91,6 @@ def _lane_of(place: Place) -> str | None:
         return None
     data = place.head.data if place.head is not None else {}
     return data.get("rank") or next((d for d in place.dirs if d in SIDES), None)
-
-
-def _side_after(lane: Place, draft: Draft) -> str | None:
-    """``in the next lane to the left``."""
-    after = [t.low for t in draft.tokens[lane.j : lane.j + _SIDE_REACH]]
-    opened = len(after) == _SIDE_REACH and after[0] in {"to", "on"}
-    return after[2] if opened and "adjacent" in lane.dirs and after[2] in SIDES else None
 
 
 def _start_lane(entity: Entity, site: Site) -> None:

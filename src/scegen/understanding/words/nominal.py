@@ -114,12 +114,3 @@ def governed(chunks: list[Chunk]) -> bool:
     """
     preposed = bool(chunks) and chunks[-1].cat in VERBAL_LINKS
     return preposed or _after_a_side(chunks)
-
-
-def one_side(term: Term) -> bool:
-    """Whether a further direction may belong to the same side ("front left").
-
-    Args:
-        term: the direction before it.
-    """
-    return term.value not in WAYS and term.cat != "compass"
