@@ -148,7 +148,8 @@ class Figure(Clause):
     @cached_property
     def adjacent(self) -> list[Entity]:
         """Who is named right before it, forms of "to be" and adverbs skipped."""
-        return self.named_before(self.i)
+        ours = self.i > self.start and self.text.tokens[self.i - 1].low in {"our", "my"}
+        return [self.text.ego] if ours else self.named_before(self.i)
 
     @property
     def heads(self) -> bool:

@@ -86,6 +86,9 @@ def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
     verb = chunk_at(chunks, m)
     if not isinstance(verb, Event) or verb.name not in _ON_FOOT:
         return [], k + 1
+    if not isinstance(who, Mention) and verb.form == "ed" and value_at(chunks, m + 1) == "by":
+        m += 2
+        who = chunk_at(chunks, m)
     if not isinstance(who, Mention):
         return [], k + 1
     ends = Word(Term("punct", ".", who.i, who.i))
