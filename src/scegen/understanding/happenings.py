@@ -11,7 +11,7 @@ from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.spacings import START, Measure
 from scegen.scenario.things import ThingKind
 from scegen.scenario.vocabulary import Side
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 
 STILL = Interval(low=0.0, high=0.0)
 Since: TypeAlias = Literal["begin", "end"]

@@ -10,10 +10,10 @@ from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
+from scegen.understanding.building.choosing_ego import choose_ego
 from scegen.understanding.building.coverage import unattached
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.building.undone import undone
-from scegen.understanding.building.viewpoint import choose_ego
 from scegen.understanding.chunks import Chunk
 from scegen.understanding.clauses.again import named_again, names_another, said_of_one, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader

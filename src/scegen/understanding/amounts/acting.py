@@ -11,7 +11,7 @@ from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Place
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.semantics.rows import say

@@ -6,7 +6,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Doing
 
 _PAIR = 2

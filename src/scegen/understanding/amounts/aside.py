@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Place
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.happenings import Amount, Apart
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.patterns import noun

@@ -8,7 +8,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
 from scegen.understanding.chunks import Event
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Apart, Doing, Happenings
 from scegen.understanding.semantics.context import Clause
 

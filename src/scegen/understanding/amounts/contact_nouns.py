@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.outcome import OutcomeKind
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.happenings import Ending
 from scegen.understanding.lexicon import word_list

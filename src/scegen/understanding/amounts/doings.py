@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.aside import SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.leading_aside import OTHER
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import STILL, Amount, Doing, Trigger
 from scegen.understanding.lexicon import word_list

@@ -11,7 +11,7 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import AmountFrame, Numbers
 from scegen.understanding.happenings import Amount, Doing, Trigger
 from scegen.understanding.lexicon import word_list

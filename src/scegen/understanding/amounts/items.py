@@ -7,7 +7,8 @@ from scegen.scenario.vocabulary import HazardKind, Side
 from scegen.understanding.amounts.figures import has_a_size
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Place, Prep, Thing
-from scegen.understanding.draft import Basis, Danger, Entity
+from scegen.understanding.draft import Danger
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Item
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause

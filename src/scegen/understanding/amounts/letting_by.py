@@ -6,7 +6,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Thing
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause

@@ -7,7 +7,7 @@ from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Doing, Since
 from scegen.understanding.lexicon import word_list
 

@@ -6,7 +6,7 @@ from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.amounts.timing import endless, since_green, told_in
 from scegen.understanding.chunks import Word
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at

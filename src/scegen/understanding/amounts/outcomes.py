@@ -19,7 +19,7 @@ from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.struck import struck
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, Place, Thing, Word
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.contact import goal_of_contact, lies_there, touched

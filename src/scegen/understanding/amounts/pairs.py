@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 
 _AHEAD = {Approach.AHEAD}
 _PAIR = 2

@@ -12,7 +12,7 @@ from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.moments import moment, since
 from scegen.understanding.amounts.pairs import pair_of, row_of
 from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 

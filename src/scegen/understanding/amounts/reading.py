@@ -15,7 +15,7 @@ from scegen.understanding.amounts.ordering import order
 from scegen.understanding.amounts.outcomes import read_outcome
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Chunk
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.frames import Numbers
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context

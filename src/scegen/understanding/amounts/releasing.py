@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.items import item_of, kind_of, number_them
 from scegen.understanding.chunks import Mention, Place, Thing
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
 

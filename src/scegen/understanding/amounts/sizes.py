@@ -8,7 +8,7 @@ from scegen.scenario.bodies import LENGTHS_M, WIDTHS_M
 from scegen.scenario.things import SIZES_M
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Item
 from scegen.understanding.lexicon import word_list
 

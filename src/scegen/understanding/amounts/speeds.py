@@ -8,7 +8,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.whose import whose
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
 

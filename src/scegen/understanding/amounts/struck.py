@@ -8,7 +8,7 @@ from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import NounPhrase, Place, Thing
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause

@@ -9,7 +9,7 @@ from functools import cache
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Word
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context

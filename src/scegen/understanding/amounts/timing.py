@@ -6,7 +6,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import ANY, Telling
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing, Since
 from scegen.understanding.lexicon import word_list
 

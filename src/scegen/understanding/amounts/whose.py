@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.chunks import Mention, Word
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import Quantity
 from scegen.understanding.words.terms import Term

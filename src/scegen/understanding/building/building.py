@@ -36,7 +36,8 @@ from scegen.understanding.building.ramps import settle_ramp
 from scegen.understanding.building.some_of import some_of
 from scegen.understanding.building.unsaid import maneuvers_of
 from scegen.understanding.building.viewpoint import settle_positions
-from scegen.understanding.draft import Basis, Danger, Draft, Entity
+from scegen.understanding.draft import Danger, Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings
 from scegen.understanding.meaning.arms import settle_arms, settle_roads
 from scegen.understanding.meaning.breaches import onto_the_road

@@ -17,7 +17,7 @@ from scegen.scenario.outcome import Outcome
 from scegen.scenario.spacings import Measure, Spacing
 from scegen.scenario.things import Thing
 from scegen.understanding.building.proving import Proofs
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import STILL, Doing, Happenings, Trigger
 
 

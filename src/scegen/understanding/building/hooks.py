@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.draft import Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Entity
 
 _RIDERS = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _TURNS = {Approach.RIGHT: Maneuver.RIGHT, Approach.LEFT: Maneuver.LEFT}

@@ -12,7 +12,8 @@ from scegen.scenario.vocabulary import (
     ParticipantKind,
 )
 from scegen.understanding.building.viewpoint import Placed
-from scegen.understanding.draft import Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Happenings
 from scegen.understanding.semantics.numbered_lanes import EITHER
 

@@ -7,7 +7,8 @@ from itertools import pairwise
 from scegen.errors import InfeasibleError
 from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.vocabulary import Approach, JunctionKind
-from scegen.understanding.draft import Basis, Draft
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings

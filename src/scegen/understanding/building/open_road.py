@@ -7,7 +7,8 @@ from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.building.hooks import off_the_road
 from scegen.understanding.building.viewpoint import unplaced_dangers
-from scegen.understanding.draft import Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Happenings, Item
 
 _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKind.HARD_BRAKING,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from scegen.scenario.evidence import Evidence, EvidenceSource
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.words.tokens import Token
 
 _FIELDS = set(Evidence.model_fields)

@@ -7,7 +7,8 @@ from typing import TypeAlias
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.building.leftovers import ONE_RAMP
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.semantics.approaches import INVERSE
 
 Used: TypeAlias = tuple[AuxiliaryLane, Basis] | None

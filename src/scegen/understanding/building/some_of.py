@@ -7,7 +7,8 @@ from collections import Counter
 from scegen.scenario.functional import Group
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.building.proving import Proofs
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings
 
 

@@ -11,7 +11,8 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 
 _OVER_A_JUNCTION = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.STRAIGHT})
 _TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})

@@ -5,7 +5,8 @@ from __future__ import annotations
 from scegen.scenario.control import controlled_arms
 from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import Approach, Control, CrossedArm, JunctionKind, Maneuver
-from scegen.understanding.draft import Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Entity
 
 _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
 _OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}

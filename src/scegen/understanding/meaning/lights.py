@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, value_at
 from scegen.understanding.semantics.context import Clause, Context

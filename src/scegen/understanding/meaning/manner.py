@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.meaning import placing, standing
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.terms import Term

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.located import own_lane
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing, rows, standing
 from scegen.understanding.meaning.lights import read_lights

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.draft import Basis, Draft
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis
 from scegen.understanding.words import absent
 from scegen.understanding.words.terms import Term
 

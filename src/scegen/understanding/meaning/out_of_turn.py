@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import Control, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Context
 

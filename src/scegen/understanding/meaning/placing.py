@@ -7,7 +7,7 @@ from dataclasses import replace
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.located import landmark
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.approaches import INVERSE, SIDES, adjective_approaches
 from scegen.understanding.semantics.context import Clause, Context

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at
 

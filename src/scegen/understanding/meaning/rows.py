@@ -8,7 +8,8 @@ from itertools import combinations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.clauses.dependents import chain
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 

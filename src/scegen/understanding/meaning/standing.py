@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import noun

@@ -7,7 +7,8 @@ from dataclasses import replace
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import is_it, loci_of
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import (
     ego_by_order,

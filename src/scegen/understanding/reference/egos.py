@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.reference.groups import Group, in_list
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.reference.roster import Roster, claimed

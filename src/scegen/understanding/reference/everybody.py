@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Event, Mention
-from scegen.understanding.draft import Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Entity
 from scegen.understanding.reference.mention_words import KINDS
 
 _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import ON_FOOT
 from scegen.understanding.chunks import Mention
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.reference.mention_words import KINDS, Reading
 from scegen.understanding.words.tokens import Token
 

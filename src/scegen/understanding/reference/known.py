@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, states_of

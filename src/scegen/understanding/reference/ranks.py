@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.tokens import Token
 

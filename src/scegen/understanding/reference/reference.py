@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import ON_FOOT
 from scegen.understanding.chunks import Mention
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.reference.mention_words import Reading, read_mention
 
 _DENSITY = frozenset({"manner", "inert", "unknown", "noted"})

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.dependents import chain
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.groups import Group, in_list
 from scegen.understanding.reference.mention_words import Reading

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import takewhile
 
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.phrases.on_sides import from_everywhere
 from scegen.understanding.road.junctions import JunctionReading
 

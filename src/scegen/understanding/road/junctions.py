@@ -8,7 +8,7 @@ from itertools import pairwise
 from scegen.errors import InfeasibleError
 from scegen.scenario.junction import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.dark_lights import flashing, out_of_order
 from scegen.understanding.words import absent

@@ -10,7 +10,7 @@ from scegen.errors import InfeasibleError
 from scegen.scenario.bends import RADII_M, Bend
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Side
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.words import absent
 from scegen.understanding.words.terms import Term
 

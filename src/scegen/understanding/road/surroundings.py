@@ -8,7 +8,7 @@ from typing import Any
 from scegen.errors import InfeasibleError
 from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.vocabulary import DrivingSide
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.measures import last_of, role_of, value_of
 from scegen.understanding.words.lane_widths import auxiliary_length_m, lane_width_m

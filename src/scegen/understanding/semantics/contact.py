@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 

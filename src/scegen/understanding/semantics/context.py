@@ -8,7 +8,8 @@ from typing import Any
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames.windows import Window
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.junctions import JunctionReading

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Control, Maneuver
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 

@@ -9,7 +9,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import NounPhrase, Prep
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.semantics.marks import MARKS, Mark, first

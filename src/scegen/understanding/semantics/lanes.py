@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place, Thing
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.model import Interval
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 
 Mark: TypeAlias = Callable[[Entity, Basis], None]
 

@@ -6,7 +6,7 @@ from itertools import zip_longest
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.chunks import Event, Mention, Place
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 

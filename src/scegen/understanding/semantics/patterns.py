@@ -17,7 +17,7 @@ from typing import Any, TypeAlias
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.numbered_lanes import lane_number

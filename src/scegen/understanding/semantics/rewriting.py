@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Mention, Prep, Thing, Word
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.terms import Term

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.dependents import chain
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.semantics.context import Clause
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Mention, Place, Prep
 from scegen.understanding.clauses.located import from_the_wrong_lane
-from scegen.understanding.draft import Basis, Draft, Entity
+from scegen.understanding.draft import Draft
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.approaches import (
     BY_DIR,

@@ -5,7 +5,8 @@ from __future__ import annotations
 from scegen.scenario.roadway import BAYS, Strip
 from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.draft import Basis, Danger, Entity
+from scegen.understanding.draft import Danger
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.semantics.approaches import SIDES
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.numbered_lanes import (

@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.chunks import Event, NounPhrase
-from scegen.understanding.draft import Basis
+from scegen.understanding.entity import Basis
 from scegen.understanding.semantics import lanes, ways
 from scegen.understanding.semantics.context import Clause, Context
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.draft import Basis, Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure, quantity_at

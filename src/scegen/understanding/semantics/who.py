@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.draft import Entity
+from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import doing, lanes, met, owed
 from scegen.understanding.semantics.approaches import FACING
 from scegen.understanding.semantics.context import Clause, Context

@@ -1,0 +1,196 @@
+"""Chooses the ego where the text does not name it: who is tested, met, seen or endangered."""
+
+from __future__ import annotations
+
+from scegen.scenario.roadway import Strip
+from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.understanding.draft import Danger, Draft
+from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.lexicon import word_list
+
+_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
+_SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
+"""A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
+_ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
+                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING})  # fmt: skip
+"""What one vehicle does to another, which a text need not name."""
+_TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
+_DRIVES = "an ego that stays parked beside the road is not built; it drives from the start"
+_PARTIES = ("insured", "claimant")
+"""Whose case a report tells."""
+
+
+def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
+    """The ego with the reason for the choice; adds one if nobody that is named can be it.
+
+    Args:
+        draft: the scenario in the making.
+        crossing: whether roads meet.
+    """
+    named = draft.ego
+    if named is not None and "speaks" in named.named_by and not named.is_vehicle:
+        _look_on(draft, named)
+    elif named is not None:
+        _put_in_a_bay(draft, named)
+        words = named.basis.i is not None
+        return named, Basis(named.basis.i, named.basis.j) if words else named.basis
+    vehicles = [e for e in draft.entities if e.moving_vehicle]
+    movers = [e for e in vehicles if not e.stays]
+    if not movers and crossing and len(draft.entities) == len(vehicles) > 1:
+        movers = vehicles  # "two cars stand at a crossroads": nobody else is there
+    about = _about(vehicles, draft)
+    if about is not None:
+        about[0].ego = True
+        return about
+    motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
+    crossers = draft.causing(HazardKind.CROSSING_CYCLIST)
+    candidates = motor or [e for e in movers if e not in crossers]
+    if not candidates:
+        return _added(draft, "the text names no moving vehicle; a car is added as the ego")
+    last = next((e for e in candidates if draft.only(e, Approach.BEHIND)), None)
+    if last is not None and any(draft.only(e, Approach.AHEAD) for e in candidates):
+        last.ego = True
+        return last, Basis(reason="the text names no ego; this vehicle follows the other")
+    walkers = any(not e.is_vehicle for e in draft.entities)
+    alone = len(candidates) == 1 == len(movers) and not walkers
+    sides = _SIDEWAYS if alone else _ALONG
+    exposed = walkers or len(candidates) < len(movers)
+    met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
+    sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides
+    sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
+    if all(_seen(draft, e, sides) for e in candidates):
+        return _numbered(draft, vehicles, candidates)
+    if alone and not crossing and _endangers_unnamed(draft):
+        return _added(draft, "the only vehicle endangers another; a car is added as the ego")
+    chosen, reason = _designate(draft, candidates)
+    chosen.ego = True
+    afoot = [e for e in draft.entities if not e.is_vehicle]
+    pair = len(afoot) == len(candidates) == len(movers) == 1
+    if pair and all(p.reference for p in draft.placements_of(afoot[0])):
+        for placement in draft.placements_of(chosen):
+            facing = Approach.OPPOSITE in placement.approaches  # "an approaching taxi": to nobody
+            if placement.reference is None and not facing:
+                placement.reference = afoot[0]
+    return chosen, Basis(reason=f"the text names no ego; {reason}")
+
+
+def _put_in_a_bay(draft: Draft, ego: Entity) -> None:
+    """``parked on the right, it pulls out``: an ego drives, out of a bay if that is where it is."""
+    stood = ego.was_parked or (ego.parked_basis if ego.parked else None)
+    ego.parked = False
+    if stood is None or not (ego.pulls_out or ego.sets_off >= 0):
+        draft.note_at(stood, _DRIVES)
+        return
+    kerb, i, j = {Approach(draft.kerb)}, stood.i or 0, stood.j or 0
+    sides = [p.basis for p in draft.placements_of(ego) if p.approaches == kerb]
+    ends = [(min(i, b.i or 0), max(j, b.j or 0)) for b in sides if b.i is not None]
+    ego.strip = ego.strip or (Strip.PARKING, Basis(*ends[0]) if ends else stood)
+
+
+def _numbered(draft: Draft, vehicles: list[Entity], seen: list[Entity]) -> tuple[Entity, Basis]:
+    """``V1 stood there when V2 came from behind``: a car is added only if none has a number."""
+    parties = [e for e in vehicles if e.numbered]
+    here = [e for e in parties if e not in seen] or parties
+    if len(here) != 1:
+        reason = "positions are given as seen from a vehicle that is not named; a car is added"
+        return _added(draft, reason)
+    here[0].ego = True
+    return here[0], Basis(reason="the text names no ego; it numbers this vehicle")
+
+
+def _endangers_unnamed(draft: Draft) -> bool:
+    """``a van comes the wrong way``, ``a taxi brakes hard``: a danger to whom nobody names."""
+    caused = {d.kind for d in draft.dangers}
+    first, *rest = draft.entities
+    known = first.labels or draft.tokens[first.basis.i or 0].low == "the"  # "the car stops"
+    return not (rest or known) and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
+
+
+def _look_on(draft: Draft, teller: Entity) -> None:
+    """Who tells it on foot is no ego; what is seen is seen from there."""
+    teller.ego = False
+    draft.placements = [p for p in draft.placements if p.entity is not teller or p.reference]
+    for placement in draft.placements:
+        if placement.reference is None:
+            placement.reference = teller
+
+
+def _about(vehicles: list[Entity], draft: Draft) -> tuple[Entity, Basis] | None:
+    """Whom a text without an ego is about: its first word, or the party whose case it tells."""
+    told = next((e for e in vehicles if _told_of(e, draft)), None)
+    if told is not None:
+        return told, Basis(reason="the text names no ego; it is about this vehicle")
+    party = next((e for name in _PARTIES for e in vehicles if name in e.labels), None)
+    if party is not None:
+        return party, Basis(reason="the text names no ego; it tells this party's case")
+    return None
+
+
+def _told_of(entity: Entity, draft: Draft) -> bool:
+    """``Vehicle is turning left at …``: the one that a text without articles begins with."""
+    i, j = entity.basis.i, entity.basis.j
+    first = draft.tokens[0].low if draft.tokens else ""
+    ahead = draft.only(entity, Approach.AHEAD)  # "Vehicle in front turns …"
+    return i == 0 and j == 1 and first in word_list("bare") and not ahead
+
+
+def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
+    ego = draft.add(ParticipantKind.CAR, Basis(reason=reason))
+    ego.ego = True
+    return ego, Basis(reason=reason)
+
+
+def _met(draft: Draft, entity: Entity) -> bool:
+    """``a pedestrian … and an approaching car``: it comes towards the one who is no car."""
+    if draft.only(entity, Approach.BEHIND):
+        return True
+    named = {t.low for t in draft.tokens[entity.basis.i or 0 : entity.basis.j or 0]}
+    return draft.only(entity, Approach.OPPOSITE) and "approaching" in named
+
+
+def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
+    """``the car ahead``, ``an oncoming van``: there is somebody from whom it is seen."""
+    if entity.entries or entity.heading is not None:
+        return False
+    after = [t.low for t in draft.tokens[entity.basis.j or 0 :][:1]]
+    told = [p.approaches for p in draft.placements_of(entity) if p.reference is None]
+    lane = entity.start_lane or entity.by_ramp
+    beside = {Approach.ADJACENT} in told and lane is None  # "in the next lane"
+    ahead = entity.basis.j is not None and after == ["ahead"]
+    return (
+        ahead
+        or (beside and Approach.ADJACENT in seen)
+        or any(approaches <= seen - {Approach.ADJACENT} for approaches in told)
+    )
+
+
+def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
+    placed = [p.entity for p in draft.placements if p.reference is None]
+    # "a lorry would not let driver 1 in": who has a number is told of
+    candidates = [e for e in candidates if e.numbered] or candidates
+    free = [e for e in candidates if e not in placed] or candidates
+    facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
+    if facing is not None:
+        return facing, "this vehicle comes towards the one that turns left"
+    sufferers, causers = draft.suffering(), draft.causing()
+    for entity in (e for e in free if e in sufferers):
+        return entity, "this vehicle suffers a hazard"
+    for entity in (e for e in free if causers and e not in causers):
+        return entity, "this is the first vehicle that causes no hazard"
+    return free[0], "this is the first vehicle"
+
+
+def _facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
+    """Who enters opposite the one that turns left, where the text fixes the arms.
+
+    Args:
+        danger: a hazard.
+        candidates: vehicles that may suffer it.
+    """
+    if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or len(danger.by) != 1:
+        return None
+    arms = 1 + max((arm for e in (*danger.by, *candidates) for arm in e.entries), default=0)
+    opposite = {(arm + arms // 2) % arms for arm in danger.by[0].entries}
+    if not opposite or arms % 2:
+        return None
+    return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)

@@ -1,0 +1,95 @@
+"""Whose car it is: people who stand for what they drive, and what stands for its driver."""
+
+from __future__ import annotations
+
+from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.reference.alighting import is_somebody
+from scegen.understanding.reference.reference import tells
+from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
+
+ONLY_VEHICLES = frozenset(
+    {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
+     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
+     "door", "reverse"}
+)  # fmt: skip
+_BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
+_DRIVEN = ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
+
+
+def stand_for_vehicles(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """Makes one of somebody and the vehicle that he or she drives."""
+    _own_vehicles(events)
+    _vehicles_of_parties(chunks)
+    _drivers(events)
+    _ridden(chunks, tokens)
+    _own_people(chunks, events, tokens)
+
+
+def _own_vehicles(events: list[Event]) -> None:
+    """``a woman backs her van out``, ``a man riding a moped``: they stand for what they drive."""
+    for event in events:
+        what = event.object
+        if event.name == "lose_control":
+            what = next((p.who for p in event.pps if p.value == "of" and p.who is not None), None)
+        if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
+            continue
+        who = event.subject[-1]
+        operates = event.lemma in word_list("operating")
+        driven = operates and (is_somebody(who) or tells(who))
+        driven = driven or (event.name == "reverse" and is_somebody(who))  # "a man backs a van out"
+        if what.heads and not what.label and (what.opened_by("its") or driven):
+            what.same_as = who
+            who.drives = True
+
+
+def _vehicles_of_parties(chunks: list[Chunk]) -> None:
+    """``the insured's van``, ``driver 2's car``: its owner stands for it."""
+    for chunk in chunks:
+        owner = chunk.owner if isinstance(chunk, Mention) else None
+        drives = owner is not None and any("driver" in h.data for h in owner.heads)
+        if drives and isinstance(chunk, Mention) and chunk.heads and not is_somebody(chunk):
+            chunk.same_as = owner
+
+
+def _drivers(events: list[Event]) -> None:
+    """``a van driven by a student``: the student drives it."""
+    for event in events:
+        driven = event.lemma in word_list("operating") and event.form == "ed"
+        for prep in event.pps if driven and event.subject else []:
+            if prep.value == "by" and prep.who is not None and is_somebody(prep.who):
+                prep.who.same_as = event.subject[-1]
+
+
+def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
+    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
+    for teller in [c for c in chunks if isinstance(c, Mention) and tells(c)]:
+        aboard = [p.who for p in teller.pps if tokens[p.word.i].low in word_list("aboard")]
+        for what in aboard:
+            if what is not None and what.same_as is None and is_vehicle(what):
+                what.same_as = teller
+                teller.drives = True
+
+
+def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``my wife brakes``: at the wheel, if the teller is not; ``my wife screams``: aboard."""
+    own = [(e, m) for e in events for m in e.subject if tells(m)]
+    drives = any(tokens[m.i].low == "i" or e.name in ONLY_VEHICLES for e, m in own)
+    drives |= any(isinstance(c, Mention) and tokens[c.i].low == "me" for c in chunks)
+    for who in [c for c in chunks if isinstance(c, Mention) and c.opened_by("first_person")]:
+        if tokens[who.j - 1].low not in word_list("relatives") or who.pps or who.prep:
+            continue
+        done = [e for e in events if who in e.subject]
+        at_wheel = any(e.name in _DRIVEN or e.drives for e in done) and not who.walks
+        if at_wheel and not drives:
+            wheel = Term("actor", "ego", who.i, who.j, data={"ego": True})
+            who.same_as = Mention(who.i, who.j, [], wheel, heads=[wheel])
+        elif done and all(e.name in {"inert", "unknown", "warn", "light", "note"} for e in done):
+            who.negated = True
+
+
+def is_vehicle(noun: Mention) -> bool:
+    """Whether a noun names one vehicle."""
+    head = noun.head if noun.pronoun is None and noun.owner is None else None
+    return head is not None and head.value in _BY_TRADE and head.form != "s"
