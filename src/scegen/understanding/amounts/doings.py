@@ -7,6 +7,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.aside import SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.amounts.joined import likewise
 from scegen.understanding.amounts.leading_aside import OTHER
 from scegen.understanding.entity import Basis
 from scegen.understanding.frames import acts as frames
@@ -21,7 +22,7 @@ _CHANGES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.SET_OFF})
 def fill(figure: Figure, field: str, kinds: frozenset[ActKind]) -> bool:
     """A field of an act of some kinds; whether there is one."""
     find = _lasting if figure.role == "duration" else _act
-    doing = figure.likewise(kinds) or find(figure, field, kinds)
+    doing = likewise(figure, kinds) or find(figure, field, kinds)
     return doing is not None and _give(doing, figure, field)
 
 

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from functools import cached_property
 from typing import Any
 
-from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import AmountFrame, Numbers
-from scegen.understanding.happenings import Amount, Doing, Trigger
+from scegen.understanding.happenings import Amount, Trigger
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import Quantity
@@ -245,35 +242,6 @@ class Figure(Clause):
         return list((said or before)[0 if said else -1].entities) if before else []
 
     @cached_property
-    def part(self) -> tuple[int, list[Entity]]:
-        """Where the part of a sentence begins in which it stands, and who it is about.
-
-        A comma or conjunction begins a part if it has a subject of its own.
-        """
-        for k in range(self.i - 1, self.start - 1, -1):
-            if k > self.start and self.text.tokens[k - 1].low not in word_list("joints"):
-                continue
-            named = (m for m in self.text.mentions if k <= m.i < self.i and m.prep is None)
-            free = [m for m in named if m.entities]
-            if free and not free[0].possessor:
-                return k, list(free[0].entities)
-        return self.start, []
-
-    def likewise(self, kinds: Collection[ActKind]) -> Doing | None:
-        """``A brakes with 4 m/s², B 1 s later``: B does the same, without a verb."""
-        begin, who = self.part
-        text, (start, end) = self.text, (self.start, self.end)
-        joints = (k for k in range(self.i, end) if text.tokens[k].low in word_list("joints"))
-        elided = bool(who) and any(c.actors for c in text.within(start, begin))
-        if not elided or text.within(begin, next(joints, end)):
-            return None
-        told = text.acts(start, begin, kinds)
-        if not told or told[-1].entity in who:
-            return None
-        made = [text.same(told[-1], e, self.i, self.amount.basis) for e in who]
-        return made[0]
-
-    @cached_property
     def after(self) -> tuple[Word, NounPhrase | None] | None:
         """A phrase of place right after it: "ahead of the ego", "from the junction"."""
         chunks = self.text.chunks
@@ -315,20 +283,6 @@ class Figure(Clause):
     def led_by(self) -> str:
         """The word that opens that phrase."""
         return self.text.tokens[self.after[0].i].low if self.after is not None else ""
-
-    def behind_or_ahead(self, one: Entity, other: Entity) -> None:
-        """``15 m behind``: who is said to be there, if no place of the two is said.
-
-        Who changes lanes "15 m ahead" comes there by that; "15 m before a van" it goes from behind.
-        """
-        way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
-        way |= {} if other.ego else {" before ": Approach.BEHIND}
-        said = next((a for w, a in way.items() if self.words_around.after.startswith(w)), None)
-        vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
-        comes = {Maneuver.LANE_CHANGE} if self.led_by != "before" else set()
-        sideways = {Maneuver.CROSS, *comes} & (one.maneuvers | other.maneuvers)
-        if said is not None and vehicles and not sideways and not self.text.stand(one, other):
-            self.text.draft.place(one, other, {said}, self.amount.basis)
 
 
 def has_a_size(noun: Mention | Thing) -> bool:

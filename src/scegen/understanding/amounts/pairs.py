@@ -117,3 +117,18 @@ def _bracketed(figure: Figure) -> Entity | None:
     before = [m for m in figure.text.mentions if m.j == opening and m.entities]
     first: Entity | None = before[0].entities[0] if before else None
     return first
+
+
+def tell_order(figure: Figure, one: Entity, other: Entity) -> None:
+    """``15 m behind``: who is said to be there, if no place of the two is said.
+
+    Who changes lanes "15 m ahead" comes there by that; "15 m before a van" it goes from behind.
+    """
+    way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
+    way |= {} if other.ego else {" before ": Approach.BEHIND}
+    said = next((a for w, a in way.items() if figure.words_around.after.startswith(w)), None)
+    vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
+    comes = {Maneuver.LANE_CHANGE} if figure.led_by != "before" else set()
+    sideways = {Maneuver.CROSS, *comes} & (one.maneuvers | other.maneuvers)
+    if said is not None and vehicles and not sideways and not figure.text.stand(one, other):
+        figure.text.draft.place(one, other, {said}, figure.amount.basis)

@@ -10,7 +10,7 @@ from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.moments import moment, since
-from scegen.understanding.amounts.pairs import pair_of, row_of
+from scegen.understanding.amounts.pairs import pair_of, row_of, tell_order
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
@@ -131,7 +131,7 @@ def _between(
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity
         ]  # "with full overlap (100 %)"
-    figure.behind_or_ahead(one, other)
+    tell_order(figure, one, other)
     _in_file(figure, measure, entity, reference, amount)
     return Apart(measure, entity, reference, amount, at, side, since(text, at, one, other))
 

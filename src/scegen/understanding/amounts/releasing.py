@@ -7,6 +7,7 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.items import item_of, kind_of, number_them
+from scegen.understanding.amounts.pairs import tell_order
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
@@ -65,7 +66,7 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
     other = other or text.counterpart(subject, near)
     if other is None or other is subject:
         return False
-    figure.behind_or_ahead(subject, other)
+    tell_order(figure, subject, other)
     if figure.measure is not Measure.GAP_M:
         subject, other = text.in_file(subject, other)
     doing.when = figure.trigger("measure", measure=figure.measure, entity=subject, reference=other)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.amounts.joined import likewise, part_of
 from scegen.understanding.amounts.telling import ANY, Telling
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing, Since
@@ -19,7 +20,7 @@ _ENDING = frozenset({"target_speed_mps", "duration_s", "distance_m"})
 def delayed(figure: Figure) -> bool:
     """``after 3 s``, ``2 s later``, ``1 s after the van has cut in``."""
     since = _since(figure)
-    doing = figure.likewise(ANY) or _act(figure) or _comes_in(figure)
+    doing = likewise(figure, ANY) or _act(figure) or _comes_in(figure)
     if doing is None or doing.when is not None:
         return False
     base, at = _base(figure, doing)
@@ -95,7 +96,7 @@ def _comes_in(figure: Figure) -> Doing | None:
     text = figure.text
     met = text.context.junction.crossing or text.draft.crossing_implied is not None
     told = [c for c in text.within(figure.i, figure.end) if c.event.name in _COMING]
-    who = [e for c in told for e in c.drivers] or figure.part[1]
+    who = [e for c in told for e in c.drivers] or part_of(figure)[1]
     if not met or not who or not who[0].is_vehicle:
         return None
     return text.add(Doing(ActKind.ENTER, who[0], figure.amount.basis, figure.i))
