@@ -164,14 +164,10 @@ class Chunker:
 
     def _side_before_number(self, mods: list[Term]) -> bool:
         """``from the left two cars come``: the number begins a noun phrase of its own."""
-        previous = self._chunks[-1] if self._chunks else None
-        return (
-            previous is not None
-            and previous.cat == "prep"
-            and any(
-                b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
-                for a, b in pairwise(mods)
-            )
+        governed = self._last is not None and self._last.cat == "prep"
+        return governed and any(
+            b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
+            for a, b in pairwise(mods)
         )
 
     def _owner(self) -> Mention | None:
