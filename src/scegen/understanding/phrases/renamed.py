@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import word_list
+from scegen.understanding.lexicon import load, word_list
 from scegen.understanding.words.tokens import Token
 
 _CHANGE_REACH = 7
@@ -37,21 +37,20 @@ def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Event):
             continue
-        if tokens[chunk.i].base == "run":
-            whom, over, after = (*chunks[k + 1 : k + 4], None, None, None)[:3]
-            last = after is None or after.cat in {"punct", "conj"}
-            if isinstance(whom, Mention) and _is(over, "over", tokens) and last:
-                chunk.name = "collide"
-                dropped.add(id(over))
-        if chunk.name != "cut":
-            continue
-        chunk.name = "cut_in"
-        for following in chunks[k + 1 : k + 4]:
-            if _is(following, "off", tokens):
-                chunk.name = "cut_off"
-                dropped.add(id(following))
+        whom, particle, after = (*chunks[k + 1 : k + 4], None, None, None)[:3]
+        last = after is None or after.cat in {"punct", "conj"}
+        split = isinstance(whom, Mention) and isinstance(particle, Word) and last
+        if split and particle is not None and particle.cat != "manner":
+            name = _verb_with(tokens[chunk.i].base, tokens[particle.i].low)
+            chunk.name = name or chunk.name
+            dropped |= {id(particle)} if name else set()
+        if chunk.name == "cut":
+            chunk.name = "cut_in"
     return [c for c in chunks if id(c) not in dropped] if dropped else chunks
 
 
-def _is(chunk: Chunk | None, particle: str, tokens: list[Token]) -> bool:
-    return isinstance(chunk, Word) and tokens[chunk.i].low == particle
+def _verb_with(base: str, particle: str) -> str | None:
+    """What a verb and its particle are together, as the lexicon has them."""
+    verb = load().root.following.get(base)
+    both = verb.following.get(particle) if verb is not None else None
+    return next((e.value for e in both.entries if e.cat == "verb"), None) if both else None
