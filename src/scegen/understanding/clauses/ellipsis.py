@@ -8,6 +8,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.phrases.predicates import complete
+from scegen.understanding.words.nominal import WAYS
 from scegen.understanding.words.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
@@ -70,6 +71,8 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             event.name = "likewise"  # "a van sets off and the ego follows 1 s later"
         if event.name == "light" and does and _in_turn(event, tokens):
             event.name = "likewise"
+        if event.nominal and "same" in {m.value for m in event.dirs}:
+            _the_same_way(event, events)
         if event.name != "likewise":
             continue
         who = set(map(id, event.subject))
@@ -78,6 +81,14 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             event.name, event.object = model.name, event.object or model.object
             event.mods = [*event.mods, *model.dirs]
             event.pps = [*event.pps, *(p for p in model.pps if p.place is not None)]
+
+
+def _the_same_way(event: Event, events: list[Event]) -> None:
+    """``turns right, behind a car that makes the same turn``: to the right, too."""
+    ways = (m for e in events if e.name == event.name for m in e.dirs if m.value in WAYS)
+    way = next(ways, None)
+    if way is not None:
+        event.mods = [*(m for m in event.mods if m.value != "same"), way]
 
 
 def _in_turn(event: Event, tokens: list[Token]) -> bool:

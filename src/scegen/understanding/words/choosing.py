@@ -51,8 +51,8 @@ def _clause_follows(tokens: list[Token], j: int) -> bool:
         verbal = following.has("verb") and following.form in {"s", "ed"}
         if following.has("aux") or (verbal and not following.has("dir")):  # "from the left"
             return not following.has("actor")
-        if following.has("sub", "conj"):
-            return False
+        if following.has("sub", "conj", "rel"):
+            return False  # "following a car that brakes"
         j = following.j
     return False
 
