@@ -11,6 +11,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
 _FOLLOWS = frozenset({"follow", "tailgate"})
+_STEPS_OUT = frozenset({"cross", "walk"})
 _SLOWS = frozenset({"brake", "hard_brake", "slow", "stop"})
 _WAYS = frozenset({"left", "right", "straight"})
 
@@ -34,6 +35,7 @@ def others_than_it(
     for event in events:
         yield from _going_elsewhere(event, events)
         yield from _not_by_itself(event)
+        yield from product(_hiders(event), (m for m in mentions if m.is_ego))
 
 
 def same_again(
@@ -81,6 +83,15 @@ def _going_elsewhere(event: Event, events: Sequence[Event]) -> Iterator[tuple[Me
     for other in here if ways and hits else []:
         if {d.value for d in other.dirs} & _WAYS - ways:
             yield from product(_its(event), other.subject)
+
+
+def _hiders(event: Event) -> list[Mention]:
+    """``a child hidden behind it``, ``a man behind it walks out``, ``it hides her``: no ego does."""
+    if event.name == "hide" and event.form != "ed":
+        return _its(event)
+    own = event.pps if event.name == "hide" else []
+    own = own or [p for m in event.subject for p in m.pps if event.name in _STEPS_OUT]
+    return [p.who for p in own if p.value in {"behind", "by"} and is_it(p.who)]
 
 
 def _not_by_itself(event: Event) -> Iterator[tuple[Mention, NounPhrase]]:
