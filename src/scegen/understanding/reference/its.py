@@ -32,10 +32,12 @@ def others_than_it(
     for before, event in pairwise(events):
         if _is_waited_for(before, event, tokens) or _slows_ahead(before, event):
             yield from product((m for m in _its(event) if m.i > before.i), before.subject)
+    egos = [m for m in mentions if m.is_ego]
+    backs = any(e.name == "reverse" and m.is_ego for e in events for m in e.subject)
     for event in events:
         yield from _going_elsewhere(event, events)
         yield from _not_by_itself(event)
-        yield from product(_hiders(event), (m for m in mentions if m.is_ego))
+        yield from product(_hiders(event), () if backs else egos)
 
 
 def same_again(
@@ -86,12 +88,12 @@ def _going_elsewhere(event: Event, events: Sequence[Event]) -> Iterator[tuple[Me
 
 
 def _hiders(event: Event) -> list[Mention]:
-    """``a child hidden behind it``, ``a man behind it walks out``, ``it hides her``: no ego does."""
+    """``a child hidden behind it``, ``a man behind it walks out``, ``it hides her``: no ego."""
     if event.name == "hide" and event.form != "ed":
         return _its(event)
     own = event.pps if event.name == "hide" else []
     own = own or [p for m in event.subject for p in m.pps if event.name in _STEPS_OUT]
-    return [p.who for p in own if p.value in {"behind", "by"} and is_it(p.who)]
+    return [p.who for p in own if p.value in {"behind", "by"} and is_it(p.who) and not p.fronted]
 
 
 def _not_by_itself(event: Event) -> Iterator[tuple[Mention, NounPhrase]]:
