@@ -17,7 +17,7 @@ _BESIDES = frozenset({"prep", "locus", "manner", "aux"})
 def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
     near = figure.named_before(_outside(figure)) or _of_the_noun(figure) or _opens_with(figure)
-    return [(entity, figure.quantity) for entity in near] or list(_by_clause(figure))
+    return [(entity, figure.quantity) for entity in near] or _by_clause(figure)
 
 
 def _outside(figure: Figure) -> int:

@@ -15,8 +15,7 @@ _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 """Quarter turns clockwise from the ego's heading to the other's -> where the other comes from."""
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
-_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
-_SEEN_BACK = _ALONG | {Approach.ADJACENT}
+_SEEN_BACK = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE, Approach.ADJACENT})
 Placed = tuple[Entity, Entity, set[Approach], Basis]
 """Who is where, seen from whom, by which words."""
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import load, word_list
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.words.terms import longest_match
 from scegen.understanding.words.tokens import Token
 
 _CHANGE_REACH = 7
+_BOTH = 2
 
 
 def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -41,16 +43,10 @@ def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         last = after is None or after.cat in {"punct", "conj"}
         split = isinstance(whom, Mention) and isinstance(particle, Word) and last
         if split and particle is not None and particle.cat != "manner":
-            name = _verb_with(tokens[chunk.i].base, tokens[particle.i].low)
-            chunk.name = name or chunk.name
-            dropped |= {id(particle)} if name else set()
+            both = longest_match([tokens[chunk.i], tokens[particle.i]], 0)
+            if both is not None and both.j == _BOTH and both.has("verb"):
+                chunk.name = both.get("verb").value
+                dropped.add(id(particle))
         if chunk.name == "cut":
             chunk.name = "cut_in"
     return [c for c in chunks if id(c) not in dropped] if dropped else chunks
-
-
-def _verb_with(base: str, particle: str) -> str | None:
-    """What a verb and its particle are together, as the lexicon has them."""
-    verb = load().root.following.get(base)
-    both = verb.following.get(particle) if verb is not None else None
-    return next((e.value for e in both.entries if e.cat == "verb"), None) if both else None

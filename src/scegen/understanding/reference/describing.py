@@ -9,7 +9,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.alighting import open_from_inside
 from scegen.understanding.reference.own_vehicles import (
     ONLY_VEHICLES,
-    is_vehicle,
+    is_one_vehicle,
     stand_for_vehicles,
 )
 from scegen.understanding.reference.reference import is_pronoun
@@ -145,7 +145,7 @@ def _left_standing(events: list[Event]) -> None:
     for event in events:
         what, who = event.object, event.subject[-1] if event.subject else None
         put = event.lemma in {"leave", "park", "dump", "abandon"} and not event.passive
-        if not put or who is None or not isinstance(what, Mention) or not is_vehicle(what):
+        if not put or who is None or not isinstance(what, Mention) or not is_one_vehicle(what):
             continue
         if who.is_person:
             who.negated = True

@@ -32,12 +32,12 @@ def others_than_it(
     for before, event in pairwise(events):
         if _is_waited_for(before, event, tokens) or _slows_ahead(before, event):
             yield from product((m for m in _its(event) if m.i > before.i), before.subject)
-    egos = [m for m in mentions if m.is_ego]
     backs = any(e.name == "reverse" and m.is_ego for e in events for m in e.subject)
+    egos = [m for m in mentions if m.is_ego and not backs]
     for event in events:
         yield from _going_elsewhere(event, events)
         yield from _not_by_itself(event)
-        yield from product(_hiders(event), () if backs else egos)
+        yield from product(_hiders(event), egos)
 
 
 def same_again(

@@ -67,7 +67,7 @@ def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
     for teller in [c for c in chunks if isinstance(c, Mention) and tells(c)]:
         aboard = [p.who for p in teller.pps if tokens[p.word.i].low in word_list("aboard")]
         for what in aboard:
-            if what is not None and what.same_as is None and is_vehicle(what):
+            if what is not None and what.same_as is None and is_one_vehicle(what):
                 what.same_as = teller
                 teller.drives = True
 
@@ -89,7 +89,7 @@ def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -
             who.negated = True
 
 
-def is_vehicle(noun: Mention) -> bool:
+def is_one_vehicle(noun: Mention) -> bool:
     """Whether a noun names one vehicle."""
     head = noun.head if noun.pronoun is None and noun.owner is None else None
     return head is not None and head.value in _BY_TRADE and head.form != "s"
