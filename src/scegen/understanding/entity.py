@@ -96,6 +96,8 @@ class Entity:
     moves: Basis | None = None
     through: Basis | None = None
     waits: Basis | None = None
+    bides: Basis | None = None
+    """Words that say that it waits to turn."""
     claimed: bool = False
     some: bool = False
     """It is one of so many of several alike, no matter which."""

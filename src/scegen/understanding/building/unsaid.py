@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.junction import Junction
+from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import (
     ANIMALS,
     ON_FOOT,
@@ -33,6 +34,11 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
     """
     if entity.stays and not entity.ego and not entity.parked:
         entity.maneuver_basis = entity.stands
+        return {Maneuver.STAY}
+    if entity.bides is not None and entity.sets_off < 0 and _met_from_behind(entity, draft):
+        entity.maneuver_basis = entity.bides.because("it waits, and nothing says that it turns")
+        if entity.ego:
+            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), entity.bides
         return {Maneuver.STAY}
     if entity.maneuvers and (entity.was_parked is not None or not entity.parked):
         turns = entity.maneuvers & _TURNS
@@ -83,6 +89,12 @@ def _followed(
         if words is not None:
             return Maneuver.STRAIGHT, words, f"{why}: nothing says that it turns"
     return (Maneuver.STAY, held, "nothing says that it goes on") if held is not None else None
+
+
+def _met_from_behind(entity: Entity, draft: Draft) -> bool:
+    """Whether somebody comes up behind who stands there: the ego, or another behind the ego."""
+    seen = [e.approaches for e in draft.entities] if entity.ego else [entity.approaches]
+    return {Approach.BEHIND if entity.ego else Approach.AHEAD} in seen
 
 
 def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:

@@ -75,12 +75,17 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             _the_same_way(event, events)
         if event.name != "likewise":
             continue
-        who = set(map(id, event.subject))
-        others = [e for e in events[:k] if e.subject and not who & set(map(id, e.subject))]
+        who = _called(event)
+        others = [e for e in events[:k] if e.subject and not who & _called(e)]
         for model in [e for e in others if e.name not in _EMPTY][-1:]:
             event.name, event.object = model.name, event.object or model.object
             event.mods = [*event.mods, *model.dirs]
             event.pps = [*event.pps, *(p for p in model.pps if p.place is not None)]
+
+
+def _called(event: Event) -> set[int]:
+    """Who acts, the ego by whatever word: "we have to stop … and we do" is no likewise."""
+    return {-1 if m.is_ego else id(m) for m in event.subject}
 
 
 def _the_same_way(event: Event, events: list[Event]) -> None:

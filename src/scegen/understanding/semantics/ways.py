@@ -145,7 +145,12 @@ def _overtaking(clause: Clause, context: Context) -> bool:
         return False  # "passes behind": across the road there
     if context.draft.causing(HazardKind.OBSTACLE) and any(e.pulls_out for e in clause.drivers):
         return True  # "pulls out, passes": past what is in its way
-    return over or any(
+    return over or _from_behind(clause, context)
+
+
+def _from_behind(clause: Clause, context: Context) -> bool:
+    """Whether who acts is said to be behind somebody."""
+    return any(
         (p.approaches == {Approach.BEHIND} and p.entity in clause.actors)
         or (p.approaches == {Approach.AHEAD} and p.reference in clause.actors)
         for p in context.draft.placements
@@ -213,6 +218,7 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "a_little_aside": _a_little_aside,
     "drives_along": lambda clause, _: _drives_along(clause.event),
     "overtaking": _overtaking,
+    "from_behind": _from_behind,
     "across_the_road": _across_the_road,
     "past_the_roadside": _past_the_roadside,
     "no_arrow": _without_arrow,

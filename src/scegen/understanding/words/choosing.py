@@ -89,8 +89,9 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
     infinitive = previous is not None and previous.value == "to" and match.form == "base"
-    # "the car behind dodges to the left", "a car at 50 km/h dodges a box"
-    told = before in {"locus", "quantity"} and match.form == "s"
+    # "the car behind dodges to the left", "the car that we follow dodges a box"
+    behind = before in {"locus", "quantity"} or begins(tokens, match.j, "det")
+    told = match.form == "s" and behind
     named = match.has("actor") and not told
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
