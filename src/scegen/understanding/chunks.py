@@ -119,6 +119,7 @@ class Mention(NounPhrase):
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
         aside: somebody is on one side of it ("on the right of the ego").
         elsewhere: it comes from another road ("a van from a side road").
+        trails: it follows the ego ("the car following us").
         besides: it does something to "it", so that it is somebody else.
         narrowed: words after it say which one is meant ("the car towing it").
         goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
@@ -147,6 +148,7 @@ class Mention(NounPhrase):
     ranked: tuple[Mention, int] | None = None
     aside: bool = False
     elsewhere: bool = False
+    trails: bool = False
     narrowed: bool = False
     besides: bool = False
     seated: bool = False

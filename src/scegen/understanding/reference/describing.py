@@ -96,6 +96,9 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.stands = mention.stands or (at_rest and not event.negated)
     close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
+    tails = event.name in {"follow", "tailgate"} and not event.passive
+    whom = event.object
+    mention.trails |= close and tails and isinstance(whom, Mention) and whom.is_ego
     told = close or (event.embedded and event.finite)  # "the car that has been tailgating it"
     mention.besides = mention.besides or (told and is_pronoun(event.object))
     if event.lemma in word_list("pedalling") and mention.heads:
