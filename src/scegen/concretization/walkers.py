@@ -17,6 +17,7 @@ from scegen.concretization.meetings import (
 from scegen.concretization.others import STOPS_SHORT_M, WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of
+from scegen.concretization.things import caused_by_nobody
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
@@ -100,8 +101,10 @@ def _struck_m(tale: Tale, met: Met) -> float:
     return met.middle_m + met.to_left * (0.5 - tale.impact_share) * met.body.width_m
 
 
-def setback_m(walk: Walker, strip_m: float, *, hidden: bool = False) -> float:
+def setback_m(tale: Tale, walk: Walker, strip_m: float) -> float:
     """How far outside the carriageway one starts, beyond a strip beside it: behind the kerb."""
+    unseen = tale.of_kind(HazardKind.OCCLUSION)
+    hidden = any(caused_by_nobody(tale.functional, hazard) for hazard in unseen)
     behind = walk.body.front_m + (_BEHIND_SCREEN_M if hidden else BEHIND_KERB_M)
     return max(strip_m + _BEYOND_STRIP_M if strip_m else _SETBACK_M, behind)
 
@@ -128,7 +131,6 @@ def aim_m(tale: Tale, walk: Walker, met: Met) -> float:
 def place_walkers(scene: Setup) -> None:
     """On the crosswalk if the arm has one, from behind a parked vehicle if one hides them."""
     side_by_side: Counter[tuple[int, Side]] = Counter()
-    hidden = any(not hazard.by for hazard in scene.of_kind(HazardKind.OCCLUSION))
     for crossing in scene.logical.crossings:
         place = (crossing.arm, crossing.start)
         aside = abreast_m(side_by_side[place])
@@ -141,7 +143,7 @@ def place_walkers(scene: Setup) -> None:
         scene.note(f"{participant.id}.speed_mps", speed, "usual pace")
         act = scene.first_act(participant.id, ActKind.CROSS)
         walk = WalkDraft(*who, act, max(0.0, _from_junction_m(scene, crossing) + aside))
-        walk.setback_m = max(setback_m(walk, strip, hidden=hidden), walk.gains_m)
+        walk.setback_m = max(setback_m(scene, walk, strip), walk.gains_m)
         far = goes_far_m(act)
         walk.stops_after_m = None if far is None else walk.setback_m + far
         walk.lay(scene.network)

@@ -70,7 +70,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     steady = to_aim if far is None else min(to_aim, far - walk.gains_m)
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
-    walk.setback_m = max(walk.gains_m + least, setback_m(walk, strip))
+    walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip))
     soon_s = _until_met_s(story, walk, meets)
     if soon_s is not None:  # so near that the other does not come by first
         way = float(gained(pace, walk.rate_mps2, np.array([soon_s]))[0][0]) - to_aim
