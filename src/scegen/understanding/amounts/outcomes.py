@@ -42,7 +42,9 @@ def read_outcome(text: Telling) -> None:
         text.found.ending = text.found.ending or next((e for e in endings if e.kind is kind), None)
     ending = text.found.ending
     if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
-        struck(ending, text)
+        alike = [e for e in endings if (e.kind, {*e.between}) == (ending.kind, {*ending.between})]
+        struck(alike, text)
+        text.found.ending = ending = next((e for e in alike if e.struck or e.impact), ending)
         _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
     if ending is not None and span is not None and ending.other is not None:

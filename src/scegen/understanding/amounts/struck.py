@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import BodySide
 from scegen.scenario.spacings import CONTACT, Measure
@@ -23,8 +25,13 @@ _REACH = 7
 _ROADS = frozenset({"road", "lane", "highway"})
 
 
-def struck(ending: Ending, text: Telling) -> None:
+def struck(endings: Iterable[Ending], text: Telling) -> None:
     """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
+    for ending in endings:
+        _struck(ending, text)
+
+
+def _struck(ending: Ending, text: Telling) -> None:
     start, end = text.bounds(ending.basis.i or 0)
     places = [c for c in text.chunks if isinstance(c, Place) and start <= c.i < end]
     roads = [c for c in text.chunks if isinstance(c, Place) and c.kind in _ROADS]
@@ -49,13 +56,15 @@ def struck(ending: Ending, text: Telling) -> None:
             continue
         basis = Basis(place.i, place.j)
         half = _portion(place, text) or (place if corner else None)
-        if half is not None and egos and part is BodySide.FRONT:
+        if half is not None and _is_middle(half) and egos and ending.struck is None:
+            words = Basis(min(half.i, place.i), max(half.j, place.j))
+            ending.impact = Amount(Interval(low=_HALF, high=_HALF), words)
+        elif half is not None and egos and part is BodySide.FRONT:
             ending.half = Side.LEFT if "left" in half.dirs else Side.RIGHT
-            ending.half_basis = basis = Basis(half.i, place.j)
+            ending.half_basis = basis = Basis(min(half.i, place.i), max(half.j, place.j))
             ending.share = half.head.data.get("share") if half.head is not None else None
         if egos and ending.struck is None:
             ending.struck, ending.struck_basis = part, basis
-            _middle(ending, place, start, text)
         elif not egos and part is BodySide.REAR:
             in_the_rear = in_the_rear or basis
     if ending.struck is None and in_the_rear is not None and text.ego in ending.between:
@@ -102,12 +111,21 @@ def _hit(place: Place, ending: Ending, text: Telling) -> bool:
 
 
 def _portion(place: Place, text: Telling) -> NounPhrase | None:
-    """``the left half`` of its front, ``the right corner`` of the ego's front."""
+    """``the left half`` of its front, the bonnet ``in the middle``, ``on the left``."""
     of = (place.i if place.owner is None else place.owner.i) - 1
-    if text.tokens[of].low != "of":
-        return None
-    named = [c for c in text.chunks if isinstance(c, Place | Thing) and c.i < of]
-    return next((p for p in named if p.j in {of - 1, of} and _SIDES & set(p.dirs)), None)
+    for part in text.chunks:
+        if not (isinstance(part, Place | Thing) and (_SIDES & set(part.dirs) or _is_middle(part))):
+            continue
+        before = text.tokens[of].low == "of" and part.j in {of - 1, of}
+        of_more = part.j < len(text.tokens) and text.tokens[part.j].low == "of"
+        after = 0 <= part.i - place.j <= 1 and part.opening in {"", "in"}
+        if before or (after and not (of_more or part.possessed)):
+            return part
+    return None
+
+
+def _is_middle(part: NounPhrase) -> bool:
+    return isinstance(part, Place) and part.kind == "middle"
 
 
 def settle(text: Telling) -> None:
@@ -149,11 +167,13 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     if any((m.cat, m.value) == ("possessive", "first_person") for m in place.mods):
         return text.ego
     own = any((m.cat, m.value) == ("possessive", "its") for m in place.mods)
-    done = [s for s in text.scenes if s.event.object is place]
+    half = _portion(place, text)
+    head = half if half is not None and half.i < place.i else place
+    done = [s for s in text.scenes if s.event.object is head]
     scene = next((s for s in (*done, *text.scenes) if s in done or s.event.i == i), None)
     if scene is None:
         return None
-    direct = scene.event.object is place
+    direct = scene.event.object is head
     prep = place.opening
     if prep == "in" and scene.event.name == "collide" and scene.targets:
         return scene.targets[0]  # "hits us in the side", "is hit on its right side"
@@ -164,18 +184,9 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     into = {"into", "against", *(["in"] if "front" in place.dirs else [])}
     if direct and own and into & {p.value for p in scene.event.pps}:
         return doer  # "puts its nose into the van"
-    if met and own and doer is not None:  # "a car behind hits its rear"
+    if met and (own or direct) and doer is not None:  # "a car behind hits its rear"
         return ending.other if doer.ego else text.ego
     if own or not direct:
         hit_by = scene.event.passive and prep == "by"
         return text.ego if hit_by or doer is None else doer
     return None
-
-
-def _middle(ending: Ending, place: NounPhrase, start: int, text: Telling) -> None:
-    """``with the middle of its front``."""
-    tokens = text.tokens
-    for k in range(max(start, place.i - _REACH), place.i):
-        part = k + 1 == place.i or tokens[k + 1].low in {"of", "front"}
-        if part and tokens[k].low in word_list("mid_width"):
-            ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(k, place.j))

@@ -31,7 +31,15 @@ def alongside(draft: Draft, ego: Entity) -> None:
 
 def off_the_road(entity: Entity, draft: Draft) -> bool:
     """``from the right``, ``on the right front``: out of the road or off the pavement there."""
+    return from_a_side(entity, draft) or "front" in _words_of_place(entity, draft)
+
+
+def from_a_side(entity: Entity, draft: Draft) -> bool:
+    """``from the right``; not ``1 m from the ego's right side``, ``from behind on the right``."""
+    words = _words_of_place(entity, draft)
+    return words[:1] == ["from"] and "'s" not in words and Approach.BEHIND not in entity.approaches
+
+
+def _words_of_place(entity: Entity, draft: Draft) -> list[str]:
     basis = entity.approach_basis or entity.basis
-    words = [t.low for t in draft.tokens[basis.i : basis.j]] if basis.i is not None else []
-    from_there = words[:1] == ["from"] and Approach.BEHIND not in entity.approaches
-    return from_there or "front" in words
+    return [t.low for t in draft.tokens[basis.i : basis.j]] if basis.i is not None else []

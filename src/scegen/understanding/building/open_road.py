@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
-from scegen.understanding.building.hooks import off_the_road
+from scegen.understanding.building.hooks import from_a_side, off_the_road
 from scegen.understanding.building.viewpoint import unplaced_dangers
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Entity
@@ -72,9 +72,12 @@ def abreast(draft: Draft, ego: Entity) -> None:
         sided = len(seen) == 1 and seen <= {Approach.LEFT, Approach.RIGHT}
         if entity is ego or not sided or not alongside or entity.pulls_out:
             continue
-        if entity.kind is ParticipantKind.BICYCLE and off_the_road(entity, draft):
-            continue
         basis = entity.approach_basis or entity.basis
+        if entity.kind is ParticipantKind.BICYCLE and off_the_road(entity, draft):
+            if from_a_side(entity, draft) and not (entity.maneuvers or entity.strip):
+                entity.maneuvers, entity.maneuver_basis = {Maneuver.CROSS}, basis
+                draft.hazard(HazardKind.CROSSING_CYCLIST, basis, [entity])
+            continue
         basis = basis.because("on a straight road, who is at one's side drives in the next lane")
         entity.beside = entity.beside or (next(iter(seen)).value, basis)
         entity.comes_from({Approach.ADJACENT}, basis)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.phrases.predicates import complete
@@ -98,7 +99,7 @@ def _the_same_way(event: Event, events: list[Event]) -> None:
 
 def _in_turn(event: Event, tokens: list[Token]) -> bool:
     """``the first one stops, then the second does``: nothing else is said to be done."""
-    opened = {tokens[m.i - 1].low for m in event.subject[:1] if m.i > 0}
+    opened = {tokens[m.i - 1].low for m in event.subject[:1] if m.i > 0 and not is_it(m)}
     return bool(opened & {"then", "and"}) and not (event.object or event.pps or event.children)
 
 

@@ -12,8 +12,8 @@ Mark: TypeAlias = Callable[[Entity, Basis], None]
 
 _RUNNING = Interval(low=2.2, high=3.8)
 """From Euro NCAP's running adult (8 km/h, AEB VRU protocol) up; the upper end is our own."""
-_TOLD = ("was_parked", "moves", "stands", "waits", "bides", "on_ramp", "by_ramp", "roadside", "exits",
-         "circulates", "through")  # fmt: skip
+_TOLD = ("was_parked", "moves", "stands", "waits", "bides", "on_ramp", "by_ramp", "roadside",
+         "exits", "circulates", "through")  # fmt: skip
 """Fields that hold the first words that say so."""
 _TRUE = ("pulls_out", "gives_way", "walks_up", "halts", "begins_over", "goes_back")
 _EITHER = {"along": ("course", True), "against": ("course", False),
