@@ -86,8 +86,8 @@ class Interpreter:
             if _is_of_the_verb(p, e, self._draft.kerb) or self._gone_to(p, e)
         }
         self._context.told_in_the_past = any(
-            e.finite and e.form == "ed" and e.name != "stop" for e in events
-        )
+            e.finite and e.form == "ed" and e.name != "stop" and not e.passive for e in events
+        )  # "is hit" tells of now
         told = [clause_of(e) for e in events]
         of_nouns = {id(c): clause_of_noun(c) for c in chunks if isinstance(c, Mention)}
         nouns = list(of_nouns.values())

@@ -174,9 +174,9 @@ def _waits_there(event: Event, context: Context) -> bool:
 
     Who waits at a line for somebody gives way.
     """
-    waits = event.name == "wait" and event.link is None
+    waits = (event.name == "wait" and event.link is None) or _over(event, context)
     if any(isinstance(p.target, Place) and p.target.kind == "signal" for p in event.pps):
-        return waits or _over(event, context)
+        return waits
     after = context.tokens[event.j : event.j + _FROM_REACH]
     whom = any(p.value == "for" and isinstance(p.target, Mention) for p in event.pps)
     return waits and not (whom or any(t.low in word_list("until") for t in after))
