@@ -46,7 +46,8 @@ def _of_the_noun(figure: Figure) -> list[Entity]:
         ahead = any(p.value == "ahead" and p.target is who for p in verb.pps)
         awaited = verb.name in _WAITS and (who.prep is not None or verb.object is who)
         out = verb.name == "cut_in" and any(e.pulls_out for e in figure.actors)
-        told |= awaited or ((out or verb.name in _FROM_REST) and ahead)
+        rests = (out or verb.name in _FROM_REST) and ahead
+        told |= awaited or (rests and not _has_another(figure, who))
     return list(who.entities) if told else []
 
 
@@ -82,7 +83,7 @@ def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
     at a speed of its own.
     """
     nouns = [(m.mods, m.entities) for m in figure.text.mentions]
-    own = {e for mods, who in nouns for m in mods if _comes_later(figure, m) for e in who}
+    own = {e for mods, who in nouns for m in mods if _is_speed(m) and m.i > figure.i for e in who}
     verbs = [(s.event.mods, [e for e in s.actors if e not in own]) for s in figure.text.scenes]
     return [
         (entity, term.data["quantity"])
@@ -93,6 +94,15 @@ def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
     ]
 
 
-def _comes_later(figure: Figure, term: Term) -> bool:
-    """Whether it is another speed, told after this one."""
-    return term.i > figure.i and (term.cat, term.value) == ("quantity", "speed")
+def _has_another(figure: Figure, who: Mention) -> bool:
+    """Whether a speed is told of somebody elsewhere ("… in front of us at 30; we do 70")."""
+    nouns = [(m.mods, m.entities) for m in figure.text.mentions]
+    verbs = [(s.event.mods, s.actors) for s in figure.text.scenes]
+    said = [e for mods, of in (*nouns, *verbs) for m in mods if _is_speed(m, figure) for e in of]
+    return any(e in said for e in who.entities)
+
+
+def _is_speed(term: Term, unlike: Figure | None = None) -> bool:
+    """Whether it is a speed, and not that of a figure."""
+    same = unlike is not None and term.i == unlike.i
+    return (term.cat, term.value) == ("quantity", "speed") and not same
