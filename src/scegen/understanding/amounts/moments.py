@@ -35,7 +35,10 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     if measure is Measure.LATERAL_GAP_M:
         passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < figure.end]
         return passing[-1] if passing else START
-    if measure not in LENGTHWISE or text.find("starts", start, figure.end):
+    starts = text.find("starts", start, figure.end)
+    if starts is not None and acts and text.find("of_what_it_does", starts[1], figure.end):
+        return acts[-1]  # "35 m at the start of the manoeuvre"
+    if measure not in LENGTHWISE or starts is not None:
         return START
     own = figure.verb
     told = {own.i} if own is not None and own.i < figure.i else set()

@@ -164,7 +164,7 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
         others = [e for e in ending.between if e is not owner]
         # "it crashes into the back of it" is into another's.
         return others[0] if does and place.owner.pronoun and len(others) == 1 else owner
-    if any((m.cat, m.value) == ("possessive", "first_person") for m in place.mods):
+    if place.has("possessive", "first_person"):
         return text.ego
     own = any((m.cat, m.value) == ("possessive", "its") for m in place.mods)
     half = _portion(place, text)

@@ -215,8 +215,7 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
             context.draft.hazard(kind, basis, drivers)
         for entity in others:
             entity.stands = entity.stands or basis
-        for ego in [e for e in entities if e.ego and e.speed is None]:
-            ego.speed, ego.speed_basis = Interval(low=0.0, high=0.0), basis
+        _stand_in_the_lane([e for e in entities if e.ego], basis)
     elif term.value == "parked":
         for entity in others:
             if entity.is_vehicle and entity.sets_off < 0:

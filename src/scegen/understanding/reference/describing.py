@@ -94,7 +94,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.stood = mention.stood or ((away or event.name in _FROM_REST) and not event.negated)
     at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
     mention.stands = mention.stands or (at_rest and not event.negated)
-    close = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
+    told = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
+    close = told and tokens[mention.j].low != ","  # "the car, doing 50 km/h": no other one
     mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     tails = event.name in {"follow", "tailgate"} and not event.passive
     whom = event.object
