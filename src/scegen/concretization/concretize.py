@@ -15,15 +15,14 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_lin
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.hazards.aside import brake_out_of_control, leave_lanes
 from scegen.concretization.hazards.reversing import (
     go_back_as_they_come,
     prepare_to_reverse,
     reverse,
 )
+from scegen.concretization.leaving import brake_out_of_control, leave_lanes, shape_maneuvers
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
-from scegen.concretization.maneuvers import shape_maneuvers
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
@@ -124,9 +123,9 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     place_walkers(scene)
     backing = reverse(scene)
     meetings = [*backing, *leave_lanes(scene)]
-    meetings += shape_maneuvers(scene)
     go_round_stationary(scene)
     place_obstacles(scene)
+    meetings += shape_maneuvers(scene)
     brake_out_of_control(scene)
     stand_in_line(scene)
     meetings += pull_out(scene)

@@ -25,6 +25,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 _EARLIER_S = 3.0
 _LEAST_PLACE_M = 20.0
+_HALF_WAY = 0.6
 
 
 def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
@@ -33,8 +34,8 @@ def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
     Where the text names dangers, vehicles without a part in them pass a little after the ego.
     ``arranged`` are meetings that manoeuvres need already.
     """
-    meetings: list[Meeting] = []
-    involved = {frozenset((m.first, m.second)) for m in arranged}
+    meetings = _side_by_side(scene)
+    involved = {frozenset((m.first, m.second)) for m in (*arranged, *meetings)}
     named: set[str] = set()
     for hazard in scene.functional.hazards:
         named |= {*hazard.by, *hazard.to}
@@ -114,3 +115,26 @@ def _close(
         place, priority = max(_LEAST_PLACE_M, begins), STRUCTURAL
     bodies = lead.body.rear_m + follow.body.front_m
     return Meeting(priority, lead.id, follow.id, place, place - bodies, headway_s, reason)
+
+
+def _side_by_side(scene: Setup) -> list[Meeting]:
+    """Those who travel beside another are level with it half way along the arm.
+
+    Where one turns across the other, they are so there.
+    """
+    found = []
+    # The second in the same lane drives in a line with the first.
+    taken: set[tuple[str, int]] = set()
+    for draft in scene.drives.values():
+        beside = scene.drives.get(draft.drive.beside or "")
+        if beside is None or (beside.id, draft.entry_lane) in taken:
+            continue
+        taken.add((beside.id, draft.entry_lane))
+        point = drives_meet(beside, draft)
+        place = draft.junction_s_m * _HALF_WAY
+        priority, places, words = STRUCTURAL + 1, (place, place), "side by side"
+        if point is not None:
+            priority, places = DANGER, (point.first_s_m, point.second_s_m)
+            words += ", one turns across the other"
+        found.append(Meeting(priority, beside.id, draft.id, *places, 0.0, words))
+    return found

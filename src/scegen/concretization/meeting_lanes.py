@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from functools import cache, partial
 from itertools import combinations
 
+from scegen.concretization.aside import change_length_m
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.aside import goes_outwards
 from scegen.concretization.hazards.parties import pairs, same_arm
+from scegen.concretization.leaving import goes_outwards
 from scegen.concretization.meetings import ways_touch
-from scegen.concretization.passing import change_length_m
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreast
@@ -218,7 +218,7 @@ def _move_over(scene: Setup, lanes: Choice, first: DriveDraft, second: DriveDraf
             continue
         change = LaneChange(
             position_m=round(own.laid.turning_ends_m + _BEHIND_JUNCTION_M, 3),
-            length_m=round(change_length_m(draft.cruise_mps), 3),
+            length_m=round(change_length_m(draft), 3),
             lane_after=lane,
         )
         over = change.position_m + change.length_m - own.laid.stretches[-1].end_m + END_MARGIN_M

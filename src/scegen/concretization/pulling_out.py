@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from math import pi
 
+from scegen.concretization.aside import close_before
 from scegen.concretization.deeds import marks_of
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.aside import close_before
-from scegen.concretization.meetings import Meeting, nearest_s_m
+from scegen.concretization.meetings import Meeting
 from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup
 from scegen.errors import MotionInfeasibleError
@@ -28,7 +28,6 @@ _LONG_CHANGE = 1.4
 """Lorries and buses, by their length, need more room than a car to leave a gap."""
 _LONG_M = 7.0
 _SHARE = 0.8
-_LANE_M = 1.0
 _TURNS = (
     HazardKind.CUT_IN,
     HazardKind.SUDDEN_TURN,
@@ -106,11 +105,6 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
 def _meets(scene: Setup, draft: DriveDraft) -> list[Meeting]:
     """The one in whose way it pulls out is close behind as it is in the lane."""
     change = draft.lane_changes[0]
-    in_lane_m = draft.laid.path_s_m(change.position_m + change.length_m)
-    pose = draft.laid.path.pose(in_lane_m)
-    for other in scene.concerned(draft.id):
-        place, apart = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
-        if other is draft or apart > _LANE_M:
-            continue
-        return [close_before(scene, draft, other, in_lane_m, place)]
-    return []
+    others = (other for other in scene.concerned(draft.id) if other is not draft)
+    station_m = change.position_m + change.length_m
+    return next(filter(None, (close_before(scene, draft, o, station_m) for o in others)), [])

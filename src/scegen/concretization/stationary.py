@@ -11,12 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from scegen.concretization.aside import change_length_m, neighbour_lane, pass_standing
 from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clearance import same_lane
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import drives_meet
 from scegen.concretization.others import StandDraft
-from scegen.concretization.passing import calm_change_length_m, neighbour_lane, pass_standing
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.things import lying_in_the_way, made_of, shape_of
@@ -106,13 +106,6 @@ def go_round_stationary(scene: Setup) -> None:
                 pass_standing(scene, draft, place, stand.body)
 
 
-def goes_round_a_thing(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether a drive that overtakes or changes lanes does so round a thing in its way."""
-    expected = lying_in_the_way(scene.functional, scene.logical, scene.drives)
-    round_it = draft.drive.maneuver is Maneuver.OVERTAKE or scene.lanes_in(draft) == 1
-    return round_it and any(thing.in_way_of == draft.id for _, thing in expected)
-
-
 def place_obstacles(scene: Setup) -> None:
     """Lay every thing that dangers need in the way, and lead the others round it.
 
@@ -165,8 +158,7 @@ def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[
         share = -in_lane
     else:
         aside = neighbour_lane(scene, draft, oncoming=True)
-        calm = 0.0 if stays else calm_change_length_m(scene, draft)
-        room = calm + draft.body.length_m + body.length_m + _ROOM_M
+        room = change_length_m(draft) + draft.body.length_m + body.length_m + _ROOM_M
         station = draft.laid.turning_starts_m - max(BLOCKS_AT_M, room)
         require_room(draft.id, station, _LEAST_WAY_M)
         near = min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)

@@ -1,0 +1,138 @@
+"""Moves to the side at a junction: how long they are, where they are over, who is near then.
+
+A move is told from where it is over: just before the drive slows down for its turn.
+"""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+
+from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.limits import (
+    CUT_IN_HEADWAY_S,
+    LANE_CHANGE_S,
+    LATE_BRAKING_MPS2,
+)
+from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
+from scegen.concretization.setup import Setup, require_room
+from scegen.errors import MotionInfeasibleError
+from scegen.scenario.bodies import Body
+from scegen.scenario.concrete import LaneChange
+from scegen.scenario.roadway import LANE_WIDTH_M
+from scegen.scenario.vocabulary import HazardKind, Maneuver
+
+BEHIND_M, AHEAD_M = 3.0, 6.0
+"""The room that one who overtakes has before it pulls out, and as it comes back."""
+_LEAST_M, _OF_GRIP = 8.0, 0.8
+_BEFORE_TURNING_M, _BEFORE_JUNCTION_M = 3.0, 5.0
+_LEAST_RUN_UP_M, _SPARE_M = 5.0, 10.0
+_MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
+_SAME_LINE_M = 2.0
+
+
+def change_length_m(draft: DriveDraft, seconds: float = LANE_CHANGE_S) -> float:
+    """How long a change of lane is that takes so many seconds, or as many as grip asks for."""
+    gripped = pi * sqrt(LANE_WIDTH_M / (2 * _OF_GRIP * draft.grip_mps2))
+    return max(_LEAST_M, draft.cruise_mps * max(seconds, gripped))
+
+
+def over_by_m(*drafts: DriveDraft) -> float:
+    """Where moves are over: before any of them slows down for its turn, or its arm ends."""
+    places = [mark.s_m for draft in drafts for mark in draft.road_changes()]
+    ends = [draft.junction_s_m - _BEFORE_JUNCTION_M for draft in drafts]
+    return min([*ends, *places]) - _BEFORE_TURNING_M
+
+
+def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:
+    """The lane into which a drive pulls out: towards the centre line, else outwards.
+
+    ``oncoming`` allows (and where there is one lane, chooses) the oncoming lane.
+
+    Raises:
+        MotionInfeasibleError: there is only one lane and the oncoming one is not allowed.
+    """
+    if draft.entry_lane > 1 or oncoming:
+        return draft.entry_lane - 1
+    if scene.lanes_in(draft) > 1:
+        return 2
+    raise MotionInfeasibleError(
+        f"arm {draft.drive.entry} has one lane: there is no lane to change into", where=draft.id
+    )
+
+
+def move_aside(
+    scene: Setup,
+    draft: DriveDraft,
+    lane: int,
+    *,
+    ends_m: float,
+    over_m: float,
+    stays_m: float | None = None,
+    hazard: HazardKind | None = None,
+    offset_m: float = 0.0,
+) -> float:
+    """Lay a drive anew with a change of lane over ``over_m``, and back again after ``stays_m``.
+
+    All is over at station ``ends_m``. It goes ``offset_m`` left of the middle of that lane. Returns
+    the station at which it is there.
+
+    Raises:
+        NeedsLongerArms: the arm is too short for a run-up.
+    """
+    moves = [(ends_m - over_m, draft.entry_lane if stays_m is not None else lane)]
+    if stays_m is not None:
+        moves.insert(0, (ends_m - 2 * over_m - stays_m, lane))
+    require_room(draft.id, moves[0][0], _LEAST_RUN_UP_M, _SPARE_M)
+    draft.lane_changes += [
+        LaneChange(
+            position_m=round(max(0.0, position_m), 3),
+            length_m=round(over_m, 3),
+            lane_after=after,
+            offset_m=0.0 if n else offset_m,
+            hazard=hazard,
+        )
+        for n, (position_m, after) in enumerate(moves)
+    ]
+    draft.lay(scene.network)
+    return moves[0][0] + over_m
+
+
+def close_before(
+    scene: Setup, draft: DriveDraft, other: DriveDraft, station_m: float
+) -> list[Meeting]:
+    """At a station of its drive, one is close before another; who is much faster brakes late.
+
+    Not if the other does not come along there.
+    """
+    place_m = draft.laid.path_s_m(station_m)
+    pose = draft.laid.path.pose(place_m)
+    there_m, apart_m = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
+    if apart_m > _SAME_LINE_M:
+        return []
+    closing = other.course.speed_at(there_m) - draft.course.speed_at(place_m)
+    if closing < _MUCH_FASTER_MPS:
+        headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
+        gap = headway * other.cruise_mps
+        reason = f"comes into its lane {headway:.2f} s ahead"
+    else:
+        gap = _GAP_M + closing**2 / (2 * LATE_BRAKING_MPS2)
+        reason = f"comes up behind {draft.id}"
+    met = max(0.0, there_m - gap - draft.body.rear_m - other.body.front_m)
+    return [Meeting(STRUCTURAL, draft.id, other.id, place_m, met, 0.0, reason)]
+
+
+def pass_standing(scene: Setup, passer: DriveDraft, middle_m: float, body: Body) -> None:
+    """``passer`` goes round what stands in its lane, its centre at ``middle_m`` of the way.
+
+    Who is to change lanes does not come back, if the lane beside leads where it goes.
+
+    Raises:
+        NeedsLongerArms: there is no room before it.
+    """
+    change = change_length_m(passer)
+    clear = (passer.body.length_m + body.length_m) / 2 + BEHIND_M
+    middle = middle_m - passer.body.centre_ahead_m
+    lane = neighbour_lane(scene, passer, oncoming=True)
+    stays = passer.drive.maneuver is Maneuver.LANE_CHANGE and lane in scene.entry_lanes(passer)
+    ends, stays_m = (middle - clear, None) if stays else (middle + clear + change, 2 * clear)
+    move_aside(scene, passer, lane, ends_m=ends, over_m=change, stays_m=stays_m)
