@@ -20,7 +20,7 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     STOPPING_MPS2,
 )
-from scegen.concretization.meetings import meeting_point, sampled
+from scegen.concretization.meetings import sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
@@ -48,6 +48,8 @@ _CLEAR_M = 1.0
 _PAST_M = 4.0
 """One that reverses towards somebody on foot begins with its tail so far beyond."""
 _MERGED_M = 12.0
+_WIDE_M = 40.0
+"""Where they share more of their ways, these do not cross but merge."""
 _BEFORE_JUNCTION_M = 2.0
 _BEHIND_MIDDLE_M = 10.0
 _TIGHTEST = 1.7
@@ -61,48 +63,42 @@ _WAY_ON_M = 0.3
 """The way of one that stays where it has come to ends a little farther on: it has not left."""
 
 
-def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> None:
+def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | None) -> None:
     """Let it stop on its way, stand there, go back on it and drive on.
 
-    On another's arm ahead of it; where the ways cross, beyond the other's way.
+    On another's arm ahead of it; where the ways cross, beyond the other's way: right across it, or
+    until it is just before one on foot.
     """
-    laid, ways = draft.laid, None
-    if other is not None and other.drive.entry != draft.drive.entry:
-        shared = grounds(draft.laid.path, draft.body, other.laid.path, other.body)
-        ways = next(((ground.enter_m, ground.leave_m) for ground in shared), None)
-        if ways is None:
+    laid, shared = draft.laid, None
+    along = isinstance(other, DriveDraft) and other.drive.entry == draft.drive.entry
+    if other is not None and not along:
+        way = other.path if isinstance(other, WalkDraft) else other.laid.path
+        shared = next(iter(grounds(laid.path, draft.body, way, other.body)), None)
+        if shared is None:
             raise MotionInfeasibleError(
                 f"its way and that of {other.id} do not touch, so it cannot reverse into it",
                 where=draft.id,
             )
-    back_m = float(scene.rng.uniform(*_BACK_M))
-    if ways is None:
+    back_m, waits_s = float(scene.rng.uniform(*_BACK_M)), _WAITS_S
+    if shared is None:
         stops_s = laid.path.length_m / 2 + _BEHIND_MIDDLE_M
         if not scene.network.plain:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
-    elif ways[1] < laid.path.length_m - _MERGED_M - _BEFORE_END_M and ways[1] - ways[0] < 40.0:
-        stops_s = ways[1] + _CLEAR_M
-        back_m = min(stops_s - (ways[0] + ways[1]) / 2, _LONGEST_BACK_M)
+    elif isinstance(other, WalkDraft):
+        stops_s, back_m, waits_s = shared.leave_m + _PAST_M, _PAST_M - _ROOM_M, _GOES_AT_ONCE_S
+        draft.backs_to = other.id
+    elif shared.leave_m < min(
+        laid.path.length_m - _MERGED_M - _BEFORE_END_M, shared.enter_m + _WIDE_M
+    ):
+        stops_s = shared.leave_m + _CLEAR_M
+        back_m = min(stops_s - (shared.enter_m + shared.leave_m) / 2, _LONGEST_BACK_M)
     else:
-        stops_s = ways[0] + _MERGED_M + draft.body.length_m
-    _up_and_back(scene, draft, stops_s, back_m)
-
-
-def back_up_to(scene: Setup, draft: DriveDraft, walk: WalkDraft) -> None:
-    """Let it drive past the place where somebody will cross, stop, and go back to it."""
-    point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
-    if point is None:
-        raise MotionInfeasibleError(
-            f"its way and that of {walk.id} do not meet, so it cannot reverse into it",
-            where=draft.id,
-        )
-    tail_s = point.first_s_m + draft.body.rear_m + walk.body.width_m / 2
-    _up_and_back(scene, draft, tail_s + _PAST_M, _PAST_M - _ROOM_M, waits_s=_GOES_AT_ONCE_S)
-    draft.backs_to = walk.id
+        stops_s = shared.enter_m + _MERGED_M + draft.body.length_m
+    _up_and_back(scene, draft, stops_s, back_m, waits_s)
 
 
 def _up_and_back(
-    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float = _WAITS_S
+    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float
 ) -> None:
     laid = draft.laid
     station = laid.station_m(stops_s)

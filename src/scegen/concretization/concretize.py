@@ -15,11 +15,6 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_lin
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.hazards.reversing import (
-    go_back_as_they_come,
-    prepare_to_reverse,
-    reverse,
-)
 from scegen.concretization.leaving import brake_out_of_control, leave_lanes, shape_maneuvers
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
@@ -28,6 +23,11 @@ from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
 from scegen.concretization.occluders import hide
 from scegen.concretization.pulling_out import pull_out
+from scegen.concretization.reversing import (
+    go_back_as_they_come,
+    prepare_to_reverse,
+    reverse,
+)
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import go_round_stationary, place_obstacles, place_stationary

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import event_s_m, pairs, same_arm
 from scegen.concretization.limits import (
     APPROACH_S,
     CLOSE_FOLLOWING_S,
@@ -19,6 +18,7 @@ from scegen.concretization.meetings import (
     Meeting,
     drives_meet,
 )
+from scegen.concretization.parties import event_s_m, pairs, same_arm
 from scegen.concretization.setup import Setup
 from scegen.scenario.functional import Hazard
 from scegen.scenario.vocabulary import HazardKind

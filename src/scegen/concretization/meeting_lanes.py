@@ -13,9 +13,9 @@ from itertools import combinations
 
 from scegen.concretization.aside import change_length_m
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.hazards.parties import pairs, same_arm
 from scegen.concretization.leaving import goes_outwards
 from scegen.concretization.meetings import ways_touch
+from scegen.concretization.parties import pairs, same_arm
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreast

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.concretization.along.acts import all_acts
-from scegen.concretization.along.auxiliary import RAMP_MPS
 from scegen.concretization.along.doors import cast_doors, hang_doors
+from scegen.concretization.along.frame import RAMP_MPS
 from scegen.concretization.along.lanes import choose_lanes
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
 from scegen.concretization.along.sideways import put_on_strips

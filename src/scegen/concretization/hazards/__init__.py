@@ -1,1 +1,0 @@
-"""One small rule per danger: what makes it happen in numbers."""
