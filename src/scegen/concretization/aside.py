@@ -30,9 +30,11 @@ _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
 _SAME_LINE_M = 2.0
 
 
-def change_length_m(draft: DriveDraft, seconds: float = LANE_CHANGE_S) -> float:
-    """How long a change of lane is that takes so many seconds, or as many as grip asks for."""
-    gripped = pi * sqrt(LANE_WIDTH_M / (2 * _OF_GRIP * draft.grip_mps2))
+def change_length_m(
+    draft: DriveDraft, seconds: float = LANE_CHANGE_S, width_m: float = LANE_WIDTH_M
+) -> float:
+    """How long a move to the side is that takes so many seconds, or as many as grip asks for."""
+    gripped = pi * sqrt(width_m / (2 * _OF_GRIP * draft.grip_mps2))
     return max(_LEAST_M, draft.cruise_mps * max(seconds, gripped))
 
 

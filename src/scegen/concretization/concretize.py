@@ -7,7 +7,7 @@ from math import ceil
 import numpy as np
 
 from scegen.concretization.along.compose import compose_along, tells_along
-from scegen.concretization.along.doors import opens
+from scegen.concretization.along.parked import opens
 from scegen.concretization.answering import answer, note_answers
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall

@@ -29,7 +29,7 @@ from scegen.concretization.tale import SIDEWAYS, SWERVING, outward
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
 
 _FASTER = 1.5
@@ -116,11 +116,8 @@ def _come_into_lane(
 ) -> list[Meeting]:
     """Change lanes: into another's, close before it, or into the one that leads on."""
     draft.entry_lane, target = _start_and_target(scene, draft, other)
-    length = change_length_m(draft, LANE_CHANGE_S if kind is None else ABRUPT_LANE_CHANGE_S)
-    act = scene.first_act(draft.id, ActKind.CHANGE_LANE)
-    if act is not None:
-        width_m = scene.functional.junction.lanes_wide_m
-        length = draft.cruise_mps * lasting_s(act, width_m, length / draft.cruise_mps)
+    usual = LANE_CHANGE_S if kind is None else ABRUPT_LANE_CHANGE_S
+    length = _length_m(scene, draft, scene.first_act(draft.id, ActKind.CHANGE_LANE), usual)
     end = over_by_m(*(each for each in (draft, other) if each is not None))
     there = move_aside(scene, draft, target, ends_m=end, over_m=length, hazard=kind)
     return [] if other is None else close_before(scene, draft, other, there)
@@ -165,7 +162,7 @@ def _out_and_back(
     act, stays_m, aside = scene.first_act(draft.id, ActKind.SWERVE), _STAYS_M, draft.entry_lane
     beside = next((o for o in along if abs(o.entry_lane - draft.entry_lane) == 1), None)
     width = act.lateral_m.middle if act is not None and act.lateral_m is not None else 0.0
-    usual = max(8.0 / draft.cruise_mps, ABRUPT_LANE_CHANGE_S)
+    usual = ABRUPT_LANE_CHANGE_S
     if kind is HazardKind.ONCOMING_LANE:
         draft.entry_lane, aside, width = min(scene.entry_lanes(draft)), 0, 0.0
         act, stays_m = None, _STAYS_ASTRAY_S * draft.cruise_mps
@@ -183,8 +180,7 @@ def _out_and_back(
     else:
         aside = neighbour_lane(scene, draft, oncoming=not scene.ring)
     offset = width if act is not None and act.side is Side.LEFT else -width
-    over_m = width or scene.functional.junction.lanes_wide_m
-    length = draft.cruise_mps * (usual if act is None else lasting_s(act, over_m, usual))
+    length = _length_m(scene, draft, act, usual, width)
     there = move_aside(
         scene,
         draft,
@@ -197,6 +193,15 @@ def _out_and_back(
     )
     into = beside is not None and beside.entry_lane == aside
     return close_before(scene, draft, beside, there) if beside is not None and into else []
+
+
+def _length_m(
+    scene: Setup, draft: DriveDraft, act: Act | None, usual_s: float, width_m: float = 0.0
+) -> float:
+    """How long a move is: over so much, else over a lane, as quick as is said, else as is usual."""
+    width_m = width_m or scene.functional.junction.lanes_wide_m
+    lasts_s = usual_s if act is None else lasting_s(act, width_m, usual_s)
+    return change_length_m(draft, lasts_s, width_m)
 
 
 def brake_out_of_control(scene: Setup) -> None:

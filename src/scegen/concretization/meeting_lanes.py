@@ -121,19 +121,22 @@ def _from_dangers(scene: Setup) -> Iterator[LaneWish]:
                 yield Wish(who, LIKELY, same, f"{cause.id} reverses in the lane of {sufferer.id}")
             elif hazard.kind is HazardKind.CUT_IN and scene.ring:
                 inside = cause if goes_outwards(scene, cause) else sufferer
-                inner = min(lanes.ring or 0 for lanes in _options(scene, inside))
-                met = partial(_is_in_ring, inside.id, inner)
-                yield Wish((inside.id,), LIKELY, met, f"{inside.id} is inside in the ring")
+                yield from _inmost(scene, inside, lambda lanes: lanes.ring or 0)
 
 
 def _clear_of_turning_back(scene: Setup) -> Iterator[LaneWish]:
     """Who goes straight on is passed on its own side by nobody who turns back from the kerb."""
     back = {d.drive.entry for d in scene.drives.values() if d.drive.turn is Maneuver.U_TURN}
-    for name, draft in scene.drives.items():
+    for draft in scene.drives.values():
         plain = draft.drive.maneuver is draft.drive.turn is Maneuver.STRAIGHT
         if scene.road.kind is JunctionKind.STRAIGHT and plain and draft.drive.entry in back:
-            innermost = frozenset({min(r.entry_lane for r in scene.routes_of(draft))})
-            yield Wish((name,), LIKELY, _in(name, innermost), f"{name} keeps inside")
+            yield from _inmost(scene, draft, lambda lanes: lanes.entry)
+
+
+def _inmost(scene: Setup, draft: DriveDraft, lane: Callable[[Lanes], int]) -> Iterator[LaneWish]:
+    """In the innermost lane that leads where it goes."""
+    name, least = draft.id, min(map(lane, _options(scene, draft)))
+    yield Wish((name,), LIKELY, lambda lanes: lane(lanes[name]) == least, f"{name} keeps inside")
 
 
 def _beside(scene: Setup, name: str, reference: str) -> Iterator[LaneWish]:
@@ -151,10 +154,6 @@ def _steps(name: str, reference: str, right: Callable[[int], bool]) -> Callable[
 
 def _in(name: str, allowed: frozenset[int]) -> Callable[[Choice], bool]:
     return lambda lanes: lanes[name].entry in allowed
-
-
-def _is_in_ring(name: str, ring: int, lanes: Choice) -> bool:
-    return lanes[name].ring == ring
 
 
 def _bound(scene: Setup, placed: Sequence[LaneWish]) -> set[str]:
@@ -177,20 +176,16 @@ def _meetings(scene: Setup) -> Iterator[LaneWish]:
     def touch(first: str, lanes: Lanes, second: str, others: Lanes) -> bool:
         return ways_touch(way(first, lanes), way(second, others))
 
-    def meet(lanes: Choice, names: tuple[str, str]) -> bool:
-        first, second = names
+    def meet(first: str, second: str, lanes: Choice) -> bool:
         return touch(first, lanes[first], second, lanes[second])
 
-    for hazard in scene.functional.hazards:
-        for cause, sufferer in pairs(scene, hazard):
-            if cause.drive.entry != sufferer.drive.entry:
-                who = (cause.id, sufferer.id)
-                yield Wish(who, LIKELY, lambda lanes, who=who: meet(lanes, who), "they meet")  # type: ignore[misc]
+    dangers = (pair for hazard in scene.functional.hazards for pair in pairs(scene, hazard))
+    told = [((a.id, b.id), LIKELY) for a, b in dangers if not same_arm(a, b)]
     for conflict in scene.logical.conflicts:
         who = (conflict.first, conflict.second)
         if conflict.kind in _MEETS and scene.drives.keys() >= {*who}:
-            weight = USUAL if scene.functional.ego.id in who else USUAL / 2
-            yield Wish(who, weight, lambda lanes, who=who: meet(lanes, who), "they meet")  # type: ignore[misc]
+            told.append((who, USUAL if scene.functional.ego.id in who else USUAL / 2))
+    return (Wish(who, weight, partial(meet, *who), "they meet") for who, weight in told)
 
 
 def _laid(scene: Setup, name: str, lanes: Lanes) -> DriveDraft:

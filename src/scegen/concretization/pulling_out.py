@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from math import pi
 
+from scegen.concretization.amounts import implied
 from scegen.concretization.aside import close_before
 from scegen.concretization.deeds import marks_of
 from scegen.concretization.drafts import DriveDraft
@@ -18,9 +19,10 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
 from scegen.motion.standing import heads_for_junction
 from scegen.road.model import Route
+from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import LaneChange
 from scegen.scenario.logical import Drive
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import Maneuver
 
 _ROLLS_M = 0.5
 _CHANGE_M = 10.0
@@ -28,12 +30,6 @@ _LONG_CHANGE = 1.4
 """Lorries and buses, by their length, need more room than a car to leave a gap."""
 _LONG_M = 7.0
 _SHARE = 0.8
-_TURNS = (
-    HazardKind.CUT_IN,
-    HazardKind.SUDDEN_TURN,
-    HazardKind.SWERVING,
-    HazardKind.MERGING_CONFLICT,
-)
 
 
 def pull_out(scene: Setup) -> list[Meeting]:
@@ -68,7 +64,6 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     routes = (route for found in scene.network.routes.values() for route in found)
     ways = (route for route in routes if (route.entry, route.entry_lane) == (entry, lane))
     route = min(ways, key=lambda way: (bend_rad(way), way.exit))
-    own = scene.kinds_by(name)
     draft = DriveDraft(
         id=name,
         kind=stand.kind,
@@ -92,7 +87,7 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
             position_m=round(start + _ROLLS_M, 3),
             length_m=_CHANGE_M * (_LONG_CHANGE if stand.body.length_m > _LONG_M else 1.0),
             lane_after=lane,
-            hazard=next((kind for kind in _TURNS if kind in own), None),
+            hazard=scene.hazard_of(implied("out", name, name, ActKind.CHANGE_LANE)),
         )
     ]
     draft.lay(scene.network)

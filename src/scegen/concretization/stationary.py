@@ -7,8 +7,6 @@ follows (see ``answering``); everybody else goes round it, as round a parked veh
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from scegen.concretization.aside import change_length_m, neighbour_lane, pass_standing
@@ -38,8 +36,8 @@ _BEFORE_PULLING_OUT_M = 7.0
 BLOCKS_AT_M = 45.0
 """A vehicle that blocks its lane stands this far before the junction, so that others get round."""
 BLOCKS_STRAIGHT_AT_M = 15.0
-_KERB_M, _CLEAR_M, _WOULD_HIT_M = 0.1, 0.45, 0.1
-"""From the edge of the lane; from who keeps clear of it; into who would not."""
+_CLEAR_M, _WOULD_HIT_M = 0.45, 0.1
+"""From who keeps clear of it; into who would not."""
 _LEAST_WAY_M, _ROOM_M = 30.0, 6.0
 _SAMPLE_M = 0.5
 
@@ -109,29 +107,22 @@ def go_round_stationary(scene: Setup) -> None:
 def place_obstacles(scene: Setup) -> None:
     """Lay every thing that dangers need in the way, and lead the others round it.
 
-    Where somebody who may not touch it would do so, it is left out, and the danger with it.
-
     Raises:
-        MotionInfeasibleError: the same, of a thing that is described.
+        MotionInfeasibleError: somebody who may not touch it would do so.
     """
     for hazard, thing in lying_in_the_way(scene.functional, scene.logical, scene.drives):
         draft = scene.drives[thing.in_way_of or ""]
         shape = shape_of(thing)
-        if thing.length_m is None and thing.width_m is None:
-            width = scene.road.arms[draft.drive.entry].lane_width_m - 2 * _KERB_M
-            shape = replace(shape, width_m=min(shape.width_m, width))
         stays = _may_stay(scene, draft)
         station, pose = _spot(scene, draft, shape.body, stays=stays)
         touching = [d for d in scene.drives.values() if _met_m(d, pose, shape.body) is not None]
         hit = [d for d in touching if d.changes_before or not (d is draft or same_lane(d, draft))]
-        if hit and thing in scene.functional.objects:
+        if hit:
             raise MotionInfeasibleError(
                 f"{hit[0].id} would drive into it where it lies in the way of {draft.id}",
                 where=thing.id,
                 hint="Say what lies in whose way, or leave it out.",
             )
-        if hit:
-            continue
         made = made_of(thing.id, shape, thing.called, pose)
         scene.objects.append(made)
         scene.blame(thing, hazard)
@@ -193,5 +184,5 @@ def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
         return False
     if any(one.changes_before or one.drive.maneuver in SIDEWAYS for one in line):
         return False
-    others = [other for other in scene.drives.values() if other.id not in names]
-    return not any(not same_lane(o, draft) and drives_meet(one, o) for one in line for o in others)
+    others = [o for o in scene.drives.values() if o.id not in names and not same_lane(o, draft)]
+    return not any(drives_meet(one, other) for one in line for other in others)

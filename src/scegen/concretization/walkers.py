@@ -18,6 +18,7 @@ from scegen.concretization.others import STOPS_SHORT_M, WalkDraft, Walker, abrea
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of
 from scegen.concretization.things import caused_by_nobody
+from scegen.motion.standing import heads_for_junction
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
@@ -161,15 +162,13 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
         and not stand.standing.in_lane
         and stand.standing.side is crossing.start
     ]
-    usual = _UNMARKED_M if not scene.network.plain else _STRAIGHT_M
     if not hidden:
-        return usual
+        return _STRAIGHT_M if scene.network.plain else _UNMARKED_M
     # All stand with their inner bumper at the same clearance: just inside of it is in sight last.
     nearest = min(hidden, key=lambda stand: stand.motion.from_junction_m)
-    body = nearest.body
-    towards = nearest.path.heading_rad[0] - road.line.end.heading_rad
-    front = body.front_m if abs(towards) < 1.0 else body.rear_m
-    return max(0.5, nearest.motion.from_junction_m - front - _BEYOND_PARKED_M)
+    towards = heads_for_junction(scene.network, nearest.motion)
+    reach = nearest.body.front_m if towards else nearest.body.rear_m
+    return max(0.5, nearest.motion.from_junction_m - reach - _BEYOND_PARKED_M)
 
 
 def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:

@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
 
-from scegen.concretization.along.doors import endangered, inner_doors
+from scegen.concretization.along.parked import endangered, inner_doors
 from scegen.concretization.along.story import Story
 from scegen.concretization.tale import SWERVING, outward, side_of
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
-from scegen.scenario.hazards import FROM_BESIDE, HAZARDS, Arrangement, Case
+from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import Assignment, Drive, InLine
 from scegen.scenario.roadway import Carriageway
@@ -31,12 +31,6 @@ _LANE = 0.1
 _INNERMOST = frozenset({1})
 _ANYWHERE = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT})
 _FROM_BESIDE = FROM_BESIDE | {HazardKind.CUT_IN}
-_IN_LINE = {HazardKind.OBSTACLE}.union(
-    kind
-    for kind, row in HAZARDS.items()
-    for case in (Case.ONE_ARM, Case.ANYWHERE)
-    if {Arrangement.AHEAD, Arrangement.BEHIND} & {*row.needs.get(case, ())}
-)
 
 
 def choose_lanes(story: Story) -> None:
@@ -185,7 +179,7 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish[int]]:
 
 
 def _from_hazards(story: Story) -> Iterator[Wish[int]]:
-    """Who endangers another from beside is beside it, who does it in line is in its lane."""
+    """Who endangers another from beside is beside it, and who strays is next to the oncoming."""
     runners = story.people
     for hazard in story.functional.hazards:
         for who, to in product(hazard.by, hazard.to):
@@ -197,8 +191,6 @@ def _from_hazards(story: Story) -> Iterator[Wish[int]]:
                     yield from (_among(n, LIKELY, _INNERMOST, words) for n in (who, to))
             elif hazard.kind in _FROM_BESIDE:
                 yield _beside(who, to, LIKELY, None, words)
-            elif hazard.kind in _IN_LINE:
-                yield _beside(who, to, LIKELY / 2, 0, words)
 
 
 def _usual(story: Story, count: int) -> Iterator[Wish[int]]:

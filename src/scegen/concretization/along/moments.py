@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from scegen.concretization.along.doors import door_before
 from scegen.concretization.along.frame import ON_RAMP_S
+from scegen.concretization.along.parked import door_before
 from scegen.concretization.along.performing import perform
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import ASIDE, goes_on_when_free

@@ -24,7 +24,7 @@ from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import HazardKind
 
 _CLEAR_M = 6.0
 _LONG_BACK_S = 2.5
@@ -140,14 +140,6 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     named = [alike[name] for name in meant if name in alike]
     if named:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
-    if any(  # it is said to pass one who is parked beside the lanes
-        relation.reference == own.id
-        and relation.approaches == {Approach.AHEAD}
-        and story.functional.participant(relation.participant).parked
-        and relation.participant not in story.people
-        for relation in story.functional.relations
-    ):
-        return []
     order = story.ranks()
     line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
     return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
@@ -183,7 +175,9 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     at_once = act.when is not None
     at_once |= any(spacing.at == act.id for spacing in story.functional.spacings)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
-    said_m = _gap_at(story, back) if back is not None else None
+    said = [s for s in story.functional.spacings if s.measure is Measure.GAP_M]
+    ahead_m = (s.value.middle for s in said if back is not None and s.at == back.id)
+    said_m = next(ahead_m, None)
     clear_m = said_m or (0.0 if stays and back is None else _CLEAR_M)
     is_clear = partial(_is_past, fast, foremost, clear_m)
     if not stays and not at_once and aside is None:
@@ -245,12 +239,6 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
         return 2, 0.0
     return max(0, fast.lane - 1), 0.0
-
-
-def _gap_at(story: Story, act: Act) -> float | None:
-    """How far ahead it is when an act begins, if that is said."""
-    said = (s for s in story.functional.spacings if s.at == act.id and s.measure is Measure.GAP_M)
-    return next((spacing.value.middle for spacing in said), None)
 
 
 def _latest_out_s(

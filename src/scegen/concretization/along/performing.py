@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from math import copysign
 
-from scegen.concretization.along.doors import door_before, opening_s
 from scegen.concretization.along.frame import GAINS_MPS2, LOSES_MPS2, RAMP_MPS
+from scegen.concretization.along.parked import door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, lasting_s

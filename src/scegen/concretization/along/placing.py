@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Literal
 
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
@@ -62,16 +61,10 @@ def place_all(story: Story, *, wider: float = 1.0) -> None:
     while open_ := [n for n, runner in story.runners.items() if runner.at_m is None]:
         tied = next((t for t in said if (t.who.at_m is None) != (t.other.at_m is None)), None)
         if tied is not None:
-            place(tied if tied.who.at_m is None else _turned(tied))
+            place(tied if tied.who.at_m is None else tied.turned())
         else:
             name = min(open_, key=lambda n: _urgency(story, n, order))
             _place_as_usual(story, name, order, wider)
-
-
-def _turned(gap: GapAt) -> GapAt:
-    """The same, told of the other."""
-    ahead = gap.ahead != (gap.who.forward == gap.other.forward)
-    return replace(gap, who=gap.other, other=gap.who, ahead=ahead)
 
 
 def _said(story: Story) -> Iterator[GapAt]:
@@ -162,8 +155,6 @@ def _meets_s(runner: Runner, other: Runner, *, touches: bool) -> float:
     One that leaves the other's line again is met just then, with a little room, or before, if they
     are to touch.
     """
-    if not runner.moves:
-        return _MEETS_S
     if runner.lane_at(_AT_REST_S) > 0 and any(m.lane == 0 for m in runner.moves):
         if touches:
             out_s = max(m.ends_s for m in runner.moves if m.lane == 0)

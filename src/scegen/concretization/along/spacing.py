@@ -110,6 +110,11 @@ class GapAt:
     time_s: float
     ahead: bool
 
+    def turned(self) -> GapAt:
+        """The same, told of the other."""
+        ahead = self.ahead != (self.who.forward == self.other.forward)
+        return replace(self, who=self.other, other=self.who, ahead=ahead)
+
 
 def place(tie: GapAt) -> None:
     """Let ``who`` start so that the tie holds; ``other`` has its place."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scegen.concretization.along.acts import all_acts
-from scegen.concretization.along.doors import cast_doors, hang_doors
 from scegen.concretization.along.frame import RAMP_MPS
 from scegen.concretization.along.lanes import choose_lanes
+from scegen.concretization.along.parked import cast_doors, hang_doors
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
 from scegen.concretization.along.sideways import put_on_strips
 from scegen.concretization.along.story import Story
@@ -93,9 +93,6 @@ def _speeds(story: Story) -> None:
             runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
     for hazard in story.of_kind(HazardKind.OVERTAKING):
         _make_faster(story, hazard.by, hazard.to)
-    for act in functional.acts:
-        if act.kind is ActKind.OVERTAKE and act.into:
-            _make_faster(story, (act.participant,), (act.into,))
 
 
 def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from math import hypot
 
-from scegen.concretization.along.doors import beside_outermost, endangered, is_one_way, opening_s
 from scegen.concretization.along.frame import Frame
-from scegen.concretization.along.parked import Parked
+from scegen.concretization.along.parked import (
+    Parked,
+    beside_outermost,
+    endangered,
+    is_one_way,
+    opening_s,
+)
 from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
