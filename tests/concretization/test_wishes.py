@@ -19,9 +19,7 @@ def problems(draw):
         one, two = draw(st.permutations(NAMES))[:2]
         apart = draw(st.integers(-2, 2))
         weight = draw(st.sampled_from([0.5, 1.0, 10.0, 100.0]))
-        wishes.append(
-            Wish((one, two), weight, lambda c, a=one, b=two, n=apart: c[a] - c[b] == n, "apart")
-        )
+        wishes.append(Wish((one, two), weight, lambda a, b, n=apart: a - b == n, "apart"))
     return options, wishes
 
 

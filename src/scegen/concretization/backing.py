@@ -9,9 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from scegen.concretization.boxes import apart, box_at
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CREEP_MPS,
@@ -20,14 +18,12 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     STOPPING_MPS2,
 )
-from scegen.concretization.meetings import sampled
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.errors import MotionInfeasibleError
 from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
-from scegen.motion.model import Array
 from scegen.motion.standing import side_sign
 from scegen.scenario.acts import ActKind
 from scegen.scenario.logical import Reverses
@@ -147,9 +143,8 @@ def stand_square(
     """
     plain = scene.network.plain
     off_m = draft.body.rear_m + (_ROOM_M if plain else _OUT_OF_ARM_M) + more_m
-    kerb = Side(scene.functional.junction.driving_side.value)
     back = BacksOut(
-        side=kerb if plain else None,
+        side=scene.functional.junction.kerb if plain else None,
         arm=None if plain else draft.drive.entry,
         setback_m=round(off_m, 3),
         straight_m=round(straight_m + _WAY_ON_M, 3),
@@ -216,16 +211,3 @@ def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: flo
 
 def _brakes_at(rest_s: float) -> float:
     return rest_s - CREEP_MPS**2 / (2 * _STOPS_MPS2)
-
-
-def in_each_others_way(
-    draft: DriveDraft, other: DriveDraft
-) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Places of the one and of the other (see ``sampled``), and whether bodies touch there."""
-    (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
-    x, y, heading = (row[:, None] for row in own)
-    x2, y2, heading2 = (row[None, :] for row in theirs)
-    still = np.zeros(1)
-    first = box_at(x, y, heading, draft.body, still)
-    second = box_at(x2, y2, heading2, other.body, still)
-    return s, its, np.asarray(apart(first, second, 0.0) < 0.0)

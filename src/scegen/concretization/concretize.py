@@ -22,7 +22,6 @@ from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
 from scegen.concretization.occluders import hide
-from scegen.concretization.pulling_out import pull_out
 from scegen.concretization.reversing import (
     go_back_as_they_come,
     prepare_to_reverse,
@@ -30,7 +29,12 @@ from scegen.concretization.reversing import (
 )
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
-from scegen.concretization.stationary import go_round_stationary, place_obstacles, place_stationary
+from scegen.concretization.stationary import (
+    go_round_stationary,
+    place_obstacles,
+    place_stationary,
+    pull_out,
+)
 from scegen.concretization.tale import as_meant, pace_of
 from scegen.concretization.walkers import leaves_s, place_walkers, stop_in_the_way
 from scegen.errors import MotionInfeasibleError

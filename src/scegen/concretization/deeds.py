@@ -8,6 +8,7 @@ from itertools import takewhile
 
 from scegen.concretization.amounts import change_of_speed, falls_back, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.encounters import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.limits import (
     COMFORTABLE_BRAKING_MPS2,
     FAST_LATERAL_MPS2,
@@ -15,7 +16,6 @@ from scegen.concretization.limits import (
     LEAD_IN_S,
 )
 from scegen.concretization.moments import during_s
-from scegen.concretization.parties import ahead_on_arm, happens_s_m, stops_for_walkers
 from scegen.concretization.profile import Profile, Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s

@@ -19,9 +19,9 @@ from scegen.concretization.aside import (
     over_by_m,
 )
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.encounters import ahead_on_arm, culprits, same_arm, victims
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, HARD_BRAKING_MPS2, LANE_CHANGE_S
 from scegen.concretization.meetings import STRUCTURAL, Meeting
-from scegen.concretization.parties import ahead_on_arm, culprits, same_arm, victims
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocking_m

@@ -13,9 +13,9 @@ from itertools import combinations
 
 from scegen.concretization.aside import change_length_m
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.encounters import pairs, same_arm
 from scegen.concretization.leaving import goes_outwards
 from scegen.concretization.meetings import ways_touch
-from scegen.concretization.parties import pairs, same_arm
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreast
@@ -45,7 +45,6 @@ class Lanes:
 
 
 Choice = Mapping[str, Lanes]
-LaneWish = Wish[Lanes]
 
 
 def choose_junction_lanes(scene: Setup) -> None:
@@ -87,7 +86,7 @@ def _options(scene: Setup, draft: DriveDraft) -> list[Lanes]:
     return [lanes for lanes in usual if lanes.entry in reached] or usual
 
 
-def _from_words(scene: Setup) -> Iterator[LaneWish]:
+def _from_words(scene: Setup) -> Iterator[Wish]:
     """Who drives beside whom, on the side that is said; who is in which lane."""
     groups: dict[str, list[str]] = {}
     for drive, other in abreast(scene.logical):
@@ -97,11 +96,14 @@ def _from_words(scene: Setup) -> Iterator[LaneWish]:
             yield from _beside(scene, name, reference)
     for names in groups.values():
         for a, b in combinations(names, 2):
-            yield Wish((a, b), USUAL, _steps(a, b, lambda out: out != 0), f"{a} is not before {b}")
+            yield Wish((a, b), USUAL, _steps(lambda out: out != 0), f"{a} is not before {b}")
     for name, draft in scene.drives.items():
         participant = scene.functional.participant(name)
         if participant.lanes:
-            yield Wish((name,), SAID, _in(name, participant.lanes), f"{name} is in its lane")
+            said_in = participant.lanes
+            yield Wish(
+                (name,), SAID, lambda own, n=said_in: own.entry in n, f"{name} is in its lane"
+            )
         said = participant.approaches
         diagonal = Approach.ADJACENT in said and said & {Approach.AHEAD, Approach.BEHIND}
         level = draft is scene.ego or draft.drive.entry != scene.ego.drive.entry
@@ -111,20 +113,20 @@ def _from_words(scene: Setup) -> Iterator[LaneWish]:
     yield from _clear_of_turning_back(scene)
 
 
-def _from_dangers(scene: Setup) -> Iterator[LaneWish]:
+def _from_dangers(scene: Setup) -> Iterator[Wish]:
     """Who reverses does so in the lane of the other; who cuts in in a ring comes from inside."""
     for hazard in scene.functional.hazards:
         for cause, sufferer in pairs(scene, hazard):
             if hazard.kind is HazardKind.REVERSING and same_arm(cause, sufferer):
                 who = cause.id, sufferer.id
-                same = _steps(*who, lambda out: out == 0)
+                same = _steps(lambda out: out == 0)
                 yield Wish(who, LIKELY, same, f"{cause.id} reverses in the lane of {sufferer.id}")
             elif hazard.kind is HazardKind.CUT_IN and scene.ring:
                 inside = cause if goes_outwards(scene, cause) else sufferer
                 yield from _inmost(scene, inside, lambda lanes: lanes.ring or 0)
 
 
-def _clear_of_turning_back(scene: Setup) -> Iterator[LaneWish]:
+def _clear_of_turning_back(scene: Setup) -> Iterator[Wish]:
     """Who goes straight on is passed on its own side by nobody who turns back from the kerb."""
     back = {d.drive.entry for d in scene.drives.values() if d.drive.turn is Maneuver.U_TURN}
     for draft in scene.drives.values():
@@ -133,51 +135,44 @@ def _clear_of_turning_back(scene: Setup) -> Iterator[LaneWish]:
             yield from _inmost(scene, draft, lambda lanes: lanes.entry)
 
 
-def _inmost(scene: Setup, draft: DriveDraft, lane: Callable[[Lanes], int]) -> Iterator[LaneWish]:
+def _inmost(scene: Setup, draft: DriveDraft, lane: Callable[[Lanes], int]) -> Iterator[Wish]:
     """In the innermost lane that leads where it goes."""
     name, least = draft.id, min(map(lane, _options(scene, draft)))
-    yield Wish((name,), LIKELY, lambda lanes: lane(lanes[name]) == least, f"{name} keeps inside")
+    yield Wish((name,), LIKELY, lambda own: lane(own) == least, f"{name} keeps inside")
 
 
-def _beside(scene: Setup, name: str, reference: str) -> Iterator[LaneWish]:
+def _beside(scene: Setup, name: str, reference: str) -> Iterator[Wish]:
     """In the next lane, on the side that is said; where none is, rather the inner one."""
     words = f"{name} is beside {reference}"
-    yield Wish((name, reference), SAID, _steps(name, reference, lambda out: abs(out) == 1), words)
+    yield Wish((name, reference), SAID, _steps(lambda out: abs(out) == 1), words)
     outward = is_outward(scene.functional, name, reference)
     step, weight = (1 if outward else -1), (USUAL / 2 if outward is None else LIKELY)
-    yield Wish((name, reference), weight, _steps(name, reference, lambda out: out == step), words)
+    yield Wish((name, reference), weight, _steps(lambda out: out == step), words)
 
 
-def _steps(name: str, reference: str, right: Callable[[int], bool]) -> Callable[[Choice], bool]:
-    return lambda lanes: right(lanes[name].entry - lanes[reference].entry)
+def _steps(right: Callable[[int], bool]) -> Callable[[Lanes, Lanes], bool]:
+    return lambda own, other: right(own.entry - other.entry)
 
 
-def _in(name: str, allowed: frozenset[int]) -> Callable[[Choice], bool]:
-    return lambda lanes: lanes[name].entry in allowed
-
-
-def _bound(scene: Setup, placed: Sequence[LaneWish]) -> set[str]:
+def _bound(scene: Setup, placed: Sequence[Wish]) -> set[str]:
     """Those whose lanes follow from something else than whom they meet."""
     bound = {name for wish in placed for name in wish.who}
     sideways = {d.drive.entry for d in scene.drives.values() if d.drive.maneuver in SIDEWAYS}
     return bound | {d.id for d in scene.drives.values() if d.drive.entry in sideways}
 
 
-def _stays(scene: Setup, name: str, own: Lanes) -> LaneWish:
+def _stays(scene: Setup, name: str, own: Lanes) -> Wish:
     weight = _EGO_AS_IT_WAS if name == scene.functional.ego.id else _AS_IT_WAS
-    return Wish((name,), weight, lambda lanes: lanes[name] == own, f"{name} keeps its lanes")
+    return Wish((name,), weight, lambda lanes: lanes == own, f"{name} keeps its lanes")
 
 
-def _meetings(scene: Setup) -> Iterator[LaneWish]:
+def _meetings(scene: Setup) -> Iterator[Wish]:
     """Who is to meet, the most important first."""
     way = cache(partial(_laid, scene))
 
     @cache
-    def touch(first: str, lanes: Lanes, second: str, others: Lanes) -> bool:
+    def meet(first: str, second: str, lanes: Lanes, others: Lanes) -> bool:
         return ways_touch(way(first, lanes), way(second, others))
-
-    def meet(first: str, second: str, lanes: Choice) -> bool:
-        return touch(first, lanes[first], second, lanes[second])
 
     dangers = (pair for hazard in scene.functional.hazards for pair in pairs(scene, hazard))
     told = [((a.id, b.id), LIKELY) for a, b in dangers if not same_arm(a, b)]
@@ -228,7 +223,7 @@ def _move_over(scene: Setup, lanes: Choice, first: DriveDraft, second: DriveDraf
     return False
 
 
-def _note(scene: Setup, name: str, before: Lanes, after: Lanes, wishes: Sequence[LaneWish]) -> None:
+def _note(scene: Setup, name: str, before: Lanes, after: Lanes, wishes: Sequence[Wish]) -> None:
     """Say which lanes were changed."""
     partners = [other for wish in wishes if name in wish.who for other in wish.who if other != name]
     for field in ("entry", "ring", "exit"):

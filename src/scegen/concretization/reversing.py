@@ -21,14 +21,14 @@ from scegen.concretization.backing import (
     back_straight,
     back_up,
     brakes_from,
-    in_each_others_way,
     reversing_mps,
     stand_square,
 )
+from scegen.concretization.boxes import apart, box_at
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.encounters import culprits, same_arm, victims
 from scegen.concretization.limits import REVERSING_MPS2
 from scegen.concretization.meetings import DANGER, Meeting, sampled
-from scegen.concretization.parties import culprits, same_arm, victims
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
@@ -137,10 +137,13 @@ def reverse(scene: Setup) -> list[Meeting]:
 
 def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     """The one is so far when the other has to brake."""
-    s, its, touching = in_each_others_way(draft, other)
+    (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
     begins_s, ends_s = draft.laid.path.backwards[0]
-    back = (s >= begins_s) & (s <= ends_s)
-    meets = touching[back]
+    back, still = (s >= begins_s) & (s <= ends_s), np.zeros(1)
+    x, y, heading = (row[back, None] for row in own)
+    x2, y2, heading2 = theirs
+    mine = box_at(x, y, heading, draft.body, still)
+    meets = apart(mine, box_at(x2, y2, heading2, other.body, still), 0.0) < 0.0
     if not meets.any():
         raise MotionInfeasibleError(
             f"does not come into the way of {other.id} where it reverses", where=draft.id

@@ -1,30 +1,40 @@
-"""What stands or lies in the way at a junction or beside it, and who goes round it.
+"""What stands or lies in the way at a junction or beside it, who goes round it, and who pulls out.
 
 A thing lies in the lane of somebody, some way before the junction, or where that one leaves the
 lane anyway. Who meets nobody and has nothing else to do brakes for it and stays, and so does who
 follows (see ``answering``); everybody else goes round it, as round a parked vehicle.
+
+One that pulls out from the strip beside the road has stood there for long, and sets off so that it
+is in the lane close before the one in whose way it pulls out; that one brakes late, down to the
+pace that it has by then.
 """
 
 from __future__ import annotations
 
+from math import pi
+
 import numpy as np
 
-from scegen.concretization.aside import change_length_m, neighbour_lane, pass_standing
+from scegen.concretization.amounts import implied
+from scegen.concretization.aside import change_length_m, close_before, neighbour_lane, pass_standing
 from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clearance import same_lane
+from scegen.concretization.deeds import marks_of
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import drives_meet
+from scegen.concretization.meetings import Meeting, drives_meet
 from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.things import lying_in_the_way, made_of, shape_of
 from scegen.errors import MotionInfeasibleError
+from scegen.motion.lanes import STANDING, strip_number
 from scegen.motion.standing import heads_for_junction, standing_path
 from scegen.road.geometry import Pose
-from scegen.road.model import RouteStep
+from scegen.road.model import Route, RouteStep
+from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import StandingMotion
-from scegen.scenario.logical import Standing
+from scegen.scenario.concrete import LaneChange, StandingMotion
+from scegen.scenario.logical import Drive, Standing
 from scegen.scenario.vocabulary import DrivingSide, Maneuver, Side
 
 CLEAR_OF_CORNER_M = 6.0
@@ -40,12 +50,18 @@ _CLEAR_M, _WOULD_HIT_M = 0.45, 0.1
 """From who keeps clear of it; into who would not."""
 _LEAST_WAY_M, _ROOM_M = 30.0, 6.0
 _SAMPLE_M = 0.5
+_ROLLS_M = 0.5
+_CHANGE_M = 10.0
+_LONG_CHANGE = 1.4
+"""Lorries and buses, by their length, need more room than a car to leave a gap."""
+_LONG_M = 7.0
+_SHARE = 0.8
 
 
 def passed_where_they_stand(scene: Setup) -> tuple[Standing, ...]:
     """Those who are said to stay in their lane while somebody from behind goes round them."""
     passers = [d for d in scene.logical.drives if d.maneuver in SIDEWAYS]
-    kerb = Side(scene.functional.junction.driving_side.value)
+    kerb = scene.functional.junction.kerb
     return tuple(
         Standing(participant=drive.participant, arm=drive.entry, side=kerb, in_lane=True)
         for drive in scene.logical.drives
@@ -186,3 +202,76 @@ def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
         return False
     others = [o for o in scene.drives.values() if o.id not in names and not same_lane(o, draft)]
     return not any(drives_meet(one, other) for one in line for other in others)
+
+
+def pull_out(scene: Setup) -> list[Meeting]:
+    """Let those drive who pull out; returns whom they meet in the lane, and where."""
+    meetings: list[Meeting] = []
+    for name, stand in list(scene.stands.items()):
+        if scene.functional.participant(name).pulls_out and not stand.standing.in_lane:
+            del scene.stands[name]
+            draft = _draft(scene, stand)
+            scene.drives[name] = draft
+            meetings += _meets(scene, draft)
+    return meetings
+
+
+def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
+    name, entry = stand.id, stand.standing.arm
+    if not heads_for_junction(scene.network, stand.motion):
+        raise MotionInfeasibleError(
+            "is parked on the other side of the road: one that pulls out there comes into nobody's "
+            "way on the ego's side",
+            where=name,
+            hint="Say that it is parked on the ego's side, or let it turn back.",
+        )
+    road = scene.network.arm_road(entry)
+    start = road.length_m - stand.motion.from_junction_m
+    lane = scene.road.arms[entry].lanes_in
+
+    def bend_rad(route: Route) -> float:
+        last = scene.network.arm_road(route.exit).line.end.heading_rad
+        return abs((last - road.line.end.heading_rad) % (2 * pi) - pi)
+
+    routes = (route for found in scene.network.routes.values() for route in found)
+    ways = (route for route in routes if (route.entry, route.entry_lane) == (entry, lane))
+    route = min(ways, key=lambda way: (bend_rad(way), way.exit))
+    draft = DriveDraft(
+        id=name,
+        kind=stand.kind,
+        body=stand.body,
+        drive=Drive(
+            participant=name,
+            entry=entry,
+            move=(route.exit - entry) % len(scene.road.arms),
+            exit=route.exit,
+            turn=Maneuver.STRAIGHT,
+            maneuver=Maneuver.STRAIGHT,
+        ),
+        cruise_mps=min(_SHARE * scene.limit_mps, stand.body.top_speed_mps),
+        entry_lane=strip_number(road, STANDING, inbound=True),
+        exit_lane=route.exit_lane,
+        ring_lane=route.ring_lane,
+        grip_mps2=scene.grip_mps2,
+    )
+    draft.lane_changes = [
+        LaneChange(
+            position_m=round(start + _ROLLS_M, 3),
+            length_m=_CHANGE_M * (_LONG_CHANGE if stand.body.length_m > _LONG_M else 1.0),
+            lane_after=lane,
+            hazard=scene.hazard_of(implied("out", name, name, ActKind.CHANGE_LANE)),
+        )
+    ]
+    draft.lay(scene.network)
+    draft.parked_s_m = draft.laid.path_s_m(start)
+    draft.steps = list(marks_of(scene, draft))
+    scene.note(f"{name}.start_m", start, "is parked, and pulls out")
+    return draft
+
+
+def _meets(scene: Setup, draft: DriveDraft) -> list[Meeting]:
+    """The one in whose way it pulls out is close behind as it is in the lane."""
+    change = draft.lane_changes[0]
+    others = (other for other in scene.concerned(draft.id) if other is not draft)
+    station_m = change.position_m + change.length_m
+    return next(filter(None, (close_before(scene, draft, o, station_m) for o in others)), [])

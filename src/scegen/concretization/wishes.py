@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import Generic, TypeVar
+from typing import TypeVar
 
 SAID, LIKELY, USUAL = 100.0, 10.0, 1.0
 """How much it weighs that something is not as it is said, as a danger needs it, as is usual."""
@@ -19,29 +19,30 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
-class Wish(Generic[T]):
-    """Something wanted of the choices of those whom it concerns; ``words`` say what."""
+class Wish:
+    """Something wanted: what suits of the choices of those whom it concerns; ``words`` say what."""
 
     who: tuple[str, ...]
     weight: float
-    met: Callable[[Mapping[str, T]], bool]
+    suits: Callable[..., bool]
     words: str
 
-    def can_be_met(self, options: Mapping[str, Sequence[T]]) -> bool:
+    def met(self, chosen: Mapping[str, object]) -> bool:
+        """Whether what is chosen meets it."""
+        return self.suits(*(chosen[name] for name in self.who))
+
+    def can_be_met(self, options: Mapping[str, Sequence[object]]) -> bool:
         """Whether any choice of those whom it concerns meets it."""
-        return any(
-            self.met(dict(zip(self.who, chosen, strict=True)))
-            for chosen in product(*(options[name] for name in self.who))
-        )
+        return any(self.suits(*chosen) for chosen in product(*(options[n] for n in self.who)))
 
 
 def least_broken(
-    options: Mapping[str, Sequence[T]], wishes: Sequence[Wish[T]]
+    options: Mapping[str, Sequence[T]], wishes: Sequence[Wish]
 ) -> tuple[float, dict[str, T]]:
     """(cost, the choices that break the least), branch by branch."""
     names = list(options)
     best: tuple[float, dict[str, T]] = (float("inf"), {})
-    last: dict[str, list[Wish[T]]] = {name: [] for name in names}
+    last: dict[str, list[Wish]] = {name: [] for name in names}
     for wish in wishes:
         last[max(wish.who, key=names.index)].append(wish)
 

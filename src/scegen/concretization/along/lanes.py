@@ -7,7 +7,7 @@ says how many there are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator
 from itertools import product
 
 from scegen.concretization.along.parked import endangered, inner_doors
@@ -24,7 +24,6 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.scenario.wording import counted
 
-Met = Callable[[Mapping[str, int]], bool]
 MOST_LANES = 3
 _LANE = 0.1
 """What one lane more costs."""
@@ -40,7 +39,7 @@ def choose_lanes(story: Story) -> None:
         MotionInfeasibleError: what is said of lanes cannot all be had.
     """
 
-    def wishes_of(count: int) -> list[Wish[int]]:
+    def wishes_of(count: int) -> list[Wish]:
         told = [*_from_words(story), *_from_acts(story, count)]
         return [*told, *_from_hazards(story), *_usual(story, count)]
 
@@ -71,29 +70,25 @@ def choose_lanes(story: Story) -> None:
         people[name].lane = lane
 
 
-def _beside(a: str, b: str, weight: float, step: int | None, words: str) -> Wish[int]:
+def _beside(a: str, b: str, weight: float, step: int | None, words: str) -> Wish:
     """``a`` is next to ``b``, ``step`` lanes farther out if that is said."""
     if step is None:
-        return Wish((a, b), weight, lambda lanes: abs(lanes[a] - lanes[b]) == 1, words)
-    return Wish((a, b), weight, lambda lanes: lanes[a] - lanes[b] == step, words)
+        return Wish((a, b), weight, lambda own, other: abs(own - other) == 1, words)
+    return Wish((a, b), weight, lambda own, other: own - other == step, words)
 
 
-def _room(name: str, step: int, count: int) -> Met:
-    """There is a lane on that side."""
-    return lambda lanes: 1 <= lanes[name] + step <= count
-
-
-def _passes(name: str, whom: Sequence[str], step: int, count: int) -> Met:
+def _room(step: int, count: int) -> Callable[..., bool]:
     """There is a lane on that side, or it drives on that side of whom it passes."""
-    room = _room(name, step, count)
-    return lambda lanes: room(lanes) or any((lanes[name] - lanes[n]) * step > 0 for n in whom)
+    return lambda own, *passed: (
+        1 <= own + step <= count or any((own - lane) * step > 0 for lane in passed)
+    )
 
 
-def _among(name: str, weight: float, allowed: frozenset[int], words: str) -> Wish[int]:
-    return Wish((name,), weight, lambda lanes: lanes[name] in allowed, words)
+def _among(name: str, weight: float, allowed: frozenset[int], words: str) -> Wish:
+    return Wish((name,), weight, lambda lane: lane in allowed, words)
 
 
-def _from_words(story: Story) -> Iterator[Wish[int]]:
+def _from_words(story: Story) -> Iterator[Wish]:
     """Lanes, sides, lines and lateral distances that are said."""
     functional, runners = story.functional, story.people
     aside = _lanes_aside(story)
@@ -147,7 +142,7 @@ def _lanes_aside(story: Story) -> dict[tuple[str, str], int]:
     return found
 
 
-def _from_acts(story: Story, count: int) -> Iterator[Wish[int]]:
+def _from_acts(story: Story, count: int) -> Iterator[Wish]:
     """Who changes lanes needs one there: the one of the person into whose lane it comes."""
     functional, runners, acts = story.functional, story.people, story.acts
     passing = {act.participant for act in acts if act.kind is ActKind.OVERTAKE}
@@ -161,7 +156,7 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish[int]]:
             makes_room = any(a.participant in whom and a.kind is ActKind.CHANGE_LANE for a in acts)
             if not inwards and not makes_room:
                 words = f"{name} has a lane on its {act.side} to pass in, or drives there"
-                yield Wish((name, *whom), SAID, _passes(name, whom, step, count), words)
+                yield Wish((name, *whom), SAID, _room(step, count), words)
             continue
         if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue
@@ -175,10 +170,10 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish[int]]:
             yield _beside(name, into.id, SAID, back, words)
         elif step is not None:
             words = f"{name} has a lane on its {act.side}"
-            yield Wish((name,), LIKELY, _room(name, step, count), words)
+            yield Wish((name,), LIKELY, _room(step, count), words)
 
 
-def _from_hazards(story: Story) -> Iterator[Wish[int]]:
+def _from_hazards(story: Story) -> Iterator[Wish]:
     """Who endangers another from beside is beside it, and who strays is next to the oncoming."""
     runners = story.people
     for hazard in story.functional.hazards:
@@ -193,7 +188,7 @@ def _from_hazards(story: Story) -> Iterator[Wish[int]]:
                 yield _beside(who, to, LIKELY, None, words)
 
 
-def _usual(story: Story, count: int) -> Iterator[Wish[int]]:
+def _usual(story: Story, count: int) -> Iterator[Wish]:
     """Drive in line with the ego; change lanes where there is one to change into."""
     ego, people = story.ego.id, story.people
     for name in story.exiting & people.keys():
@@ -214,4 +209,4 @@ def _usual(story: Story, count: int) -> Iterator[Wish[int]]:
         if name not in story.exiting and assignment.changes_to is not None:
             step = outward(story.functional, assignment.changes_to)
             words = f"{name} has a lane to change into"
-            yield Wish((name,), LIKELY, _room(name, step, count), words)
+            yield Wish((name,), LIKELY, _room(step, count), words)

@@ -115,8 +115,7 @@ def _swerve(
         lasts, stays_s = lasting_s(act, abs(aside_m), _SHIES_FOR_S), _PASSES_S
         there, back = (lane, runner.offset_m + aside_m), runner.offset_m
     elif act.lateral_m is None and (_is_lane(story, lane, side) or act.side is None):
-        if not _is_lane(story, lane, side):
-            side = Side.LEFT if side is Side.RIGHT else Side.RIGHT
+        side = side if _is_lane(story, lane, side) else side.opposite
         lasts = lasting_s(act, runner.lane_width_m, ABRUPT_LANE_CHANGE_S)
         there, back = (max(0, lane + outward(story.functional, side)), 0.0), 0.0
     else:
@@ -171,8 +170,7 @@ def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
 
 def _free_side(story: Story, runner: Runner, now: int) -> Side:
     """Towards whom it endangers; else towards the centre line, if there is a lane."""
-    kerb = Side(story.functional.junction.driving_side.value)
-    centre = Side.LEFT if kerb is Side.RIGHT else Side.RIGHT
+    kerb, centre = story.functional.junction.kerb, story.inwards
     for other in (story.runners.get(name) for name in story.endangered_by(runner.id)):
         if other is not None and other.forward == runner.forward and other.lane != now:
             return kerb if other.lane > now else centre

@@ -220,7 +220,7 @@ def _usual(
         met = back if backing is front else front
         closing_m = met.profile.way_m(_MEETS_S) * (1 if backing is front else -1)
         return Measure.GAP_M, backing.profile.way_m(_MEETS_S) - 2 * FORTH_M + closing_m, 0.0
-    over = _comes_over(front, back)
+    over = comes_in(front, back)
     if over is not None:
         return None if _side_on(story, front, back) else _cutting_in(front, back, over, wider)
     let_by = comes_in(back, front) if story.lets_by(back.id, front.id) else None
@@ -262,12 +262,6 @@ def _closing_in(
         return Measure.TTC_S, LANE_CHANGE_S * wider, passes_s
     closing = back.speed_mps - front.speed_mps
     return Measure.GAP_M, max(_CLOSES_IN_S * closing, _LEAST_FREE_M) * wider, 0.0
-
-
-def _comes_over(front: Runner, back: Runner) -> Move | None:
-    """The move by which one comes into another's lane, or over it on its way to an exit."""
-    others = (({m.lane, *range(front.lane, m.lane)} - {front.lane}, m) for m in front.moves)
-    return next((m for lanes, m in others if back.lane in lanes), None)
 
 
 def _cutting_in(

@@ -53,8 +53,9 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
 
 
 def comes_in(mover: Runner, stays: Runner) -> Move | None:
-    """The move by which one comes into another's lane."""
-    return next((m for m in mover.moves if m.lane == stays.lane != mover.lane), None)
+    """The move by which one comes into another's lane, or over it on its way to an exit."""
+    others = (({m.lane, *range(mover.lane, m.lane)} - {mover.lane}, m) for m in mover.moves)
+    return next((m for lanes, m in others if stays.lane in lanes), None)
 
 
 def keep_apart(first: Runner, second: Runner, room_m: float, from_s: float, to_s: float) -> bool:
