@@ -7,6 +7,7 @@ from saying import KMH, missed
 from told import act, after, apart, as_soon_as, at_time, driven, first, told, who
 
 from scegen.errors import MotionInfeasibleError
+from scegen.scenario.environment import RoadSurface
 
 STATED = {"act", "spacing", "speed"}
 AHEAD, RIGHT, ON = ["ahead"], ["right"], ["straight"]
@@ -230,3 +231,12 @@ def test_those_who_are_to_collide_have_green_together(speed):
     concrete = first(functional)
     assert not concrete.participant("x").speed_program
     assert not any("outcome" in claim or "light" in claim for claim in missed(functional, concrete))
+
+
+def test_who_slides_goes_aside_no_quicker_than_grip_lets_it():
+    functional = told(
+        "four_way", [ego(30), other(40, ["opposite"])], [("loss_of_control", "x", "ego")]
+    )
+    icy = functional.environment.model_copy(update={"road_surface": RoadSurface.ICY})
+    functional = functional.model_copy(update={"environment": icy})
+    assert not {c for c in missed(functional, first(functional)) if "x" in c.split(".")}
