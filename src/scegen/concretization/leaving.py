@@ -90,12 +90,9 @@ def _leave_lane(
 
 
 def _in_ring(scene: Setup, draft: DriveDraft, other: DriveDraft) -> list[Meeting]:
-    rooms = {
-        piece.end_m - _RING_MARGIN_M: (piece.end_m - piece.start_m - 2 * _RING_MARGIN_M, piece.road)
-        for piece in draft.laid.stretches
-        if is_ring(piece.road)
-    }
-    usable = [end_m for end_m, (room_m, _) in rooms.items() if room_m >= _LEAST_RING_CHANGE_M]
+    least_m = _LEAST_RING_CHANGE_M + 2 * _RING_MARGIN_M
+    ring = [piece for piece in draft.laid.stretches if is_ring(piece.road)]
+    usable = [piece for piece in ring if piece.end_m - piece.start_m >= least_m]
     if not usable or scene.road.ring_lanes < 2:
         raise MotionInfeasibleError(
             "no ring road between two arms on its way is long enough; a change of ring lane needs "
@@ -104,8 +101,10 @@ def _in_ring(scene: Setup, draft: DriveDraft, other: DriveDraft) -> list[Meeting
             hint="Make the roundabout larger.",
         )
     theirs = {piece.road.id for piece in other.laid.stretches}
-    end_m = ([end for end in usable if rooms[end][1].id in theirs] or usable)[-1]
-    length = min(rooms[end_m][0], change_length_m(draft, ABRUPT_LANE_CHANGE_S))
+    piece = ([piece for piece in usable if piece.road.id in theirs] or usable)[-1]
+    end_m = piece.end_m - _RING_MARGIN_M
+    room_m = end_m - piece.start_m - _RING_MARGIN_M
+    length = min(room_m, change_length_m(draft, ABRUPT_LANE_CHANGE_S))
     lane = scene.road.ring_lanes if goes_outwards(scene, draft) else 1
     move_aside(scene, draft, lane, ends_m=end_m, over_m=length, hazard=HazardKind.CUT_IN)
     return close_before(scene, draft, other, end_m)
