@@ -163,7 +163,7 @@ def test_people_by_age_and_at_the_wheel(text, expected):
     ("text", "who", "does"),
     [
         ("V1 followed a tractor and pulled out to pass.", "car_1", {"overtake"}),
-        ("I was stationary at the traffic lights when a van hit me.", "ego", {"straight"}),
+        ("I was stationary at the traffic lights when a van hit me.", "ego", {"stay"}),
         ("At the lights a van turned left across the path of the ego.", "ego", {"straight"}),
         ("V1 pulled out of a yard into the path of V2, northbound on Elm Street.", "car_2",
          {"straight"}),
