@@ -47,10 +47,11 @@ def _change(file, where, anchor, text):
 
 
 def run(folder, *arguments):
+    """What Python prints there; not compiled: the little that is moved is soon computed."""
     done = subprocess.run(
         [sys.executable, *arguments],
         cwd=folder,
-        env=os.environ | {"PYTHONPATH": str(folder / "src")},
+        env=os.environ | {"PYTHONPATH": str(folder / "src"), "NUMBA_DISABLE_JIT": "1"},
         capture_output=True,
         text=True,
         check=False,
@@ -104,9 +105,7 @@ assert abs(getattr(summary, measure.field)[0, 0] - 15.0) < 1e-6
 """
 
 
-def test_a_measure(changed, monkeypatch):
-    # not compiled: what two cars do in a second is soon computed
-    monkeypatch.setenv("NUMBA_DISABLE_JIT", "1")
+def test_a_measure(changed):
     run(changed("add-a-measure"), "-c", MEASURED)
 
 

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache
-from importlib import import_module
 from pathlib import Path
 from threading import Thread
 from time import perf_counter, sleep
@@ -86,7 +85,6 @@ class Clock:
 def warm() -> None:
     """Load what every batch needs, before the clock runs; none of that is ever garbage."""
     warm_kernels()
-    import_module("cmaes")  # the search waits with it until it is needed
     gc.freeze()
     gc.set_threshold(_OBJECTS_BEFORE_COLLECTING)
 

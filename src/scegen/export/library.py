@@ -7,11 +7,10 @@ that a whole run may take.
 
 from __future__ import annotations
 
-import sys
 from importlib import import_module
 from types import ModuleType
 
-_SCIPY, _XMLSCHEMA = "scipy.integrate", "xmlschema"
+from scegen.loading import stand_ins
 
 
 def _quad(*args: object, **options: object) -> object:
@@ -21,21 +20,11 @@ def _quad(*args: object, **options: object) -> object:
     return quad(*args, **options)
 
 
-def _stand_ins() -> dict[str, ModuleType]:
-    scipy, xmlschema = ModuleType(_SCIPY), ModuleType(_XMLSCHEMA)
-    scipy.quad = _quad  # type: ignore[attr-defined]
-    xmlschema.__getattr__ = lambda name: getattr(import_module(_XMLSCHEMA), name)  # type: ignore[method-assign]
-    return {scipy.__name__: scipy, xmlschema.__name__: xmlschema}
-
-
-_mine = {name: made for name, made in _stand_ins().items() if name not in sys.modules}
-sys.modules.update(_mine)
-try:
+_scipy, _xmlschema = ModuleType("scipy.integrate"), ModuleType("xmlschema")
+_scipy.quad = _quad  # type: ignore[attr-defined]
+_xmlschema.__getattr__ = lambda name: getattr(import_module("xmlschema"), name)  # type: ignore[method-assign]
+with stand_ins({"scipy.integrate": _scipy, "xmlschema": _xmlschema}):
     from scenariogeneration import xodr, xosc
     from scenariogeneration.xosc.enumerations import VersionBase
-finally:
-    for _name, _made in _mine.items():
-        if sys.modules.get(_name) is _made:
-            del sys.modules[_name]
 
 __all__ = ["VersionBase", "xodr", "xosc"]

@@ -128,7 +128,6 @@ class Jobs:
         self._turn = threading.BoundedSemaphore(at_once or max(2, os.cpu_count() or 2))
         self._context = _context()
         self._running: set[Job] = set()
-        self._lock = threading.Lock()
 
     def start(self, what: str, told: Callable[[Job], None], task: Task, *arguments: object) -> Job:
         """Begin; the job is returned at once."""
@@ -148,9 +147,7 @@ class Jobs:
 
     def close(self) -> None:
         """End everything."""
-        with self._lock:
-            running = list(self._running)
-        for job in running:
+        for job in list(self._running):
             self.cancel(job)
 
     def _follow(self, job: Job, task: Task, arguments: tuple[object, ...]) -> None:
@@ -164,16 +161,13 @@ class Jobs:
             process.start()
             theirs.close()
             job.process = process
-            with self._lock:
-                self._running.add(job)
+            self._running.add(job)
             if job.under_way:
                 job.state = JobState.RUNNING
                 self._listen(job, ours)
-            if not job.under_way:
-                process.kill()
+            process.kill()
             process.join()
-            with self._lock:
-                self._running.discard(job)
+            self._running.discard(job)
 
     def _listen(self, job: Job, connection: Connection) -> None:
         """Until the process has said its last word, or has none any more."""

@@ -14,6 +14,7 @@ from scegen.enumeration.choosing.covering import smallest_cover
 from scegen.enumeration.choosing.sampling import diverse_sample
 from scegen.errors import InfeasibleError
 from scegen.llm import LlmSettings, Session, Usage
+from scegen.measures import warm_kernels
 from scegen.pipeline.generate import generate
 from scegen.pipeline.options import Options
 from scegen.pipeline.place import scenario_file
@@ -161,6 +162,6 @@ def take_in(name: str, content: bytes, tell: Teller) -> Source | str:
     return read_upload(name, content)
 
 
-def warm(tell: Teller) -> None:
-    """Nothing: who asks for it first has everything loaded."""
-    tell.progress("ready")
+def warm(_: Teller) -> None:
+    """Who asks for it first has everything loaded, and after an installation compiled."""
+    warm_kernels()

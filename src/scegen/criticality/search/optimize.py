@@ -13,7 +13,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.criticality.search.problem import Outcome, Problem
+from scegen.loading import stand_ins
 from scegen.motion.batch.arrays import Floats
+
+with stand_ins({"scipy": None, "scipy.stats": None}):  # for other optimizers only
+    from cmaes import CMA
 
 FIRST_BATCH = 96
 CLOSER_BATCH = 48
@@ -194,9 +198,6 @@ def _some_at_once(problem: Problem, best: Best, rng: np.random.Generator) -> Non
 
 def _evolve(problem: Problem, best: Best, start: Floats, rng: np.random.Generator) -> None:
     """One run of CMA-ES, until something is found."""
-    # Brings scipy.stats along, half a second that most searches do without.
-    from cmaes import CMA  # noqa: PLC0415
-
     optimizer = CMA(
         mean=start,
         sigma=_SIGMA,

@@ -12,7 +12,6 @@ carries a fingerprint of all files with kernels that a function may have been bu
 from __future__ import annotations
 
 import hashlib
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -21,16 +20,12 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
 
-_hidden = [name for name in ("scipy.linalg", "cffi") if name not in sys.modules]
-# numba asks whether these are there by loading them, a tenth of a short run; that only decides
-# whether kernels may call numpy.cov and functions of C.
-sys.modules.update(dict.fromkeys(_hidden))  # type: ignore[arg-type]
-try:
+from scegen.loading import stand_ins
+
+# For numpy.cov and functions of C, which no kernel calls.
+with stand_ins({"scipy.linalg": None, "cffi": None}):
     import numba.core.typing.cffi_utils
     import numba.np.arraymath
-finally:
-    for _name in _hidden:
-        del sys.modules[_name]
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")

@@ -1,0 +1,20 @@
+"""Loading a library without the large ones behind it that it is not used for here."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from types import ModuleType
+
+
+@contextmanager
+def stand_ins(modules: Mapping[str, ModuleType | None]) -> Iterator[None]:
+    """Whoever loads one of these meanwhile gets what stands in for it; None: it is not there."""
+    mine = {name: module for name, module in modules.items() if name not in sys.modules}
+    sys.modules.update(mine)  # type: ignore[arg-type]
+    try:
+        yield
+    finally:
+        for name in mine:
+            del sys.modules[name]
