@@ -7,14 +7,11 @@ from collections.abc import Callable
 from typing import cast
 
 import httpx2
-from anthropic import AnthropicError
 from openai import AsyncOpenAI, OpenAIError
 from pydantic_ai.exceptions import UserError
 from pydantic_ai.models import Model
-from pydantic_ai.models.anthropic import AnthropicModel
 from pydantic_ai.models.openai import OpenAIChatModel
 from pydantic_ai.providers import Provider, infer_provider_class
-from pydantic_ai.providers.anthropic import AnthropicProvider
 from pydantic_ai.providers.openai_compatible import OpenAICompatibleProvider
 
 from scegen.errors import InputError
@@ -53,7 +50,7 @@ def build_model(
     address = endpoint(name, url)
     try:
         return _build(name, address, key, http_client)
-    except (UserError, OpenAIError, AnthropicError) as error:
+    except (UserError, OpenAIError) as error:
         raise InputError(
             f"cannot be used: {error}", where=f"--llm {name}", hint="check the model's name"
         ) from error
@@ -62,7 +59,10 @@ def build_model(
 def _build(
     name: ModelName, address: str | None, key: str, http_client: httpx2.AsyncClient
 ) -> Model:
-    if name.provider == "anthropic":
+    if name.provider == "anthropic":  # whose library takes a second to load
+        from pydantic_ai.models.anthropic import AnthropicModel  # noqa: PLC0415
+        from pydantic_ai.providers.anthropic import AnthropicProvider  # noqa: PLC0415
+
         return AnthropicModel(
             name.model,
             provider=AnthropicProvider(api_key=key, base_url=address, http_client=http_client),

@@ -27,7 +27,7 @@ try:
 except ModuleNotFoundError:  # not on every system
     resource = None  # type: ignore[assignment]
 
-_PRELOADED = ["scegen.web.tasks", "scegen.web.filming"]
+_PRELOADED = ("scegen.web.tasks", "scegen.web.filming")
 _LONGEST_STEPS = 200
 MOST_MEMORY = 4 << 30
 """Bytes that one job may take, where the system can hold it to that."""
@@ -122,11 +122,11 @@ class Job:
 
 
 class Jobs:
-    """All jobs of a server; so many run at once, the others wait for their turn."""
+    """All jobs of a server, with ``more`` modules loaded; so many run at once, others wait."""
 
-    def __init__(self, at_once: int | None = None) -> None:
+    def __init__(self, *more: str, at_once: int | None = None) -> None:
         self._turn = threading.BoundedSemaphore(at_once or max(2, os.cpu_count() or 2))
-        self._context = _context()
+        self._context = _context(*_PRELOADED, *more)
         self._running: set[Job] = set()
 
     def start(self, what: str, told: Callable[[Job], None], task: Task, *arguments: object) -> Job:
@@ -196,11 +196,11 @@ class Jobs:
                 job.end(JobState.FAILED)
 
 
-def _context() -> BaseContext:
-    """Processes that have everything loaded already, where the system can fork such."""
+def _context(*modules: str) -> BaseContext:
+    """Processes that have modules loaded already, where the system can fork such."""
     if "forkserver" in multiprocessing.get_all_start_methods():
         context = multiprocessing.get_context("forkserver")
-        context.set_forkserver_preload(_PRELOADED)
+        context.set_forkserver_preload(list(modules))
         return context
     return multiprocessing.get_context("spawn")
 

@@ -67,7 +67,7 @@ def serve(
         ready: called once the page can be opened.
         show: open it in a browser too.
     """
-    jobs = Jobs()
+    jobs = Jobs(*(["scegen.llm.line"] if models is not None else []))
     application = build(Project(project), jobs, models, cookie=f"scegen_{place.port}")
     guarded = Guard(application, place.token, cookie=f"scegen_key_{place.port}")
     server = uvicorn.Server(
