@@ -64,7 +64,7 @@ def order_file(tmp_path):
         "level": "campaign",
         "descriptions": [{"id": name, "text": text} for name, text in TEXTS.items()],
         "pick": "all",
-        "concretizations": 10,
+        "concretizations": 6,
     }
     place = Path(tmp_path, "run.json")
     place.write_text(json.dumps(told), encoding="utf-8")
