@@ -35,21 +35,22 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     if measure is Measure.LATERAL_GAP_M:
         passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < figure.end]
         return passing[-1] if passing else START
-    starts = text.find("starts", start, figure.end)
-    if starts is not None and acts and text.find("of_what_it_does", starts[1], figure.end):
-        return acts[-1]  # "35 m at the start of the manoeuvre"
-    if measure not in LENGTHWISE or starts is not None:
+    begun = _as_it_begins(figure, acts)
+    starts = text.find("starts", start, figure.end) and not begun
+    if measure not in LENGTHWISE or starts:
         return START
     own = figure.verb
     told = {own.i} if own is not None and own.i < figure.i else set()
-    into = [a for a in acts if a.kind in _INTO and told & a.places]
-    into = into or [a for a in acts if _in_trigger(a, figure)] or _revealed_by(figure, one, other)
+    into = (
+        begun[-1:]
+        or [a for a in acts if a.kind in _INTO and told & a.places]
+        or [a for a in acts if _in_trigger(a, figure)]
+        or _revealed_by(figure, one, other)
+        or _of_its_doer(figure, acts)
+        or [a for a in _opens_with(figure, acts) if a.kind in _INTO]
+    )
     if into:
         return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
-    into = _of_its_doer(figure, acts)
-    into = into or [a for a in _opens_with(figure, acts) if a.kind in _INTO]
-    if into:
-        return into[0]
     here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
     pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
     here_into = [a for a in here if a.kind in _INTO] + pulls_out
@@ -77,6 +78,14 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
     told = [c.event for c in text.within(figure.j, figure.end) if not c.event.embedded]
     verbs = [event.i for event in told if event.name not in _BEGINNING]
     return [a for a in acts if a.places & {*verbs[:1]}]
+
+
+def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:
+    """``20 m at the start of its lane change``, ``as the manoeuvre begins``: those told before."""
+    text = figure.text
+    at, end = text.find("onsets", figure.start, figure.end) or (0, 0)
+    named = text.within(end, end + 3) or text.find("manoeuvres", at, end + 3)
+    return [a for a in acts if a.i < at] if named else []
 
 
 def _of_its_doer(figure: Figure, acts: list[Doing]) -> list[Doing]:

@@ -28,7 +28,7 @@ from scegen.understanding.road.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
 _NO_LIGHT_HERE = "lights stand at intersections only: this is read as one, with four ways"
-_DRIVEN_OVER = "no median is built where somebody meets the oncoming, or a direction has one lane"
+_DRIVEN_OVER = "no median, or one way, is built where somebody comes the other way or has one lane"
 _NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
 _NO_LANE_SO_LONG = "no such lane is built here, so it has no length"
 _AT_ARMS_END = "at a junction, crosswalks lie at the ends of the arms that somebody crosses"
@@ -141,9 +141,10 @@ class Layout:
                 self.draft.note_at(basis, AT_JUNCTIONS)
             return Carriageway.UNDIVIDED
         narrow = lanes[:1] == (1,) or self.around.two_lane is not None
-        if self.along.presumed and (narrow or self._meets_the_oncoming()):
+        against, one_way = self._meets_the_oncoming(), said is Carriageway.ONE_WAY
+        if (self.along.presumed and narrow) or (against and (self.along.presumed or one_way)):
             told = any(note.i == basis.i for note in self.draft.notes)
-            if self.along.median and not told:
+            if (self.along.median or one_way) and not told:
                 self.draft.note_at(basis, _DRIVEN_OVER)
             return Carriageway.UNDIVIDED
         self.proofs.add("junction.carriageway", basis)
@@ -207,7 +208,7 @@ class Layout:
             reason = "an intersection without a shape is read as four-way"
             return JunctionKind.FOUR_WAY, reading.named.because(reason)
         access = self.draft.access
-        if access is not None and reading.straight is None:
+        if access is not None and reading.straight is None and not self._backs_alone():
             if (across := self._across_the_main_road()) is not None:
                 return JunctionKind.FOUR_WAY, across
             reason = "a side road or driveway meets the road like the stem of a T"
@@ -220,6 +221,13 @@ class Layout:
             reason = f"{implied.reason}: there must be an intersection, read as four-way"
             return JunctionKind.FOUR_WAY, implied.because(reason)
         return JunctionKind.STRAIGHT, reading.straight or reading.road
+
+    def _backs_alone(self) -> bool:
+        """``backs out of a driveway; a child crosses behind it``: of roads, only that is needed."""
+        backing = self.draft.causing(HazardKind.REVERSING)
+        over = {Maneuver.CROSS}  # a cyclist
+        moving = [e for e in self.draft.entities if e.moving_vehicle and e.maneuvers != over]
+        return bool(moving) and all(e in backing for e in moving)
 
     def _lit_crosswalk(self, regulated: Basis) -> None:
         """``a pelican crossing``, ``a signalised mid-block crossing``: no road is built for it."""

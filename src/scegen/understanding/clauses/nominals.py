@@ -58,7 +58,9 @@ def read_mention(mention: Mention, state: State) -> None:
     elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
     elif (described := _described(mention, state)) is not None:
-        mention.same_as = described
+        named = described.is_ego and mention.opened_by("def") and "aux:be" in state.between
+        one, other = (described, mention) if named else (mention, described)
+        one.same_as = other  # "the ego is the van": one that was told of before
         if described is state.candidate or bracketed(state):
             return
     elif joins(mention, state):
@@ -134,7 +136,7 @@ def _is_predicate(mention: Mention, state: State) -> bool:
     if who is None or state.anchor is not who:
         return False
     bare = not mention.mods or mention.opened_by("indef") or mention.mods[0].cat != "det"
-    bare = bare or mention.is_ego  # "the truck is the ego"
+    bare = bare or mention.is_ego or who.is_ego  # "the truck is the ego", "the ego is the truck"
     if "aux:be" not in state.between or mention.pronoun or mention.is_named or not bare:
         return False
     if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase
+from scegen.understanding.chunks import Event, Mention, NounPhrase, teller_at
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -13,7 +13,7 @@ from scegen.understanding.clauses.dependents import (
     nominal,
 )
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import main_verb_follows
+from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
@@ -64,14 +64,15 @@ def _link(event: Event, state: State) -> None:
         event.finite = event.finite and helped  # "lets them cross": no clause of its own
     if _blocked(event, state):
         return
-    if event.form == "base" and "aux:be" in state.between and event.name in PASSIVE:
+    be = "aux:be" in state.between
+    if event.form == "base" and be and event.name in PASSIVE and not state.awaits("to"):
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
     if event.reduced and event.form == "ed" and not helped:
         event.finite = False
         event.passive = event.name in _DESCRIBING & PASSIVE
         return
     if event.form == "ed" and event.name in PASSIVE:
-        event.passive = "aux:be" in state.between
+        event.passive = be
     if event.finite and event.subject:
         state.main = event.subject
         waits = "rel" in state.between and event.subject[-1] is state.candidate
@@ -92,9 +93,10 @@ def _said_of_a_thing(event: Event, state: State) -> None:
     if "aux:be" in state.between:
         if passive:
             event.passive, event.object = event.name in PASSIVE, topic
-    elif topic is not None and event.name == "collide":
+    elif topic is not None and (event.name == "collide" or is_word(state.at(1), "into")):
         its = state.main if topic.has("possessive", "its") else []
-        # "the front of the van struck …", "its front struck …"
+        its = [teller_at(topic.i)] if topic.has("possessive", "first_person") else its
+        # "the front of the van struck …", "its front struck …", "my bumper runs into …"
         event.subject = [topic.owner] if topic.owner is not None else its
 
 

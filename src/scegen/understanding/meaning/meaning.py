@@ -41,7 +41,6 @@ _ALL_TOLD = (
     ("nouns.hider", "verbs nouns"),
     ("nouns.hidden", "nouns verbs"),
     ("nouns.past", "everybody verbs nouns strays"),
-    ("positions.first", "verbs"),
     ("positions.any", "verbs"),
     ("positions.up_to", "verbs"),
     ("positions.after_all", "everybody"),
@@ -183,6 +182,7 @@ class Interpreter:
         say(f"dangers.{event.name}", clause, context)
         say("dangers.oncoming", clause, context)
         say("dangers.from_behind", clause, context)
+        say("positions.first", clause, context)
 
     def _places(self, clause: Clause) -> None:
         """Where the phrases of a verb put those who act, or on whom it is done."""

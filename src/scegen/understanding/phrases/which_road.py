@@ -35,9 +35,12 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if clause is not None and isinstance(chunk, Place):
             end, chunk.arm = clause
             chunk.user = next(c for c in chunks[k + 1 : end] if isinstance(c, Mention))
-            told = _told_anew(chunks, k, end)
-            if told and chunk.user.opened_by("indef"):  # "on which a van approaches from the left"
-                stop = next((m for m in range(end, len(chunks)) if _stops(chunks[m])), end)
+            stop = next((m for m in range(end, len(chunks)) if _stops(chunks[m])), end)
+            speed = next((m + 1 for m in (end, end + 1) if value_at(chunks, m) == "speed"), None)
+            told = _told_anew(chunks, k, end, measured=speed is not None)
+            # "on which a van approaches from the left", "that the ego drives along at 50 km/h"
+            stop = stop if chunk.user.opened_by("indef") else speed or end
+            if told:
                 told[-1:] = [*chunks[end:stop], told[-1]]
                 end = stop
             found[begin:begin] = told
@@ -125,13 +128,13 @@ def _turns(chunk: Chunk | None) -> bool:
     return isinstance(chunk, Event) and chunk.name in _TURNING
 
 
-def _told_anew(chunks: list[Chunk], k: int, end: int) -> list[Chunk]:
-    """The clause as a sentence, if nothing else in the text tells that somebody turns."""
+def _told_anew(chunks: list[Chunk], k: int, end: int, *, measured: bool) -> list[Chunk]:
+    """The clause as a sentence, if it is measured, or else nothing tells that somebody turns."""
     clause = [c for c in chunks[k + 1 : end] if c.cat not in {"rel", "prep", "sub"}]
     who = next(c for c in clause if isinstance(c, Mention))
     sided = any(c.cat == "dir" for c in clause)
     anew = any(map(_turns, clause)) and not any(map(_turns, [*chunks[:k], *chunks[end:]]))
-    if who.pronoun is not None or not (sided or not who.is_ego or anew):
+    if who.pronoun is not None or not (sided or measured or not who.is_ego or anew):
         return []
     return [*clause, Word(Term("punct", ".", who.i, who.i))]
 
@@ -173,7 +176,7 @@ def _heading(chunks: list[Chunk], m: int, tokens: list[Token]) -> int | None:
     if _preposed(chunks, m):
         m += 2
     else:
-        m += cat_at(chunks, m) in {"sub", "rel"}
+        m += value_at(chunks, m) in {"where", "which"} or _text(chunk_at(chunks, m), tokens) == "as"
     clause = _does(chunks, m)
     if clause is None or tokens[clause[0].i].base not in word_lists("ways")["heads"]:
         return None

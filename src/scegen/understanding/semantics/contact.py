@@ -6,6 +6,7 @@ from scegen.understanding.chunks import Mention, NounPhrase, Place, Thing
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.words.tokens import low_at
 
 _BODY = frozenset({"side", "flank"})
 _MOTION = frozenset({"move", "walk", "speed", "enter", "reverse", "turn", "sharp_turn", "swerve",
@@ -45,7 +46,7 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     if isinstance(goal, Thing):
         return lies_there(goal, context)
     if isinstance(goal, Mention):
-        mass = clause.event.lemma not in {"run", "drive"}  # "pulls out into the traffic"
+        mass = clause.event.lemma not in word_list("ramming")  # "pulls out into the traffic"
         mass = mass and any("mass" in h.data for h in goal.heads)
         road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
         free = not (mass or road or goal.possessor)
@@ -57,7 +58,8 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     owned = goal.owner is not None or goal.possessed
     named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
     rests = clause.event.lemma in word_list("ending_up")  # "in its side"; "into its side" of a road
-    return end or (owned and (named or rests))
+    rams = clause.event.lemma in word_list("ramming") and low_at(context.tokens, goal.j) != "of"
+    return end or (owned and (named or rests or rams))
 
 
 def lies_there(noun: object, context: Context) -> bool:

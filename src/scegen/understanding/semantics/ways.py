@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import Event, Place
-from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure, quantity_at
@@ -130,10 +130,8 @@ def _without_arrow(_: Clause, context: Context) -> bool:
 
 def _overtaking(clause: Clause, context: Context) -> bool:
     """Whether passing is overtaking: of somebody, or by one who was behind or held up by one."""
-    if clause.event.name != "pass":
+    if clause.event.name != "pass" or clause.targets:
         return True
-    if clause.targets:
-        return not _encounter(clause.drivers, clause.targets, context)
     if clause.event.link == "inf" and clause.event.parent is not None and clause.drivers:
         same = clause.event.parent.subject == clause.event.subject
         if same and clause.event.parent.name in _TO_PASS:
@@ -154,15 +152,6 @@ def _from_behind(clause: Clause, context: Context) -> bool:
         (p.approaches == {Approach.BEHIND} and p.entity in clause.actors)
         or (p.approaches == {Approach.AHEAD} and p.reference in clause.actors)
         for p in context.draft.placements
-    )
-
-
-def _encounter(drivers: list[Entity], targets: list[Entity], context: Context) -> bool:
-    """``an oncoming van passes the ego``: each on its own side."""
-    pairs = ((one, other) for one in drivers for other in targets)
-    return any(
-        (one.ego and context.oncoming(other)) or (other.ego and context.oncoming(one))
-        for one, other in pairs
     )
 
 
