@@ -84,6 +84,7 @@ class Figure(Clause):
         if self.text.tokens[self.i - 1].low == "with":  # "passes a van parked there with 1 m"
             own = [s for s in own if not s.tells_parked]
             before = [s for s in before if not s.tells_parked] or before
+        here.sort(key=lambda s: not s.event.finite)  # "30 m short of a van standing there it …"
         return next(iter((*own, *before[-1:], *here)), None)
 
     def _modifies(self, phrase: Event | Mention) -> bool:
@@ -147,11 +148,6 @@ class Figure(Clause):
         """Who is named right before it, forms of "to be" and adverbs skipped."""
         ours = self.i > self.start and self.text.tokens[self.i - 1].low in {"our", "my"}
         return [self.text.ego] if ours else self.named_before(self.i)
-
-    @property
-    def heads(self) -> bool:
-        """``30 mph, a cyclist ahead``: it opens its sentence, and is nobody's that is named."""
-        return self.i == self.start and self.text.low(self.j, self.j + 1) == " , "
 
     def named_before(self, i: int) -> list[Entity]:
         """The same of another token."""

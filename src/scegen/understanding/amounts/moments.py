@@ -76,6 +76,7 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
     if any(figure.start <= m.i < figure.i for m in text.mentions):
         return []
     told = [c.event for c in text.within(figure.j, figure.end) if not c.event.embedded]
+    told = [e for e in told if e.finite or e.form != "ing"]  # "of a van standing there the ego …"
     verbs = [event.i for event in told if event.name not in _BEGINNING]
     return [a for a in acts if a.places & {*verbs[:1]}]
 

@@ -116,9 +116,6 @@ def _from_to(figure: Figure) -> Doing | None:
 
 def _meant(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
-    ego = figure.text.ego
-    if figure.heads and ego.speed is None:
-        return [ego]
     if figure.own_subject:
         return figure.own_subject
     movers = [e for e in figure.actors if not e.parked]

@@ -11,11 +11,11 @@ from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.lexicon import word_list, word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
+from scegen.understanding.phrases.which_road import turns
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _ROADS = frozenset({"road", "access", "leg", "highway"})
-_TURNING = frozenset({"turn", "sharp_turn"})
 _ON_FOOT = frozenset({"cross", "walk"})
 
 
@@ -26,7 +26,7 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         chunks: of the text.
         tokens: of the text.
     """
-    turn = next((k for k, c in enumerate(chunks) if _turns(c)), None)
+    turn = next((k for k, c in enumerate(chunks) if turns(c)), None)
     if turn is None:
         return chunks
     who = _turning(chunks, turn)
@@ -38,7 +38,7 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Place) and chunk.kind in _ROADS and chunk.arm is None:
             verb = next((c for c in reversed(found[begin:]) if isinstance(c, Event)), None)
             onto = isinstance(before, Word) and tokens[before.i].low in {"into", "onto"}
-            if onto and _turns(verb):
+            if onto and turns(verb):
                 told, after = _walked(chunks, k)
                 again = replace(chunk, arm=CrossedArm.EXIT, user=who)
                 found[begin:begin] = [again if c is chunk else c for c in told]
@@ -56,10 +56,6 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             begin = len(found)
         k = after
     return found
-
-
-def _turns(chunk: Chunk | None) -> bool:
-    return isinstance(chunk, Event) and chunk.name in _TURNING
 
 
 def _turning(chunks: list[Chunk], k: int) -> Mention | None:
@@ -112,6 +108,6 @@ def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
     """``the destination road``; "that road", if the turn alone tells which."""
     words = {t.low for t in tokens[road.i : road.j]}
     named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
-    turned = any(map(_turns, before))
+    turned = any(map(turns, before))
     that = not words.isdisjoint(word_list("pointing")) and turned and len(named) <= 1
     return that or not words.isdisjoint(word_lists("ways")["reached"])

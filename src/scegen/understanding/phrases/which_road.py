@@ -124,7 +124,8 @@ def _does(chunks: list[Chunk], m: int) -> tuple[Event, int] | None:
     return (verb, m + 1) if isinstance(verb, Event) and not verb.nominal else None
 
 
-def _turns(chunk: Chunk | None) -> bool:
+def turns(chunk: Chunk | None) -> bool:
+    """Whether it is a turn, also one back."""
     return isinstance(chunk, Event) and chunk.name in _TURNING
 
 
@@ -133,7 +134,7 @@ def _told_anew(chunks: list[Chunk], k: int, end: int, *, measured: bool) -> list
     clause = [c for c in chunks[k + 1 : end] if c.cat not in {"rel", "prep", "sub"}]
     who = next(c for c in clause if isinstance(c, Mention))
     sided = any(c.cat == "dir" for c in clause)
-    anew = any(map(_turns, clause)) and not any(map(_turns, [*chunks[:k], *chunks[end:]]))
+    anew = any(map(turns, clause)) and not any(map(turns, [*chunks[:k], *chunks[end:]]))
     if who.pronoun is not None or not (sided or measured or not who.is_ego or anew):
         return []
     return [*clause, Word(Term("punct", ".", who.i, who.i))]
@@ -189,10 +190,10 @@ def _end_of_turn(chunks: list[Chunk], m: int) -> int:
     """After ``before the turn``, ``before it turned``, if that follows."""
     if (cat_at(chunks, m), value_at(chunks, m)) != ("sub", "before"):
         return m
-    if _turns(chunk_at(chunks, m + 1)):
+    if turns(chunk_at(chunks, m + 1)):
         return m + 2
     clause = _does(chunks, m + 1)
-    return clause[1] if clause is not None and _turns(clause[0]) else m
+    return clause[1] if clause is not None and turns(clause[0]) else m
 
 
 def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:

@@ -72,7 +72,7 @@ def read_surroundings(terms: list[Term], tokens: list[Token]) -> Surroundings:
             found.lanes = found.lanes or term.data["count"]
             found.lanes_basis = Basis(term.i, term.j)
         elif term.cat == "label" and tokens[term.j - 1].forms[-1][0] == "lane":
-            _two_lanes(found, term, tokens)
+            found.two_lane = found.two_lane or Basis(term.i, term.j)
         elif term.cat == "place" and term.value == "highway":
             found.highway = found.highway or Basis(term.i, term.j)
     return found
@@ -129,14 +129,6 @@ def _conditions(found: Surroundings, terms: list[Term], k: int, role: str) -> No
     found.conditions[name] = value.middle, basis
     if role == "sight":
         found.measured.append(terms[k])
-
-
-def _two_lanes(found: Surroundings, term: Term, tokens: list[Token]) -> None:
-    """``two lanes per direction``; on a plain road "two lanes" are one for each direction."""
-    basis = Basis(term.i, term.j)
-    if {"direction", "way", "approach"} & {t.low for t in tokens[term.j : term.j + 4]}:
-        found.lanes, found.lanes_basis = 2, basis
-    found.two_lane = found.two_lane or basis
 
 
 def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:

@@ -30,20 +30,12 @@ def _keeps_along(clause: Clause, context: Context) -> bool:
         or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
         or (walks and _ahead_in_a_lane(event.pps, context))
         or (walks and free and _the_same_way(clause, context))
-        or (walks and free and _at_the_edge(event.pps, context))
     )
     over = event.object  # "runs along the road"
     own = context.tokens[event.j - 1].low in word_list("lengthwise")
     along |= own and isinstance(over, Place) and over.kind in _WAYS
     words = {*opening.values(), *(context.tokens[m.j - 1].low for m in event.dirs)}
     return aside or (along and words.isdisjoint(word_list("across")))  # "straight across"
-
-
-def _at_the_edge(preps: list[Prep], context: Context) -> bool:
-    """``walks on the right side of the road``, and neither from there nor over it."""
-    sides = [p for p in preps if p.names("side")]
-    within = any(context.tokens[p.word.i].low in word_list("inside") for p in sides)
-    return within and all(p in sides or (p.value == "of" and p.names("road")) for p in preps)
 
 
 def _ahead_in_a_lane(preps: list[Prep], context: Context) -> bool:

@@ -51,8 +51,6 @@ def seen(entity: Entity, site: Site) -> None:
 
 def _where_another_came_from(entity: Entity, site: Site) -> frozenset[Approach]:
     """``a dog runs across from the left and a child follows from the same side``."""
-    if site.context.lows(site.place.j, site.place.j + 1) == ["as"]:
-        return frozenset()  # "as the ego"
     told = site.context.draft.placements
     before = [p for p in told if p.entity is not entity and p.reference is None]
     there = before[-1].approaches & {Approach.OPPOSITE, *SIDES.values()} if before else set()

@@ -83,8 +83,6 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
         match: a verb that may end in "over" or "in".
     """
     ends = tokens[match.j - 1].low
-    if ends == "in" and low_at(tokens, match.j) == "front":
-        return True
     if ends != "over" or not match.only("verb"):
         return False
     noun = longest_match(tokens, match.j)
