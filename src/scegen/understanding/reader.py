@@ -65,7 +65,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     (set(), name_roads),
     ({"turn", "sharp_turn"}, name_turned_into),
     ({"which", "whom"}, which_is_it),
-    ({"including", "among", "amongst"}, counted_in),
+    ({"including", "included", "among", "amongst"}, counted_in),
     (set(), filmed_from),
     (set(), under_test),
     ({"("}, lambda chunks, _: in_brackets(chunks)),

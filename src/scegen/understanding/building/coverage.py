@@ -129,6 +129,7 @@ def _counts(
         return inside or called
     junction, number = scenario.junction, term.data["number"]
     counted = {len(scenario.participants), junction.arms, *junction.lanes}  # "one on each of four"
+    counted |= {group.number for group in scenario.groups}
     return number < _MANY or inside or called or number in counted
 
 

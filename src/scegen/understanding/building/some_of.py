@@ -29,6 +29,8 @@ def some_of(
         if len(members) < 2 or not told or not all(e.some for e in told):
             continue
         ways = Counter(frozenset(e.maneuvers) for e in told)
+        if max(ways.values()) == len(members):
+            continue  # all of them
         words = {frozenset(e.maneuvers): e.maneuver_basis or e.basis for e in told}
         for entity in members:
             entity.maneuvers, entity.maneuver_basis = set(), None

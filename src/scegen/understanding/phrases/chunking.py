@@ -150,9 +150,8 @@ class Chunker:
             return self._mention(mods, m, owner)
         if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
-        rest = bool(mods) and self._tokens[mods[0].j - 1].low == "others"  # "the others go left"
         if (
-            not rest
+            not (mods and _are_others(mods[0]))  # "the others go left"
             and head is not None
             and is_nominal(mods, head, self._term(m + 1), self._chunks)
         ):
@@ -179,10 +178,13 @@ class Chunker:
         if not mods:
             return None
         first = mods[0]
-        if first.cat == "det" and self._tokens[first.j - 1].low == "others":
+        after = self._term(k + 1)
+        if _are_others(first):
             return self._stand_alone(mods[:1], "others", k)
-        if first.cat == "num" and len(mods) == 1 and self._low(k + 1) == "others":
-            return self._stand_alone([first, self._terms[k + 1]], "others", k)  # "two others"
+        if first.cat == "num" and len(mods) == 1 and after is not None and _are_others(after):
+            return self._stand_alone([first, after], "others", k)  # "two others"
+        if first.value == "other" and len(mods) > 1 and mods[1].data.get("number", 0) > 1:
+            return self._stand_alone(mods[:2], "others", k)  # "the other three"
         if first.cat == "num" and first.data["number"] < 10:
             coming = mods[1:2] if mods[1:] and mods[1].value in _COMING_FROM else []
             named = "one" if first.data["number"] == 1 else "count"
@@ -289,6 +291,11 @@ class Chunker:
         end = compound_end(head, self._term(m + 1), self._chunks)
         thing = Thing(start, end.j, mods, head, owner, kind=kind)
         return self._add(thing, m + 1 + (end is not head))
+
+
+def _are_others(term: Term) -> bool:
+    """``the others``, ``the rest``."""
+    return (term.cat, term.value, term.form) == ("det", "other", "s")
 
 
 def _owned(chunk: Chunk) -> bool:

@@ -9,7 +9,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _HELPS = frozenset({"aux", "manner"})
 _JOINTS = frozenset({"punct", "sub", "conj"})
@@ -70,17 +70,27 @@ def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 
 def counted_in(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``four cars including mine``: three others, as the ego is one of them."""
-    for begin, end in pairwise([0, *(m for m, c in enumerate(chunks) if ends(c)), len(chunks)]):
-        named = [c for c in chunks[begin:end] if isinstance(c, Mention)]
-        for group, who in pairwise(named):
-            own = who.is_ego or who.is_me or who.opened_by("first_person")
-            number = group.mod("num")
-            among = tokens[who.i - 1].low in word_list("including") - {"in"}
-            if own and among and number is not None and number.data["number"] > 1:
-                rest = replace(number, data={"number": number.data["number"] - 1})
-                group.mods = [rest if m is number else m for m in group.mods]
-    return chunks
+    """``four cars including mine``, ``mine included``: three others and the ego."""
+    named = [k for k, c in enumerate(chunks) if isinstance(c, Mention)]
+    left_out: set[int] = set()
+    for k, m in pairwise(named):
+        group, who = chunks[k], chunks[m]
+        if not (isinstance(group, Mention) and isinstance(who, Mention)):
+            continue
+        number = group.mod("num")
+        if number is None or any(map(ends, chunks[k:m])):
+            continue
+        own = who.is_ego or who.is_me or who.opened_by("first_person")
+        around = [tokens[who.i - 1].low, low_at(tokens, who.j)]
+        among = [word in word_list("including") for word in around]
+        if own and any(among) and number.data["number"] > 1:
+            rest = replace(number, data={"number": number.data["number"] - 1})
+            group.mods = [rest if t is number else t for t in group.mods]
+            who.heads = [*group.heads, *who.heads]  # "four trucks including ours"
+            chunks[m - 1] = Word(Term("conj", "and", who.i, who.i))
+            left_out |= {n for n in range(k + 1, m - 1) if chunks[n].value == ","}
+            left_out |= {m + 1, m + 2} if among[1] else set()
+    return [c for k, c in enumerate(chunks) if k not in left_out]
 
 
 def _says_who(chunk: Chunk | None) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.terms import Term
@@ -39,7 +41,7 @@ def each_side(prep: Prep) -> bool:
 
 
 def each_of(chunks: list[Chunk]) -> list[Chunk]:
-    """``in each of the two adjacent lanes``, ``one from each side``: in each, from each."""
+    """``in one of the lanes``, ``in each of them``, ``one from each side``: in it, from each."""
     found: list[Chunk] = []
     first: Place | None = None
     for chunk in chunks:
@@ -58,10 +60,13 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
         part, word = chunk_at(found, len(found) - 2), value_at(found, len(found) - 1)
         if isinstance(chunk, Place) and isinstance(part, Mention):
             every = chunk.has("quant", "all") and chunk.kind == "side"
-            if part.pronoun in {"all", "both"} and word == "of":
+            if part.pronoun in {"one", "all", "both"} and word == "of":
                 del found[-2:]
                 mods = [m for m in chunk.mods if m.cat not in {"det", "num"}]
-                chunk.mods = [Term("quant", "all", chunk.i, chunk.i), *mods]
+                opens = ("det", "indef") if part.pronoun == "one" else ("quant", "all")
+                chunk.mods = [Term(*opens, chunk.i, chunk.i), *mods]
+                if part.pronoun == "one" and chunk.head is not None:
+                    chunk.head = replace(chunk.head, form="base")  # "one of the lanes"
             elif part.pronoun == "one" and word == "from" and every:
                 del found[-2]
         found.append(chunk)

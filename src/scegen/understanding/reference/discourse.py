@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
+from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.located import is_it, loci_of
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
@@ -114,7 +115,7 @@ class Discourse:
         self._roster.spoken_of(found, subject=subject, settled=settled)
         self._roster.stands_near(near, found)
         if subject and mention.joined is not None:
-            self._roster.joined = [*mention.joined.entities, *found]
+            self._roster.joined = [e for m in chain(mention) for e in m.entities]
         return found
 
     def _as_somebody(self, mention: Mention) -> None:
@@ -155,7 +156,7 @@ class Discourse:
     def _their_own_queue(self, mention: Mention) -> bool:
         """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
         several = max(len(self._roster.subject), len(self.entities)) > 1
-        within = mention.stands_after("in") and several
+        within = mention.stands_after("in") and several and not mention.dirs
         end = mention.stands_after("of") and bool(self._roster.groups)
         return mention.is_mass and (within or end)
 

@@ -34,7 +34,7 @@ def known(
         return counted
     included = roster.included(reading, mention)
     if included or mention.listed:
-        return included or roster.claim(1, exclude, reading)
+        return included or roster.claim(reading.count, exclude, reading)
     if reading.plural and det == "other":
         if mention.mod("num") is not None:
             return roster.claim(reading.count, exclude, reading)
@@ -42,7 +42,7 @@ def known(
         if rest and all(roster.compatible(e, reading) for e in rest):
             return rest  # "three other cars …; one of the other cars"
     if reading.plural:
-        return _several(roster, reading, mention)
+        return _several(roster, reading, mention, exclude)
     if det == "other":
         return _other(roster, reading, mention, exclude)
     if det in {"another", "ordinal"}:
@@ -80,14 +80,17 @@ def _compatible(roster: Roster, reading: Reading) -> list[Entity]:
     return [e for e in roster.entities if roster.compatible(e, reading)]
 
 
-def _several(roster: Roster, reading: Reading, mention: Mention) -> list[Entity]:
+def _several(
+    roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
+) -> list[Entity]:
     quantity = mention.mod("quant")
     if quantity is not None and quantity.value == "all":
         everybody = _compatible(roster, reading)
         counted = mention.mod("num") is None or len(everybody) == reading.count
         return everybody if len(everybody) > 1 and counted else []
     if reading.det != "def" and reading.count != DEFAULT_COUNT:
-        return []
+        oncoming = mention.is_mass and "opposite" in reading.dirs
+        return _another(roster, reading, exclude) if oncoming else []  # of six, two turn across it
     both = not reading.vague and reading.det in {"bare", "def"}
     if reading.det != "def" and not (both and not reading.dirs):
         return []

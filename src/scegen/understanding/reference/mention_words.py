@@ -43,6 +43,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     specific: list[ParticipantKind] = [k for k in kinds if k is not ParticipantKind.CAR]
     told = {key for h in heads for key in h.data}
     driver = "driver" in told
+    bare = "label" in told or last.base in word_list("generic_words")  # "V2", "vehicle"
     kind = (specific or kinds or [ParticipantKind.CAR])[0]
     afoot = "afoot" in told
     if kind in ON_FOOT and mention.drives and not afoot:
@@ -70,7 +71,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         det_value = "ordinal"
     return Reading(
         kind=kind,
-        generic=not specific and (last.forms[-1][0] in word_list("generic_words") or not kinds),
+        generic=not specific and (bare or not kinds),
         det=det_value,
         count=count,
         plural=count > 1 or plural,

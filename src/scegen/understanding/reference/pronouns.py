@@ -37,7 +37,8 @@ def of_pronoun(
     if which == "other":
         told = [e for e in roster.subject if not e.ego]  # "both …; the other", "each … the other"
         told = told[-1:] if len(roster.subject) == _TWO else []
-        rest = roster.claim(1, exclude) or roster.rest(exclude) or told
+        left = roster.besides(exclude)
+        rest = roster.claim(1, exclude) or (left if len(left) == 1 else told)
         return rest or [roster.new(ParticipantKind.CAR, basis)]
     if which == "ordinal" and (found := _ordinal(roster, mention)):
         return found
@@ -50,14 +51,16 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
     if mention.pronoun == "both" and [e.ego for e in roster.entities] == [False]:
         the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
-    two = roster.joined if len(roster.joined) == _TWO else []
-    if mention.pronoun == "both" and two and roster.subject == two[-1:]:
-        return two  # "a van and a bus drive ahead of the ego; both brake"
-    meant = roster.together(exclude)
     number = mention.mod("num")
-    if number is not None and int(number.data["number"]) != len(meant):
+    joined = roster.joined if roster.subject == roster.joined[-len(roster.subject) :] else []
+    count = _TWO if mention.pronoun == "both" else len(joined)
+    count = int(number.data["number"]) if number is not None else count
+    if joined and len(joined) == count and not mention.walks:
+        return joined  # "a van and a bus drive ahead of the ego; both brake"
+    meant = roster.together(exclude)
+    if number is not None and count != len(meant):
         people = [e for e in everybody(mention, roster.draft) if e not in exclude]
-        return people if len(people) == int(number.data["number"]) else meant
+        return people if len(people) == count else meant
     opens = mention.i == 0 or roster.tokens[mention.i - 1].kind == "punct"
     if opens and _word(roster, mention) in word_list("all_of_them") and len(meant) == _TWO:
         return everybody(mention, roster.draft)  # of two one would say "both"
@@ -164,7 +167,7 @@ def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Bas
     number = mention.mod("num") if which in {"count", "others", "further"} else None
     if which == "others" and number is None:
         opened = [g for g in roster.groups if 0 < len(g.free) < len(g.members)]
-        return picked(opened[-1].free) if opened else []
+        return picked(opened[-1].free if opened else roster.besides(exclude))
     count = int(number.data["number"]) if number is not None else 1
     free = roster.claim(count, exclude) if which != "further" else []
     if which in {"others", "further"} and not free:
@@ -172,7 +175,7 @@ def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Bas
         kind = (alike or [ParticipantKind.CAR])[-1]
         return [roster.new(kind, basis) for _ in range(min(count, _MOST))]
     if free or which == "count":
-        return picked(free) if which in {"one", "count"} and not mention.sides else free
+        return picked(free) if which != "further" and not mention.sides else free
     new = which != "one" or bool(roster.recent)
     kinds = {e.kind for e in roster.entities if not e.ego}
     afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}

@@ -103,11 +103,9 @@ class Roster:
         """Members of an earlier group that nobody has picked out yet."""
         return _pick(count, self.groups, lambda e: e not in exclude and self.fits(e, reading))
 
-    def rest(self, exclude: list[Entity]) -> list[Entity]:
-        """The one vehicle besides those just spoken of, if only one is left."""
-        out = {e.index for e in (*exclude, *self.subject)}
-        rest = [e for e in self.entities if e.index not in out and e.is_vehicle]
-        return rest if len(rest) == 1 else []
+    def besides(self, exclude: list[Entity]) -> list[Entity]:
+        """The vehicles besides those just spoken of."""
+        return [e for e in self.entities if e.is_vehicle and e not in (*exclude, *self.subject)]
 
     def together(self, exclude: list[Entity]) -> list[Entity]:
         """The last group, or the last two."""

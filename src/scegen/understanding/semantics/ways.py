@@ -134,7 +134,8 @@ def _overtaking(clause: Clause, context: Context) -> bool:
         return True
     if clause.event.link == "inf" and clause.event.parent is not None and clause.drivers:
         same = clause.event.parent.subject == clause.event.subject
-        if same and clause.event.parent.name in _TO_PASS:
+        onward = any(d.value == "straight" for d in clause.event.dirs)  # "to pass straight on"
+        if same and clause.event.parent.name in _TO_PASS and not onward:
             return True  # "pulls out to pass", "tries to pass"
     if any(context.oncoming(e) for e in clause.drivers):
         return False  # "an oncoming car passes": on its own side

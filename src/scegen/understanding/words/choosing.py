@@ -101,7 +101,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         attributive = _clause_follows(tokens, match.j) or _single_one(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         # "crossing" describes a vehicle or is what somebody does, unless it is a shaped one
-        named = before in {"shape", "control", "det"} or _counted(tokens, previous)
+        named = before in {"shape", "control", "det"} or _opens_noun(tokens, previous)
         return match.get("dir" if attributive else "place" if named else "verb"), attributive
     if match.has("dir") and match.get("dir").value == "left":
         return _left_or_gone(match, tokens, previous), False
@@ -124,10 +124,11 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     return verb, False
 
 
-def _counted(tokens: list[Token], previous: Term | None) -> bool:
-    """``on one crossing``: a number that belongs to what a preposition governs."""
-    number = previous is not None and previous.cat == "num"
-    return previous is not None and number and begins(tokens, previous.i - 1, "prep")
+def _opens_noun(tokens: list[Token], previous: Term | None) -> bool:
+    """``on one crossing``, ``at a busy crossing``: a noun that a preposition or verb governs."""
+    if previous is None or previous.cat not in _NOMINAL_BEFORE | {"unknown"}:
+        return False
+    return begins(tokens, previous.i - 1, "prep" if previous.cat == "num" else "det")
 
 
 def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:

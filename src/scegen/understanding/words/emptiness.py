@@ -1,21 +1,30 @@
-"""Words that add nothing: "5 m of air between them", "a van is all that hides him"."""
+"""Words that add nothing: "5 m of air", "a van is all that hides him", "could you make me a …"."""
 
 from __future__ import annotations
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.quantities import after_a_measure
+from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.quantities import after_a_measure, quantity_at
+from scegen.understanding.words.terms import longest_match
 from scegen.understanding.words.tokens import Token, low_at
+
+_ENDS = frozenset({"", ".", "!", "?"})
 
 
 def without_emptiness(tokens: list[Token]) -> list[Token]:
-    """The tokens without the room that a length is of, and without what only stresses who does it.
+    """The tokens without the room that a length is of, stress on who does it, and who asks for it.
 
     Args:
         tokens: of the text.
     """
     being = word_list("being")
     counts = {k: _room(tokens, k) for k, token in enumerate(tokens) if token.low == "of"}
-    counts |= {k: _stress(tokens, k) for k, token in enumerate(tokens) if token.low in being}
+    counts |= {
+        k: 1 + count
+        for k, token in enumerate(tokens)
+        if token.low in being and (count := _phrase(tokens, k + 1, "stressing"))
+    }
+    counts |= {k: _asked(tokens, k) for k in range(len(tokens)) if low_at(tokens, k - 1) in _ENDS}
     empty = {m for k, count in counts.items() for m in range(k, k + count)}
     return [token for k, token in enumerate(tokens) if k not in empty] if empty else tokens
 
@@ -30,10 +39,21 @@ def _room(tokens: list[Token], k: int) -> int:
     return end + 1 - k if empty else 0
 
 
-def _stress(tokens: list[Token], k: int) -> int:
-    """How many words ``is all that`` has before a verb: who it is does that."""
-    for phrase in word_list("stressing"):
-        words = phrase.split()
-        if [t.low for t in tokens[k + 1 : k + 1 + len(words)]] == words:
-            return 1 + len(words)
-    return 0
+def _asked(tokens: list[Token], k: int) -> int:
+    """How many words ``could you make me`` has before what is asked for, which is new."""
+    end = k + _phrase(tokens, k, "asking")
+    end += end > k and low_at(tokens, end) in word_list("first_person")
+    match = longest_match(tokens, end)
+    counted = number_at(tokens, end) is not None and quantity_at(tokens, end) is None
+    indefinite = match is not None and match.has("det") and match.get("det").value == "indef"
+    return end - k if counted or indefinite else 0
+
+
+def _phrase(tokens: list[Token], k: int, name: str) -> int:
+    """How many words the longest phrase of a list has that stands there; ``*`` is "make"."""
+    found = 0
+    for phrase in word_list(name):
+        words = [word_list("making") if word == "*" else {word} for word in phrase.split()]
+        if all(low_at(tokens, k + m) in word for m, word in enumerate(words)):
+            found = max(found, len(words))
+    return found

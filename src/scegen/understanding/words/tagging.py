@@ -38,13 +38,13 @@ _STEERED = frozenset({"driven", "ridden"})
 
 
 def _first_person(tokens: list[Token], i: int) -> bool:
-    """``i`` is a person as a capital letter or before a verb; "i.e.", "I-95", "US" are not."""
+    """``i`` is a person as a capital letter or before a verb, a word in "i.e."; not in "I-95"."""
     token = tokens[i]
     if token.text == "US":
         return False
     if token.low != "i" or token.text == "I":
         return True
-    return begins(tokens, i + 1, "aux", "verb", "neg", "manner")
+    return low_at(tokens, i + 1) == "e" or begins(tokens, i + 1, "aux", "verb", "neg", "manner")
 
 
 def _own_form(entry: Entry, match: Match, tokens: list[Token], i: int) -> str:

@@ -35,8 +35,8 @@ _TOKEN = re.compile(
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
              "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
 _LETTERS = re.compile(
-    r"\b(?i:a\.m|p\.m|i\.e|e\.g|u\.s)(?P<point>\.)(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d)"
-    r"|\b[apieuAPIEU](?P<inner>\.)(?=[megsMEGS]\b)"
+    r"(?<=\b[apieuAPIEU]\.[megsMEGS])\.(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d)"
+    r"|(?<=\b[apieuAPIEU])\.(?=[megsMEGS]\b)"
 )
 """Full stops after single letters that shorten a word."""
 _WITHIN = re.compile(r"\.(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d|[MEGS]\b)")
@@ -94,7 +94,7 @@ def tokenize(text: str) -> list[Token]:
     found: list[Token] = []
     points = set[int]()
     if _WITHIN.search(text):
-        points = {m.start(m.lastindex or 0) for m in _LETTERS.finditer(text)}
+        points = {m.start() for m in _LETTERS.finditer(text)}
     shortened = abbreviations()
     layout = laid_out(text) if _LAYOUT.search(text) else {}
     for match in _TOKEN.finditer(text):
