@@ -119,6 +119,8 @@ class Entity:
     """It goes towards the road, on foot, and has not crossed it."""
     halts: bool = False
     """It stops at the kerb, and does not go on."""
+    gone_by: bool = False
+    """It has passed before what is told with it."""
     was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)
     opposed: set[int] = field(default_factory=set)

@@ -64,7 +64,8 @@ def _names_before(state: State) -> bool:
     listed = isinstance(following, Word) and following.cat == "conj"
     acts = isinstance(following, Event) and following.form != "ing"
     named = before.is_named and not here.is_named
-    return named and here.has("det", "indef") and not (listed or acts)
+    told = here.has("det", "indef") or (here.is_ego and bool(here.mods))
+    return named and told and not (listed or acts)
 
 
 def partitive_before(state: State) -> Mention | None:

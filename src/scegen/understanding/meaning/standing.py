@@ -8,6 +8,7 @@ from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.doing import by_then
 from scegen.understanding.semantics.patterns import noun
 from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.words.terms import Term
@@ -226,11 +227,7 @@ def state(term: Term, entities: list[Entity], context: Context) -> None:
 
 def _until(event: Event, context: Context) -> bool:
     """``brakes until it stands``, ``once it has stopped``: not before."""
-    if word_list("until") & _words_before(event, context):
-        return True
-    who = min((m.i for m in event.subject), default=0)
-    opened = context.tokens[who - 1].low if who else ""
-    return event.perfect and opened in word_list("once")
+    return bool(word_list("until") & _words_before(event, context)) or by_then(event, context)
 
 
 def _over(event: Event, context: Context) -> bool:

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import ON_FOOT
 from scegen.understanding.chunks import Mention
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.mention_words import Reading, read_mention
 
 _DENSITY = frozenset({"manner", "inert", "unknown", "noted"})
@@ -52,7 +53,8 @@ def tells(mention: Mention) -> bool:
 
 def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     """``lead car brakes; car on the left``: a bare noun with a place of its own is another one."""
-    if entity.ego and reading.called - entity.named_by and "speaks" in entity.named_by:
+    called = reading.called - entity.named_by - word_list("wider_names")
+    if entity.ego and called and "speaks" in entity.named_by:
         return True  # "this Audi": not the one who tells it
     if entity.ego and mention.has("verb", "approach"):
         return True  # "the ego turns; the approaching car …": it comes towards the ego

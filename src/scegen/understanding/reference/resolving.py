@@ -23,7 +23,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
     mark_generic(chunks, events, discourse.tokens)
     rank(chunks, events, discourse.tokens)
     bonds = bonds_of(chunks, events, discourse.tokens)
-    owners = {id(c.owner) for c in chunks if isinstance(c, Mention)}
+    owners = {id(c.owner) for c in chunks if isinstance(c, Mention | Thing)}
     stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
     early: list[Mention] = []

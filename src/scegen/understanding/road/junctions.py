@@ -235,9 +235,8 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
-    part = before[-1:] in (["def"], ["of"])
-    if number.cat == "num" and number.data["number"] < _FEWEST_ARMS and part:
-        return  # "where the two branches meet", "on each of two branches": some of them
+    if before[-1:] != ["with"] and number.data.get("number", _FEWEST_ARMS) < _FEWEST_ARMS:
+        return  # "where the two branches meet", "down one branch": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
     elif number.value == "vague":

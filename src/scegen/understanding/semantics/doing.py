@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Control, Maneuver
+from scegen.understanding.chunks import Event
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
@@ -19,7 +20,15 @@ def _prevented(clause: Clause, context: Context) -> bool:
     parent = clause.event.parent
     if parent is None or context.lows(clause.event.i - 1, clause.event.i) == ["by"]:
         return False
-    return parent.name in _PREVENTED or parent.negated or parent.lemma in word_list("wishing")
+    wished = any(above.lemma in word_list("wishing") for above in parent.upwards())
+    return parent.name in _PREVENTED or parent.negated or wished
+
+
+def by_then(event: Event, context: Context) -> bool:
+    """``once it has stopped``, ``after a bus has gone by``: over before what is told with it."""
+    who = min((m.i for m in event.subject), default=0)
+    opened = context.lows(who - 1, who)
+    return event.perfect and not word_list("once").isdisjoint(opened)
 
 
 def _rests_there(clause: Clause, _: Context) -> bool:
@@ -61,6 +70,7 @@ def _may_cross(entity: Entity, _: Context) -> bool:
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "prevented": _prevented,
+    "by_then": lambda clause, c: by_then(clause.event, c),
     "rests_there": _rests_there,
     "from_rest": _from_rest,
     "moves_over": _moves_over,

@@ -15,7 +15,7 @@ _RUNNING = Interval(low=2.2, high=3.8)
 _TOLD = ("was_parked", "moves", "stands", "waits", "bides", "on_ramp", "by_ramp", "roadside",
          "exits", "circulates", "through")  # fmt: skip
 """Fields that hold the first words that say so."""
-_TRUE = ("pulls_out", "gives_way", "walks_up", "halts", "begins_over", "goes_back")
+_TRUE = ("pulls_out", "gives_way", "walks_up", "halts", "begins_over", "goes_back", "gone_by")
 _EITHER = {"along": ("course", True), "against": ("course", False),
            "on_minor": ("on_minor", True), "on_major": ("on_minor", False)}  # fmt: skip
 """Fields that hold whether it is so, and the first words that say it."""

@@ -41,7 +41,7 @@ def _placed(place: Approach) -> EntityTest:
 
 
 _IS = ("parked", "still", "pulls_out", "walks_up", "gives_way", "halts", "begins_over", "goes_back",
-       "nears", "ego", "circulates")  # fmt: skip
+       "nears", "gone_by", "ego", "circulates")  # fmt: skip
 _PLACES = {"beside": Approach.ADJACENT} | {
     str(a): a for a in (Approach.AHEAD, Approach.BEHIND, Approach.LEFT, Approach.RIGHT)
 }

@@ -69,8 +69,8 @@ def _single_one(tokens: list[Token], j: int) -> bool:
 
 
 def is_adverb(token: Token) -> bool:
-    """Whether a word ends like an adverb, or is one of time ("and later brakes")."""
-    return token.low.endswith("ly") or token.low in word_list("adverbs_of_time")
+    """Whether a word ends like an adverb, or is one of time or place ("and later brakes")."""
+    return token.low.endswith("ly") or token.low in word_list("adverbs")
 
 
 def _may_describe(previous: Term | None) -> bool:
@@ -204,7 +204,8 @@ def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
     verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
     if previous.value == ")":  # "a van (40 km/h) that changes lanes"
         return verbal or not begins(tokens, match.j, "actor", "place", "thing", "inert", "num")
-    sided = previous.cat in {"dir", "compass", "quantity"}
+    adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])  # "there that blocks"
+    sided = adverb or previous.cat in {"dir", "compass", "quantity"}
     if previous.value == ",":  # "a van, also at 80 km/h, that brakes"
         sided = after is not None and after.has("verb")
     return sided and verbal and not begins(tokens, match.j, "actor", "place")
@@ -282,7 +283,8 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
 
 def _left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
     """``left`` is nearly always the side; "V1 left the road" has a subject and an object."""
-    subject = previous is not None and previous.cat in {"actor", "pronoun", "aux"}
+    before = (previous.cat, previous.value) if previous is not None else ()
+    subject = not {"actor", "pronoun", "aux", ")"}.isdisjoint(before)  # "a cyclist (V2) left the …"
     left = begins(tokens, match.j, "det", "possessive", "place", "manner")
     left = left or low_at(tokens, match.j) in word_list("leaving")
     return match.get("verb" if subject and left else "dir")

@@ -23,7 +23,7 @@ def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | 
         tokens: of the text.
         term: the word as it reads alone.
     """
-    if term.cat not in {"verb", "prep", "locus"}:
+    if term.cat not in {"verb", "prep", "locus", "unknown"}:
         return None
     for end in range(term.i + 2, min(term.i + _FARTHEST, len(tokens))):
         if tokens[end].kind == "punct":
