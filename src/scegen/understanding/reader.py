@@ -71,7 +71,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"("}, lambda chunks, _: in_brackets(chunks)),
     ({":"}, lambda chunks, _: read_entries(chunks)),
     ({"one", "all", "both"}, lambda chunks, _: each_of(chunks)),
-    ({"num"}, lambda chunks, _: list_them(chunks)),
+    ({"num"}, list_them),
     ({":"}, lambda chunks, _: announce(chunks)),
 )
 """What puts chunks right one after the other, and words or classes of which a text

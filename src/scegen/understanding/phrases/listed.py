@@ -3,52 +3,53 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention
-from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, value_at
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import (
+    GOVERNING,
+    cat_at,
+    ends,
+    sentence_end,
+    value_at,
+)
+from scegen.understanding.words.tokens import Token
 
-_ENDS = frozenset({".", ";", "!", "?"})
 _MARKS = {",": ",", ":": ",", "(": ")"}
 """What opens a list, and what closes it before the end of the sentence."""
+_KNOWN = frozenset({"det", "possessive"})
 _COUNTS = frozenset({"det", "num", "quant"})
-_ANYBODY = frozenset({"car", "adversary"})
 
 
-def list_them(chunks: list[Chunk]) -> list[Chunk]:
+def list_them(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """Those named one by one, as many as were counted, take the place of who was counted.
 
-    Behind the verb ("two people cross, a woman and a man") they are marked as ``listed``.
+    Behind the verb ("two people cross, a woman and a man"), and wherever a colon opens the list
+    ("three vehicles meet: a bus turns, …"), they are marked as ``listed``.
 
     Args:
         chunks: the chunks of the text.
+        tokens: its tokens.
     """
-    found: list[Chunk] = []
-    begin = 0
-    for k in range(len(chunks) + 1):
-        if k == len(chunks) or chunks[k].value in _ENDS:
-            found += [*_in_sentence(chunks[begin:k]), *chunks[k : k + 1]]
-            begin = k + 1
-    return found
-
-
-def _in_sentence(chunks: list[Chunk]) -> list[Chunk]:
     for k, counted in enumerate(chunks):
         count = _size(counted)
-        if not isinstance(counted, Mention) or count < 2 or counted.is_ego:
+        if not isinstance(counted, Mention) or count < 2 or counted.is_ego or counted.listed:
             continue
-        for m in (m for m in range(k + 1, len(chunks)) if chunks[m].value in _MARKS):
+        stop = next((m for m in range(k, len(chunks)) if chunks[m].value == "."), len(chunks))
+        for m in (m for m in range(k + 1, stop) if chunks[m].value in _MARKS):
             first = m + 1 + (value_at(chunks, m + 1) == "with")
-            told, end = _one_by_one(chunks, first, count, _MARKS[chunks[m].value])
-            if not told or not all(_alike(t, counted) for t in told):
-                continue
-            if m == k + 1:  # "three vehicles, a van and two cars, meet"
+            told, end = _one_by_one(chunks[:stop], first, count, _MARKS[chunks[m].value])
+            told = told if all(_alike(t, counted, tokens) for t in told) else []
+            if told and m == k + 1:  # "three vehicles, a van and two cars, meet"
                 told[0].i = counted.i
                 for one in told:
                     one.drives = counted.noun == "driver"
                     one.mods = [*one.mods, *(t for t in counted.mods if t.cat not in _COUNTS)]
-                return [*chunks[:k], *chunks[first:end], *chunks[end + 1 :]]
-            if not any(map(_acts, chunks[end:])):
-                for one in told:
-                    one.listed = True
-                return chunks
+                return list_them([*chunks[:k], *chunks[first:end], *chunks[end + 1 :]], tokens)
+            if chunks[m].value == ":":
+                told = [c for c in chunks[m:stop] if isinstance(c, Mention) and _in_list(c)]
+            elif any(map(_acts, chunks[end : sentence_end(chunks, end)])):
+                continue
+            for one in told:
+                one.listed = True
     return chunks
 
 
@@ -62,7 +63,7 @@ def _one_by_one(
         left = count - sum(map(_size, told))
         if _acts(chunk) or left < 0:
             break
-        if not left and chunk.value == closes:
+        if not left and (chunk.value == closes or ends(chunk)):
             return told, k
         free = value_at(chunks, k - 1) != "(" and cat_at(chunks, k - 1) not in GOVERNING
         if isinstance(chunk, Mention) and chunk.heads and (free or k == first):
@@ -91,7 +92,13 @@ def _size(chunk: Chunk) -> int:
     return int(number.data["number"]) if number is not None else int(single)
 
 
-def _alike(one: Mention, counted: Mention) -> bool:
+def _in_list(one: Mention) -> bool:
+    """Not those who are known by an article ("the van")."""
+    return one.is_ego or all(m.value == "indef" for m in one.mods if m.cat in _KNOWN)
+
+
+def _alike(one: Mention, counted: Mention, tokens: list[Token]) -> bool:
     """Whether somebody can be one of those who were counted."""
-    vehicles = counted.noun in _ANYBODY and one.noun != "pedestrian"
+    vehicles = tokens[counted.j - 1].base in word_list("generic_words")
+    vehicles = (vehicles or counted.noun == "adversary") and one.noun != "pedestrian"
     return vehicles or counted.noun in {one.noun, "driver"}

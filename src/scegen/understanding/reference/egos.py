@@ -7,7 +7,7 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.reference.groups import Group, in_list
+from scegen.understanding.reference.groups import Group
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.reference.roster import Roster, claimed
 from scegen.understanding.words.ordinals import POSITIONS
@@ -59,7 +59,7 @@ def last_is_ego(roster: Roster, mention: Mention) -> None:
     for group in reversed(roster.groups):
         counted = not group.vague and len(group.members) > 2 and len(group.free) == 1
         counted = counted or _of_two(roster, group, mention)
-        listed = group is roster.groups[-1] and in_list(roster.groups, roster.tokens, mention)
+        listed = group is roster.groups[-1] and not group.vague and mention.listed
         for last in group.free[:1] if counted or listed else []:
             if last.kind is ParticipantKind.CAR and not last.parked:
                 _take(last)

@@ -8,7 +8,6 @@ from scegen.scenario.vocabulary import ON_FOOT
 from scegen.understanding.chunks import Mention
 from scegen.understanding.entity import Entity
 from scegen.understanding.reference.mention_words import KINDS, Reading
-from scegen.understanding.words.tokens import Token
 
 
 @dataclass(slots=True)
@@ -48,13 +47,3 @@ def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
             if set(kinds) - ON_FOOT and (person or set(kinds) == {reading.kind}):
                 return target
     return None
-
-
-def in_list(groups: list[Group], tokens: list[Token], mention: Mention) -> bool:
-    """Whether a colon after a group opens the list in which somebody is named."""
-    if not groups or groups[-1].vague:
-        return False
-    said = groups[-1].members[-1].basis.j or 0
-    colons = [k for k, t in enumerate(tokens[: mention.i]) if t.low == ":" and k >= said]
-    stops = [k for k, t in enumerate(tokens[: mention.i]) if t.low == "."]
-    return bool(colons) and not any(k > colons[0] for k in stops)

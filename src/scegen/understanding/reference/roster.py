@@ -11,7 +11,7 @@ from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.groups import Group, in_list
+from scegen.understanding.reference.groups import Group
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.tokens import Token
@@ -135,9 +135,6 @@ class Roster:
         head = chain(mention)[0]
         before = self.tokens[head.prep.i if head.prep is not None else max(0, head.i - 1)].low
         listed = mention.listed or before == ":" or before in word_list("including")
-        if not listed and reading.det in {"indef", "one", "bare"}:
-            # "three vehicles meet: a bus turns, a taxi waits …": each is one of the three
-            listed = in_list(self.groups, self.tokens, mention)
         if not listed or reading.generic:
             return []
         of_any_kind = [g for g in self.groups if not g.specific]
