@@ -97,11 +97,9 @@ def _matches(entry: Mapping[str, Any], participant: Participant) -> bool:
 
 
 def _others(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
-    told = {p.id: p for p in scenario.participants}
-    for group in scenario.groups:  # no matter which of them: the first that are free
-        free = [m for m in group.members if not told[m].maneuvers][: group.number]
-        told |= {m: told[m].model_copy(update={"maneuvers": group.maneuvers}) for m in free}
-    candidates = [p for p in told.values() if not ("ego" in expect and p.id == scenario.ego.id)]
+    candidates = [
+        p for p in scenario.participants if not ("ego" in expect and p.id == scenario.ego.id)
+    ]
     fitting = [
         [k for k, p in enumerate(candidates) if _matches(entry, p)] for entry in expect["others"]
     ]
