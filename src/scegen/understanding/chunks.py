@@ -359,23 +359,13 @@ Chunk: TypeAlias = Word | Mention | Place | Thing | Event
 
 
 def teller_at(i: int) -> Mention:
-    """Whoever tells it, where the text names nobody.
-
-    Args:
-        i: the token before which the mention stands.
-    """
+    """Whoever tells it, where the text names nobody."""
     term = Term("actor", "ego", i, i, data={"ego": True, "speaks": True})
     return Mention(i, i, [], term, heads=[term])
 
 
 def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
-    """The event that a verb makes.
-
-    Args:
-        term: the verb.
-        mods: the words before it, for a noun.
-        nominal: it stands as a noun ("a left turn").
-    """
+    """The event that a verb makes."""
     start = mods[0].i if mods else term.i
     event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
     event.control = term.data.get("control")

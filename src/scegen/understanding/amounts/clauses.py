@@ -20,9 +20,6 @@ def clauses_of(found: Happenings) -> Iterator[Clause]:
     """Acts, what some do, however often, as one; then spacings, named after what is done then.
 
     A gap at a lane change is a headway as well, by the speed of the one who keeps its lane.
-
-    Args:
-        found: acts and spacings of a text, with their numbers.
     """
     own: dict[tuple[str, int], list[Doing]] = {}
     for doing in found.acts:

@@ -27,11 +27,6 @@ class Figure(Clause):
     """A number as a clause: its role is its verb, on which it depends is what happens there.
 
     Who acts is who acts there; the phrase of place after it is its own.
-
-    Args:
-        quantity: the number.
-        numbers: the numbers of the text.
-        text: the text.
     """
 
     def __init__(self, quantity: Quantity, numbers: Numbers, text: Telling) -> None:

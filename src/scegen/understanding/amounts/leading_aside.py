@@ -17,13 +17,7 @@ OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 
 
 def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
-    """Fill in to which side an act leads, and into whose lane.
-
-    Args:
-        doing: the act; others are left as they are.
-        scene: the clause that tells of it.
-        text: the text with its clauses.
-    """
+    """Fill in to which side an act leads, and into whose lane."""
     context = text.context
     if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
         return

@@ -18,12 +18,7 @@ _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", 
 
 
 def let_by(clause: Clause, text: Telling) -> list[Entity]:
-    """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``.
-
-    Args:
-        clause: what happens.
-        text: the text.
-    """
+    """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``."""
     event, scenes = clause.event, text.scenes
     if event.name == "yield":
         return clause.targets or _coming_across(clause, scenes)
@@ -44,12 +39,7 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
 
 
 def goes_first(clause: Clause, text: Telling) -> list[Doing]:
-    """``the car goes first``: where roads meet, all others let it go.
-
-    Args:
-        clause: what happens.
-        text: the text.
-    """
+    """``the car goes first``: where roads meet, all others let it go."""
     event, tokens = clause.event, text.tokens
     goes = event.name in _GOING and event.lemma in word_list("going") and not event.negated
     after = text.context.lows(event.j, event.j + 2)
@@ -65,12 +55,7 @@ def goes_first(clause: Clause, text: Telling) -> list[Doing]:
 
 
 def arrives_first(clause: Clause, text: Telling) -> list[Doing]:
-    """``arrives before the ego``, ``after a truck``: at an all-way stop who comes later gives way.
-
-    Args:
-        clause: what happens.
-        text: the text.
-    """
+    """``arrives before the ego``, ``after a truck``: at an all-way stop, who is later gives way."""
     event, context = clause.event, text.context
     comes = event.lemma in word_list("arriving") and event.finite and not event.negated
     if not comes or context.junction.control is not Control.ALL_WAY_STOP:
@@ -154,11 +139,7 @@ def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
 
 
 def go_on(text: Telling) -> None:
-    """Those who stop and go on afterwards wait.
-
-    Args:
-        text: the text, each act with what sets it off.
-    """
+    """Those who stop and go on afterwards wait."""
     kept = text.found.acts
     for stop in [a for a in kept if a.kind is ActKind.STOP and a.entity.is_vehicle]:
         later = [a for a in kept if a.entity is stop.entity and a.i > stop.i]

@@ -20,14 +20,7 @@ _BEGINNING = frozenset({"try", "light", "inert"})
 
 
 def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doing | str:
-    """An act, the contact or the start.
-
-    Args:
-        figure: how far or how long.
-        measure: what it measures.
-        one: whose it is.
-        other: from whom.
-    """
+    """An act, the contact or the start."""
     if measure is Measure.OVERLAP_PERCENT:
         return CONTACT
     text, start = figure.text, figure.start
@@ -111,14 +104,7 @@ def _in_trigger(doing: Doing, figure: Figure) -> bool:
 
 
 def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Since:
-    """``when it has changed lanes``; what somebody reveals who leaves the lane.
-
-    Args:
-        text: the text.
-        at: the moment.
-        one: one of the two.
-        other: the other.
-    """
+    """``when it has changed lanes``; what somebody reveals who leaves the lane."""
     if not isinstance(at, Doing) or at.kind is not ActKind.CHANGE_LANE:
         return "begin"
     over = any(s.event.perfect and s.event.i in at.places for s in text.scenes)

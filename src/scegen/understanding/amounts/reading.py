@@ -27,12 +27,7 @@ def read_amounts(
 ) -> Happenings:
     """Acts, spacings and the outcome; every number in its field or reported.
 
-    Args:
-        numbers: the numbers of the text.
-        chunks: its chunks.
-        scenes: what happens, in the order of the text.
-        context: the scenario in the making; speeds are filled in, notes are added.
-        ego: the ego.
+    Speeds are filled in, notes are added.
     """
     text = Telling(chunks, scenes, context, ego)
     read_acts(text)

@@ -28,14 +28,7 @@ def _openings(name: str) -> dict[str, list[str]]:
 
 
 class Telling:
-    """A text with its clauses, mentions resolved, and what it tells of.
-
-    Args:
-        chunks: its chunks.
-        scenes: what happens.
-        context: the scenario in the making.
-        ego: the ego.
-    """
+    """A text with its clauses, mentions resolved, and what it tells of."""
 
     def __init__(
         self, chunks: list[Chunk], scenes: list[Clause], context: Context, ego: Entity

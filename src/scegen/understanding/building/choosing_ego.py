@@ -21,12 +21,7 @@ _PARTIES = ("insured", "claimant")
 
 
 def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
-    """The ego with the reason for the choice; adds one if nobody that is named can be it.
-
-    Args:
-        draft: the scenario in the making.
-        crossing: whether roads meet.
-    """
+    """The ego with the reason for the choice; adds one if nobody that is named can be it."""
     named = draft.ego
     if named is not None and "speaks" in named.named_by and not named.is_vehicle:
         _look_on(draft, named)
@@ -181,12 +176,7 @@ def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
 
 
 def _facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
-    """Who enters opposite the one that turns left, where the text fixes the arms.
-
-    Args:
-        danger: a hazard.
-        candidates: vehicles that may suffer it.
-    """
+    """Who enters opposite the one that turns left, where the text fixes the arms."""
     if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or len(danger.by) != 1:
         return None
     arms = 1 + max((arm for e in (*danger.by, *candidates) for arm in e.entries), default=0)

@@ -37,13 +37,7 @@ _MANY = 3
 def unattached(
     scenario: FunctionalScenario, terms: list[Term], tokens: list[Token]
 ) -> FunctionalScenario:
-    """Reports known words of manner, direction, state and measure on which nothing rests.
-
-    Args:
-        scenario: the scenario as understood.
-        terms: the terms of its description.
-        tokens: the tokens of its description.
-    """
+    """Reports known words of manner, direction, state and measure on which nothing rests."""
     proved = [
         (e.field, e.start, e.end)
         for e in scenario.evidence

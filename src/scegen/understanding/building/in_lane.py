@@ -128,11 +128,7 @@ def settle_numbers(draft: Draft, ego: Entity, junction: Junction) -> None:
 
 
 def past_people(relations: list[Placed]) -> list[Placed]:
-    """``a man stands ahead and, behind him, a bus``: farther on, as one sees it who comes there.
-
-    Args:
-        relations: who is where, seen from whom.
-    """
+    """``a man stands ahead and, behind him, a bus``: farther on, as one sees it who comes there."""
     return [
         (entity, reference, {Approach.AHEAD}, basis)
         if approaches == {Approach.BEHIND}
@@ -146,9 +142,7 @@ def past_people(relations: list[Placed]) -> list[Placed]:
 def side_by_side(relations: list[Placed], draft: Draft) -> list[Placed]:
     """``two cars drive abreast ahead of the ego``: only one of them can be in its lane.
 
-    Args:
-        relations: who is where, seen from whom.
-        draft: the scenario in the making; of two-wheelers, which share a lane, it is noted.
+    Two-wheelers share a lane, which is noted.
     """
     kept: list[Placed] = []
     for entity, reference, approaches, basis in relations:

@@ -18,9 +18,7 @@ Used: TypeAlias = tuple[AuxiliaryLane, Basis] | None
 def auxiliary_lane(draft: Draft, *, drops: bool) -> Used:
     """The auxiliary lane that somebody uses, with the words for it; of two, who joins counts.
 
-    Args:
-        draft: the scenario in the making.
-        drops: the text names a lane that ends, and no ramp.
+    It ``drops`` where the text names a lane that ends, and no ramp.
     """
     driven = [e for e in draft.entities if e.moving_vehicle]
     for words in (e.by_ramp for e in driven if e.by_ramp is not None):
@@ -29,14 +27,7 @@ def auxiliary_lane(draft: Draft, *, drops: bool) -> Used:
 
 
 def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_ego: bool) -> None:
-    """Who uses the auxiliary lane merges or exits, from or to the side of the kerb.
-
-    Args:
-        draft: the scenario in the making; positions are settled.
-        ego: the vehicle under test.
-        auxiliary: the lane that the road has.
-        beside_ego: it lies beside the ego's lane, as far as that is said.
-    """
+    """Who uses the auxiliary lane merges or exits, from or to the side of the kerb."""
     kerb = Approach(draft.kerb)
     leaves = auxiliary is AuxiliaryLane.OFF_RAMP
     for entity in draft.entities:

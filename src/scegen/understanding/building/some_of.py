@@ -17,11 +17,7 @@ def some_of(
 ) -> tuple[Group, ...]:
     """What some of several alike do; they themselves are left free.
 
-    Args:
-        draft: the scenario in the making, everybody named.
-        happenings: what the text tells of beside it.
-        kind: kind of the junction; on a plain road nobody has ways to choose from.
-        proofs: where the evidence goes.
+    On a plain road nobody has ways to choose from.
     """
     found: list[Group] = []
     for members in _alike(draft, happenings) if kind is not JunctionKind.STRAIGHT else []:

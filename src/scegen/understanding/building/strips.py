@@ -32,13 +32,8 @@ def strips_beside(
 ) -> frozenset[Strip]:
     """The strips of the road; a motorway's hard shoulder only where it is one.
 
-    Args:
-        draft: the scenario in the making; who is on a strip that is not built is taken off it.
-        along: what the words say of the road along its length.
-        proofs: where the evidence goes.
-        kind: the shape of the road.
-        carriageway: how its directions lie to each other.
-        auxiliary: the lane for a part of the road: only a hard shoulder lies beside it.
+    Only a hard shoulder lies beside an auxiliary lane. Who is on a strip that is not built is taken
+    off it.
     """
     found: set[Strip] = set()
     for strip, basis in along.strips.items():

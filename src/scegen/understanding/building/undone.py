@@ -39,13 +39,7 @@ _MOVES = {
 def undone(
     scenario: FunctionalScenario, events: list[Event], tokens: list[Token]
 ) -> FunctionalScenario:
-    """Reports acts that are told of somebody who does nothing of the kind in the scenario.
-
-    Args:
-        scenario: the scenario as understood.
-        events: what happens, with who does it.
-        tokens: the tokens of its description.
-    """
+    """Reports acts that are told of somebody who does nothing of the kind in the scenario."""
     spans = [(e.start, e.end) for e in scenario.evidence if e.start is not None]
     spans += [(u.start, u.end) for u in scenario.unsupported]
     named = {p.id: p for p in scenario.participants}

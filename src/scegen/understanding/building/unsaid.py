@@ -24,10 +24,7 @@ _OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSIN
 def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuver]:
     """The maneuvers that the text says, or what follows from what it says besides.
 
-    Args:
-        entity: a participant; the basis of its maneuvers is set.
-        junction: where it all happens.
-        draft: the scenario in the making, positions settled.
+    The basis of its maneuvers is set.
 
     Returns:
         The maneuvers; empty where the text leaves them open.

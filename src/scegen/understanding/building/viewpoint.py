@@ -21,12 +21,7 @@ Placed = tuple[Entity, Entity, set[Approach], Basis]
 
 
 def relative_to(ego: str, other: str) -> set[Approach]:
-    """Where one comes from, by the compass headings of both; empty for the same heading.
-
-    Args:
-        ego: heading of the observer.
-        other: heading of the one observed.
-    """
+    """Where one comes from, by the compass headings of both; empty for the same heading."""
     quarters = (_COMPASS.index(other) - _COMPASS.index(ego)) % 4
     return {_SEEN[quarters]} if quarters in _SEEN else set()
 

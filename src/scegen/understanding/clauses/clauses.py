@@ -31,11 +31,7 @@ LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side", "bus_sto
 
 
 class ClauseReader:
-    """Turns the chunks of a text into events with their participants.
-
-    Args:
-        chunks: the chunks of the text in order.
-    """
+    """Turns the chunks of a text into events with their participants."""
 
     def __init__(self, chunks: list[Chunk]) -> None:
         self._chunks = chunks

@@ -25,12 +25,7 @@ def _shape(event: Event) -> str:
 
 
 def told_beside(state: State, *words: str) -> Mention | None:
-    """``steps out with the ego 20 m away, doing 30 km/h``, ``hit by a van, travelling …``.
-
-    Args:
-        state: what the clause reader remembers.
-        words: the prepositions after which somebody is named.
-    """
+    """``steps out with the ego 20 m away, doing 30 km/h``, ``hit by a van, travelling …``."""
     since = state.events[-1].i if state.events else 0
     named = (m for m in state.mentions if m.i > since)
     return next((m for m in named if m.stands_after(*words)), None)

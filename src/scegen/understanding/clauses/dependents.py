@@ -19,13 +19,7 @@ def chain(mention: Mention) -> list[Mention]:
 
 
 def depend(event: Event, parent: Event, link_kind: str) -> None:
-    """Hangs a verb on another.
-
-    Args:
-        event: the one that depends.
-        parent: the verb on which it depends.
-        link_kind: ``inf``, ``ing`` or ``noun``.
-    """
+    """Hangs a verb on another."""
     event.parent = parent
     event.link = link_kind
     parent.children.append(event)
@@ -103,13 +97,7 @@ def _in_a_phrase(event: Event, state: State) -> None:
 
 
 def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
-    """``tries to merge``, ``forces the van to stop``, ``for the van to pass``.
-
-    Args:
-        event: the verb after "to".
-        state: what the clause reader remembers.
-        parent: the verb on which it hangs, where that is not the one before.
-    """
+    """``tries to merge``, ``forces the van to stop``, ``for the van to pass``."""
     anchor, who = state.anchor, state.waiting
     if parent is None:
         parent = anchor if isinstance(anchor, Event) else state.last

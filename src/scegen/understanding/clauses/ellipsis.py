@@ -22,11 +22,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
 
     Such a clause is a participant after "and" or a comma, followed by nothing but a direction,
     an exit or a phrase of place: what the verb before says of somebody else.
-
-    Args:
-        chunks: the chunks of the text; an ordinal that stands for an exit is replaced by it.
-        events: its events.
-        tokens: its tokens.
+    An ordinal that stands for an exit is replaced by it.
     """
     for event in events:
         event.lemma = tokens[event.j - 1 if event.nominal else event.i].forms[-1][0]

@@ -14,9 +14,7 @@ _REACH = 4
 def opens(mention: Mention, state: State) -> bool:
     """Whether a noun begins a clause that says what is done to the noun before it.
 
-    Args:
-        mention: who does it ("the ego").
-        state: what the clause reader remembers; it keeps both nouns.
+    The state keeps both nouns.
     """
     that = state.at(-1)
     marked = isinstance(that, Word) and that.cat == "rel"

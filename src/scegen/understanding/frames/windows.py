@@ -60,11 +60,7 @@ class Window:
         return f" {phrase} " in self.before or f" {phrase} " in self.after
 
     def preceded(self, phrase: str) -> bool:
-        """Whether a phrase stands before the number; short words only right before it.
-
-        Args:
-            phrase: words.
-        """
+        """Whether a phrase stands before the number; short words only right before it."""
         at = self.before.rfind(f" {phrase} ")
         if at < 0:
             return False
@@ -73,19 +69,11 @@ class Window:
         return _any_of("fillers").issuperset(self.before[at + len(phrase) + 2 :].split())
 
     def opens(self, name: str) -> bool:
-        """Whether what follows begins with a phrase of a list.
-
-        Args:
-            name: of the list in the lexicon.
-        """
+        """Whether what follows begins with a phrase of a list."""
         return any(self.after.startswith(f" {p} ") for p in word_list(name))
 
     def closes(self, name: str) -> bool:
-        """Whether what stands before ends with a phrase of a list.
-
-        Args:
-            name: of the list in the lexicon.
-        """
+        """Whether what stands before ends with a phrase of a list."""
         return any(self.before.endswith(f" {p} ") for p in word_list(name))
 
 

@@ -33,9 +33,7 @@ def settle_arms(draft: Draft, ego: Entity) -> None:
 def settle_roads(draft: Draft, junction: Junction) -> None:
     """Lets who has the sign enter where it stands, and who has priority elsewhere.
 
-    Args:
-        draft: the scenario in the making.
-        junction: the junction as it is built; a T without signs has a side road, too.
+    A T without signs has a side road, too.
     """
     signed = junction.control in {Control.YIELD, Control.STOP}
     stem = junction.kind is JunctionKind.T and junction.control not in _ALL_ALIKE

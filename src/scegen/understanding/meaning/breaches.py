@@ -15,10 +15,6 @@ def onto_the_road(draft: Draft, side: DrivingSide) -> None:
     """Who comes from the side and turns left in front of somebody fails to give way.
 
     An unprotected left turn is one across oncoming traffic.
-
-    Args:
-        draft: the scenario in the making, positions settled.
-        side: which side traffic keeps to.
     """
     for danger in draft.dangers:
         across = danger.kind is HazardKind.UNPROTECTED_LEFT_TURN and side is DrivingSide.RIGHT
@@ -28,12 +24,7 @@ def onto_the_road(draft: Draft, side: DrivingSide) -> None:
 
 
 def too_fast(draft: Draft, limit_mps: float | None) -> None:
-    """``at 60 mph in a 35 mph zone``: speeding, though nobody says the word.
-
-    Args:
-        draft: the scenario in the making.
-        limit_mps: the speed limit, if one is given.
-    """
+    """``at 60 mph in a 35 mph zone``: speeding, though nobody says the word."""
     allowed = limit_mps * _MARGIN if limit_mps is not None else _ANYWHERE_MPS
     for entity in draft.entities:
         speed, basis = entity.speed, entity.speed_basis

@@ -39,13 +39,7 @@ class _Light:
 
 
 def read_lights(clauses: list[Clause], chunks: list[Chunk], context: Context) -> None:
-    """Notes of everybody how they meet their light; what is said of nobody is reported.
-
-    Args:
-        clauses: what happens, dangers understood.
-        chunks: the chunks of the text.
-        context: the scenario in the making.
-    """
+    """Notes of everybody how they meet their light; what is said of nobody is reported."""
     lights = list(_lights(clauses, chunks, context))
     changes = [light.change for light in lights if light.change is not None]
     red = [light for light in lights if light.colour is AtLight.RED]

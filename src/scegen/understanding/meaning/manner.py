@@ -21,11 +21,7 @@ _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "fol
 
 
 class Manners:
-    """Notes what words of manner and state say.
-
-    Args:
-        context: the scenario in the making.
-    """
+    """Notes what words of manner and state say."""
 
     def __init__(self, context: Context) -> None:
         self._context = context

@@ -54,12 +54,7 @@ _ALL_TOLD = (
 
 
 class Interpreter:
-    """Turns events and mentions into statements about the scenario.
-
-    Args:
-        context: the scenario in the making.
-        manners: reads words of manner, measure and state.
-    """
+    """Turns events and mentions into statements about the scenario."""
 
     def __init__(self, context: Context, manners: Manners) -> None:
         self._context = context
@@ -70,10 +65,6 @@ class Interpreter:
 
     def run(self, chunks: list[Chunk], events: list[Event]) -> list[Clause]:
         """All statements of a text.
-
-        Args:
-            chunks: its chunks, mentions resolved.
-            events: its events.
 
         Returns:
             What happens, in the order of the text.

@@ -10,13 +10,7 @@ _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
 
 
 def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
-    """Two statements narrow each other down; where they differ, both are allowed.
-
-    Args:
-        entity: who is placed.
-        approaches: where from, as one statement says.
-        basis: its words.
-    """
+    """Two statements narrow each other down; where they differ, both are allowed."""
     if approaches and approaches <= _ALONG and entity.approaches == {Approach.ADJACENT}:
         entity.in_next_lane = approaches, basis
         return

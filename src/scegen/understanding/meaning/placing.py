@@ -57,14 +57,7 @@ def adjectives(mention: Mention, context: Context) -> None:
 
 
 def phrase(prep: Prep, entities: list[Entity], event: Event | None, context: Context) -> None:
-    """One prepositional phrase that belongs to some participants.
-
-    Args:
-        prep: the phrase.
-        entities: whom it places.
-        event: the event that it belongs to; None if it follows a noun.
-        context: the scenario in the making.
-    """
+    """One prepositional phrase that belongs to some participants."""
     if prep.word.cat == "locus":
         _locus(prep, entities, event, context)
         return

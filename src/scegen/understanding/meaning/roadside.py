@@ -19,14 +19,7 @@ _FOR_IT = frozenset({"avoid", "brake", "hard_brake", "stop", "slow", "swerve"})
 
 
 def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
-    """What a thing on or beside the road means.
-
-    Args:
-        thing: the thing.
-        k: its index among the chunks.
-        chunks: the chunks of the text, mentions resolved.
-        draft: the scenario in the making.
-    """
+    """What a thing on or beside the road means."""
     basis = Basis(thing.i, thing.j)
     possessed = thing.owner is not None or thing.possessed
     chased = draft.tokens[max(thing.i - 1, 0)].low == "after"

@@ -35,12 +35,7 @@ _SIDE_DIRS = frozenset({"left", "right", "opposite", "front", "rear", "adjacent"
 
 
 class Chunker:
-    """Reads the terms once, from left to right.
-
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens, needed for the written form of labels.
-    """
+    """Reads the terms once, from left to right."""
 
     def __init__(self, terms: list[Term], tokens: list[Token]) -> None:
         self._terms = terms

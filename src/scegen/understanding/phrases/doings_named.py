@@ -32,11 +32,7 @@ _JOINTS = frozenset({",", "and", "then"})
 
 
 def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
-    """The chunks with who does what a noun names before it, and whom it is done to behind it.
-
-    Args:
-        chunks: of the text.
-    """
+    """The chunks with who does what a noun names before it, and whom it is done to behind it."""
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):

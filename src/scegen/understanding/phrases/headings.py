@@ -103,9 +103,6 @@ def silence(chunks: list[Chunk]) -> list[Chunk]:
 
     A heading has no verb of its own, and its nouns stand without article or number.
 
-    Args:
-        chunks: the chunks of the text; mentions in a heading are marked as ``negated``.
-
     Returns:
         The chunks without the colons after which it is said what the one before them does.
     """
@@ -252,9 +249,6 @@ def read_entries(chunks: list[Chunk]) -> list[Chunk]:
     """``Lead car, same lane: 30 km/h``, ``Other road users: none``: entries of a protocol.
 
     A speed behind a colon is that of who opens the entry, "none" denies who does.
-
-    Args:
-        chunks: of the text.
     """
     left_out: set[int] = set()
     for begin, k in sentences(chunks):

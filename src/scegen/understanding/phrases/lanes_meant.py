@@ -20,12 +20,7 @@ _BESIDE = _SIDES | {"opposite"}
 
 
 def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks with a lane in place of each "one" and "it" that means one.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
-    """
+    """The chunks with a lane in place of each "one" and "it" that means one."""
     found: list[Chunk] = []
     named: Place | None = None
     short: Place | None = None

@@ -70,12 +70,7 @@ def sentence_end(chunks: list[Chunk], k: int) -> int:
 
 
 def event_follows(chunks: list[Chunk], k: int) -> bool:
-    """Whether a verb comes after chunk ``k``, with at most adverbs in between.
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of a chunk.
-    """
+    """Whether a verb comes after chunk ``k``, with at most adverbs in between."""
     for chunk in chunks[k + 1 : k + 6]:
         if isinstance(chunk, Event):
             return not chunk.nominal
@@ -85,12 +80,7 @@ def event_follows(chunks: list[Chunk], k: int) -> bool:
 
 
 def finite_follows(chunks: list[Chunk], k: int) -> bool:
-    """Whether a verb of its own comes after chunk ``k``, adverbs and phrases skipped.
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of a chunk.
-    """
+    """Whether a verb of its own comes after chunk ``k``, adverbs and phrases skipped."""
     k = _behind_relative(chunks, k)
     auxiliary = preposed = False
     last = k + 8
@@ -127,10 +117,6 @@ def behind_insertion(chunks: list[Chunk], m: int) -> int:
 
     "The ego, driving at 45 km/h, brakes", "from the right, partly hidden by a wall, a van comes",
     "ahead of the ego, which does 50 km/h, …", "in the left lane, 10 m ahead of it, …".
-
-    Args:
-        chunks: the chunks of the text.
-        m: index of the chunk after the first comma.
     """
     end = next((n for n in range(m, m + _INSERTED) if value_at(chunks, n) == ","), m)
     inside = chunks[m:end]
@@ -149,12 +135,7 @@ def predicate_opens(chunk: Chunk | None) -> bool:
 
 
 def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
-    """Whether another verb makes the clause after a participle with a phrase of place.
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of the participle ("hidden" in "a man hidden behind a van runs out").
-    """
+    """Whether another verb makes the clause after a participle with a phrase of place."""
     preposed = governed = False
     for before, chunk in pairwise(chunks[k : k + _CLAUSE]):
         if isinstance(chunk, Event) and preposed and _describes(chunk, before):
@@ -177,13 +158,7 @@ def _describes(participle: Event, noun: Chunk) -> bool:
 
 
 def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
-    """``after a car on its right``: a preposition, no clause.
-
-    Args:
-        word: a word.
-        k: its index.
-        chunks: the chunks of the text.
-    """
+    """``after a car on its right``: a preposition, no clause."""
     following, place = chunk_at(chunks, k + 1), chunk_at(chunks, k - 1)
     if word.value == "when" and isinstance(place, Place) and "same" in place.dirs:
         return isinstance(following, Mention)  # "in the same direction as the ego"
@@ -198,12 +173,7 @@ def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
 
 
 def by_follows(chunks: list[Chunk], k: int) -> bool:
-    """``struck from behind by a van``: who does it stands after "by".
-
-    Args:
-        chunks: the chunks of the text.
-        k: index of a participle.
-    """
+    """``struck from behind by a van``: who does it stands after "by"."""
     for chunk in chunks[k + 1 : k + 7]:
         if isinstance(chunk, Mention | Event):
             return False
@@ -215,11 +185,7 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
 
 
 def view_of(before: list[Chunk]) -> Thing | None:
-    """``its view blocked``, ``his view of the road blocked``.
-
-    Args:
-        before: the last chunks before a participle.
-    """
+    """``its view blocked``, ``his view of the road blocked``."""
     last = chunk_at(before, len(before) - 1)
     if isinstance(last, Thing) and last.kind == "view":
         return last

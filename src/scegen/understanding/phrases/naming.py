@@ -27,10 +27,6 @@ class Namer:
     def single(self, mention: Mention, m: int) -> int:
         """``vehicle 1``, ``car A``: names the mention; a plural only as the first of a list.
 
-        Args:
-            mention: the mention just read.
-            m: index of the term after it.
-
         Returns:
             The index of the term after the name, ``m`` if there is none.
         """
@@ -44,10 +40,6 @@ class Namer:
 
     def further(self, first: Mention, m: int) -> tuple[list[Chunk], int]:
         """``vehicles 1, 2 and 3``: a mention for each name after the first.
-
-        Args:
-            first: the mention that carries the first name.
-            m: index of the term after it.
 
         Returns:
             The further chunks and the index of the term after them.
@@ -67,12 +59,7 @@ class Namer:
         return found, m
 
     def numbered(self, head: Term, m: int) -> bool:
-        """``lane 2``: the number is the place's name.
-
-        Args:
-            head: the noun for the place.
-            m: index of the term after it.
-        """
+        """``lane 2``: the number is the place's name."""
         if cat_at(self.terms, m) != "num" or head.value not in {"lane", "road"}:
             return False
         bare = cat_at(self.terms, m - 2) not in {"det", "dir"}

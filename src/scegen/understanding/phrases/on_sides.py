@@ -14,11 +14,7 @@ _A_PAIR = 2
 
 
 def from_everywhere(prep: Prep) -> bool:
-    """``from all directions``, ``from every side``.
-
-    Args:
-        prep: a phrase of place.
-    """
+    """``from all directions``, ``from every side``."""
     target = prep.target
     if prep.value not in {"from", "in"} or not isinstance(target, Place):
         return False
@@ -26,11 +22,7 @@ def from_everywhere(prep: Prep) -> bool:
 
 
 def each_side(prep: Prep) -> bool:
-    """``from each side``: one from the left, one from the right.
-
-    Args:
-        prep: a phrase of place.
-    """
+    """``from each side``: one from the left, one from the right."""
     target = prep.target
     if not isinstance(target, Place):
         return False

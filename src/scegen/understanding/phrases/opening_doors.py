@@ -19,10 +19,6 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
     A door that nobody is said to own is that of the one named before who is parked, or of a parked
     car.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
     """
     if not any(map(_door, chunks)):
         return chunks

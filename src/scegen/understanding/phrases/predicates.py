@@ -23,10 +23,7 @@ _BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
 def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
     """The events, with one for each direction that is all that is said of what somebody does.
 
-    Args:
-        chunks: the chunks of the text.
-        events: its events, left-out verbs filled in; nouns of doings get their subject.
-        tokens: the tokens of the text.
+    Nouns of doings get their subject.
     """
     entitle(chunks, events, tokens)
     found = [*events, *_courses_said(chunks, events, tokens)]

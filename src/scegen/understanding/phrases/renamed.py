@@ -14,12 +14,7 @@ _BOTH = 2
 
 
 def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``changes from the inner to the outer lane`` is a change of lane.
-
-    Args:
-        chunks: the chunks of the text; verbs of such changes are renamed.
-        tokens: its tokens.
-    """
+    """``changes from the inner to the outer lane`` is a change of lane."""
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Event) or tokens[chunk.i].base not in word_list("changing"):
             continue

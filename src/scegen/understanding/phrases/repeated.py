@@ -149,12 +149,7 @@ def _taken(mention: Mention, before: Chunk | None) -> bool:
 
 
 def _across_it(chunk: Chunk, verb: Chunk | None) -> bool:
-    """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody.
-
-    Args:
-        chunk: what may be "it".
-        verb: the chunk before it.
-    """
+    """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody."""
     it = isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
     return it and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
 

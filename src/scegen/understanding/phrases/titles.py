@@ -22,10 +22,7 @@ _LONGEST = 10
 def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """Gives a doing that opens a sentence to the one who does it.
 
-    Args:
-        chunks: the chunks of the text.
-        events: its events, subjects found; one that says the same again is left out.
-        tokens: its tokens.
+    A verb that says the same again is left out.
     """
     end = sentence_end(chunks, 0)
     title = chunks[:end]

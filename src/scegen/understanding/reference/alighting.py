@@ -13,9 +13,7 @@ _PEOPLE = frozenset({"driver", "pedestrian", "rider"})
 def open_from_inside(events: list[Event], tokens: list[Token]) -> None:
     """Makes the vehicle the one whose door opens, and people nobody who do nothing else.
 
-    Args:
-        events: what the clauses tell, before it is decided whom their nouns mean.
-        tokens: the tokens of the text.
+    That is before it is decided whom their nouns mean.
     """
     for event in events:
         around = _around(event, tokens)

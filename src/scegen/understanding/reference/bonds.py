@@ -63,13 +63,7 @@ class Bonds:
 
 
 def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> Bonds:
-    """Whom every mention can mean, as far as the clauses tell.
-
-    Args:
-        chunks: of the text.
-        events: its events, their subjects found.
-        tokens: its tokens.
-    """
+    """Whom every mention can mean, as far as the clauses tell."""
     mentions = [c for c in chunks if isinstance(c, Mention)]
     objects = {id(e.object) for e in events}
     there = _said_to_be_there(chunks)

@@ -215,12 +215,7 @@ class Discourse:
         return found
 
     def told_by(self, kind: ParticipantKind | None, *, apart: bool) -> None:
-        """Who tells it.
-
-        Args:
-            kind: what it goes by; None: a car, or what it says.
-            apart: the vehicle under test is named besides.
-        """
+        """Who tells it; ``apart``: the vehicle under test is named besides."""
         self._roster.teller, self._roster.apart = kind or ParticipantKind.CAR, apart and bool(kind)
 
     def tells(self, i: int, j: int) -> bool:

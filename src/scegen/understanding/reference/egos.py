@@ -25,23 +25,14 @@ def _take(entity: Entity) -> Entity:
 def the_ego(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
     """The ego, a new participant if nobody is it yet.
 
-    Args:
-        roster: who is known.
-        kind: what it drives, if it is new and does not say itself what it goes by.
-        basis: the words for it.
+    Its kind is given where it does not say itself what it goes by.
     """
     told = kind is ParticipantKind.CAR and not roster.apart
     return roster.draft.ego or _take(roster.new(roster.teller if told else kind, basis))
 
 
 def the_teller(roster: Roster, kind: ParticipantKind, basis: Basis) -> Entity:
-    """Who tells it: the ego, unless it walks or cycles beside one that is named.
-
-    Args:
-        roster: who is known.
-        kind: what it drives, if it is new and does not say itself what it goes by.
-        basis: the words for it.
-    """
+    """Who tells it: the ego, unless it walks or cycles beside one that is named."""
     if roster.apart:
         known = next((e for e in roster.entities if "speaks" in e.named_by), None)
         teller = known or roster.new(roster.teller, basis)
@@ -92,13 +83,7 @@ def _of_two(roster: Roster, group: Group, mention: Mention) -> bool:
 
 
 def of_both(reading: Reading, loci: set[str], roster: Roster) -> list[Entity]:
-    """``both vehicles go straight, the adversary from the left``: one of them, one the ego.
-
-    Args:
-        reading: what the words of a role ("the ego", "the adversary") say.
-        loci: where words after the noun put it.
-        roster: who is known.
-    """
+    """``both vehicles go straight, the adversary from the left``: one of them, one the ego."""
     ego = roster.draft.ego
     places = reading.dirs | loci
     placed = bool(places) and places <= {"ahead", "behind"} and reading.det == "def"

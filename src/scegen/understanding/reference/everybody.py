@@ -20,11 +20,7 @@ _NONE = frozenset({"nobody", "everybody"})
 
 
 def deny_of_everybody(events: list[Event]) -> None:
-    """``no driver gives way``, ``nobody may turn left``: everybody does not.
-
-    Args:
-        events: the events of the text; mentions not yet resolved.
-    """
+    """``no driver gives way``, ``nobody may turn left``: everybody does not."""
     for event in events:
         named = [m for m in event.subject if m.negated or m.pronoun in _NONE]
         verbal = not event.nominal and event.name in _OWED | _HIDING

@@ -15,11 +15,7 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     """``red for cross traffic``, ``too narrow for two cars``: nobody in particular.
 
     Traffic that somebody waits for, or gives way to, is there.
-
-    Args:
-        chunks: the chunks of the text; who is nobody in particular is marked as ``negated``.
-        events: its events.
-        tokens: its tokens.
+    Who is nobody in particular is marked as ``negated``.
     """
     met = {id(p.target) for e in events if e.name in _LETTING_BY for p in e.pps}
     each = {

@@ -19,13 +19,7 @@ _WAYS = frozenset({"left", "right", "straight"})
 def others_than_it(
     mentions: Sequence[Mention], events: Sequence[Event], tokens: list[Token]
 ) -> Iterator[tuple[Mention, NounPhrase]]:
-    """Each "it" with one whom it does not mean.
-
-    Args:
-        mentions: of the text.
-        events: its events, their subjects found.
-        tokens: its tokens.
-    """
+    """Each "it" with one whom it does not mean."""
     for again, prep, whose in _goes_on(mentions, events, tokens):
         if prep.target is None or is_it(prep.who):
             yield again, whose

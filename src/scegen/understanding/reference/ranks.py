@@ -36,9 +36,7 @@ def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
 def with_the_ranked(row: Mention, others: list[Entity]) -> list[Entity]:
     """The row, with whom it was said to be in it at their place.
 
-    Args:
-        row: the words for it.
-        others: all but that one, in order.
+    The others are in order.
     """
     if row.ranked is None:
         return others

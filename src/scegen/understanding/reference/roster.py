@@ -56,13 +56,7 @@ class Roster:
     apart: bool = False
 
     def spoken_of(self, found: list[Entity], *, subject: bool, settled: bool) -> None:
-        """Remembers a mention.
-
-        Args:
-            found: whom it means.
-            subject: it is the subject of its clause.
-            settled: the text says which way all of them go.
-        """
+        """Remembers a mention; ``settled``: the text says which way all of them go."""
         for group in self.groups[-1:]:
             group.settled = group.settled or (settled and group.members == found)
         for entity in found:
@@ -198,12 +192,7 @@ class Roster:
         return named and entity.kind is _NARROWER.get(reading.kind) and reading.kind not in kinds
 
     def cast(self, reading: Reading, loci: set[str]) -> list[Entity]:
-        """``a bus … the adversarial bus``: somebody known gets the role, if only one can.
-
-        Args:
-            reading: what the words say.
-            loci: where these words put it, as the ego sees it.
-        """
+        """``a bus … the adversarial bus``: somebody known gets the role, if only one can."""
         named = any("adversary" in e.labels for e in self.entities)
         if named or reading.plural or reading.labels != {"adversary"}:
             return []

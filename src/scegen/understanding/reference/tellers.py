@@ -25,11 +25,6 @@ def teller_goes_by(
 ) -> ParticipantKind | None:
     """``I was walking over the zebra``, ``on my handlebar``: no driver tells it.
 
-    Args:
-        chunks: the chunks of the text.
-        events: its events, with who does what.
-        tokens: its tokens.
-
     Returns:
         How the teller moves; None if it drives, or nothing says so.
     """

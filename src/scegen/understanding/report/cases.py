@@ -60,9 +60,6 @@ def paper_cases() -> tuple[Case, ...]:
 def load_cases(path: Path) -> tuple[Case, ...]:
     """Labelled descriptions from a file with one JSON object a line.
 
-    Args:
-        path: the file.
-
     Raises:
         InputError: if the file cannot be read or a line is not a labelled description.
     """

@@ -35,11 +35,7 @@ class Passage:
 
 
 def passages(report: ParseReport) -> tuple[Passage, ...]:
-    """The whole text in passages without gap or overlap, cut where any finding begins or ends.
-
-    Args:
-        report: of the description.
-    """
+    """The whole text in passages without gap or overlap, cut where any finding begins or ends."""
     size = len(report.text)
     placed = [
         (max(f.start, 0), min(f.end, size), f)

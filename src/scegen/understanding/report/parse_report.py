@@ -74,11 +74,7 @@ class ParseReport:
     traffic: bool = True
 
     def of(self, standing: Standing) -> tuple[Finding, ...]:
-        """The findings of one standing.
-
-        Args:
-            standing: which.
-        """
+        """The findings of one standing."""
         return tuple(f for f in self.findings if f.standing is standing)
 
     def to_data(self) -> dict[str, Any]:

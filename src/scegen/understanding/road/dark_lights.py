@@ -14,12 +14,7 @@ _BROKEN_REACH, _BROKEN_NEAR = 7, 4
 
 
 def out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
-    """``non-working traffic lights``, ``traffic lights that are out of order``: all these words.
-
-    Args:
-        term: the light.
-        tokens: the tokens of the text.
-    """
+    """``non-working traffic lights``, ``traffic lights that are out of order``: all these words."""
     i, j = term.i, term.j
     before = [t.low for t in tokens[max(0, i - 3) : i]]
     if before[-1:] and before[-1] in word_list("broken"):
@@ -40,13 +35,7 @@ def out_of_order(term: Term, tokens: list[Token]) -> Basis | None:
 
 
 def flashing(term: Term, tokens: list[Token], colours: frozenset[str]) -> Basis | None:
-    """``a flashing amber light``, ``a light that is flashing amber``.
-
-    Args:
-        term: the light.
-        tokens: the tokens of the text.
-        colours: in which it flashes.
-    """
+    """``a flashing amber light``, ``a light that is flashing amber``."""
     i, j, words = term.i, term.j, word_list("flashing")
     if i and tokens[i - 1].low in words and colours & {t.low for t in tokens[i:j]}:
         return Basis(i - 1, j)

@@ -31,12 +31,7 @@ def share_arms(chunks: list[Chunk], events: list[Event]) -> list[tuple[Mention, 
 
 
 def count_arms(shared: list[tuple[Mention, list[Mention]]], junction: JunctionReading) -> None:
-    """Gives the junction an arm for each of those who come from one each.
-
-    Args:
-        shared: what :func:`share_arms` found, mentions resolved.
-        junction: what the text says of the junction.
-    """
+    """Gives the junction an arm for each of those who come from one each."""
     for one, together in shared:
         members: list[Entity] = [e for m in together for e in m.entities if e.is_vehicle]
         known = junction.arms is not None

@@ -67,10 +67,6 @@ class JunctionReading:
 def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     """What the text says about its junction.
 
-    Args:
-        terms: the terms of the text.
-        tokens: its tokens, for messages.
-
     Raises:
         InfeasibleError: if the words contradict geometry ("a T-intersection with five arms").
     """

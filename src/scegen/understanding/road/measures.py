@@ -16,13 +16,7 @@ _NUMBERS = {"quantity": "quantity", "num": "number"}
 
 
 def role_of(terms: Sequence[Term], k: int, tokens: list[Token]) -> str:
-    """What of the road a number measures, by the words around it alone; empty if nothing.
-
-    Args:
-        terms: the terms of the text.
-        k: index of the term.
-        tokens: its tokens.
-    """
+    """What of the road a number measures, by the words around it alone; empty if nothing."""
     term = terms[k]
     if term.cat not in _NUMBERS or term.data.get(_NUMBERS[term.cat]) is None:
         return ""
@@ -35,12 +29,7 @@ def role_of(terms: Sequence[Term], k: int, tokens: list[Token]) -> str:
 
 
 def value_of(terms: Sequence[Term], k: int) -> Interval:
-    """The number as it is written: a range, or a range of one value.
-
-    Args:
-        terms: the terms of the text.
-        k: index of the term.
-    """
+    """The number as it is written: a range, or a range of one value."""
     if terms[k].cat == "quantity":
         exact: Interval = terms[k].data["quantity"].exact
         return exact
@@ -49,12 +38,7 @@ def value_of(terms: Sequence[Term], k: int) -> Interval:
 
 
 def last_of(terms: Sequence[Term], k: int) -> Term:
-    """The last term of a number: ``0.3-0.4``, ``0.3 to 0.4``, ``between 0.3 and 0.4``.
-
-    Args:
-        terms: the terms of the text.
-        k: index of its first term.
-    """
+    """The last term of a number: ``0.3-0.4``, ``0.3 to 0.4``, ``between 0.3 and 0.4``."""
     between = k > 0 and terms[k - 1].value == "between"
     joined = terms[k + 1 : k + 2]
     steps = (

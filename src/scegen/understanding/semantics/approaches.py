@@ -33,21 +33,12 @@ _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder"
 
 
 def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
-    """What "oncoming", "leading", "crossing" … before a noun say.
-
-    Args:
-        dirs: directions before the noun.
-    """
+    """What "oncoming", "leading", "crossing" … before a noun say."""
     return next((BY_DIR[value] for value in dirs if value in BY_DIR), frozenset())
 
 
 def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
-    """What "from the right", "in the next lane", "on the pavement" say.
-
-    Args:
-        place: the place.
-        prep: the preposition before it.
-    """
+    """What "from the right", "in the next lane", "on the pavement" say."""
     if place.kind == "access" and prep in {"from", "in"}:
         return frozenset(SIDES[d] for d in place.dirs if d in SIDES)
     if place.kind not in _PLACES:

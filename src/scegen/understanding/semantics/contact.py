@@ -19,12 +19,7 @@ _ROADWARDS = frozenset({"turn", "sharp_turn", "pull_out"})
 
 
 def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
-    """Whom, or whose part, somebody moves into: themselves, not their way or their lane.
-
-    Args:
-        clause: what happens.
-        context: the scenario in the making.
-    """
+    """Whom, or whose part, somebody moves into: themselves, not their way or their lane."""
     event, tokens = clause.event, context.tokens
     part = event.object  # "plants its bonnet in a van"
     own = isinstance(part, Place) and part.kind in _BODY and part.has("possessive", "its")
@@ -70,13 +65,7 @@ def lies_there(noun: object, context: Context) -> bool:
 
 
 def touched(goal: NounPhrase | None, clause: Clause, context: Context) -> list[Entity]:
-    """Who it is that is touched: ``ends up in my boot``, ``runs into the back of the bus``.
-
-    Args:
-        goal: whom, or whose part, somebody moves into.
-        clause: what happens.
-        context: the scenario in the making.
-    """
+    """Who it is that is touched: ``ends up in my boot``, ``runs into the back of the bus``."""
     if goal is None:
         return []
     whom = goal if isinstance(goal, Mention) else goal.owner

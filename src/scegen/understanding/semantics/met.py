@@ -17,12 +17,7 @@ _ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.
 
 
 def into_rear(event: Event, context: Context) -> bool:
-    """``rear-ends``, ``runs into the back of``, ``hits from behind``.
-
-    Args:
-        event: a collision.
-        context: the scenario in the making.
-    """
+    """``rear-ends``, ``runs into the back of``, ``hits from behind``."""
     rear = any(isinstance(c, Place) and "rear" in c.dirs for c in event.nouns())
     return rear or from_the_rear(event, context)
 

@@ -15,12 +15,7 @@ _MOST = 6
 
 
 def lane_number(place: object, tokens: list[Token]) -> int | None:
-    """``lane 2``, ``the third lane``; None for what has no number.
-
-    Args:
-        place: a noun.
-        tokens: the tokens of the text.
-    """
+    """``lane 2``, ``the third lane``; None for what has no number."""
     if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
         return None
     if "number" in place.head.data:
@@ -33,11 +28,6 @@ def lane_number(place: object, tokens: list[Token]) -> int | None:
 
 
 def counted_from(j: int, tokens: list[Token]) -> str:
-    """``the third lane from the right``.
-
-    Args:
-        j: the index after the lane.
-        tokens: the tokens of the text.
-    """
+    """``the third lane from the right``."""
     after = [t.low for t in tokens[j : j + FROM_SIDE]]
     return after[-1] if after[:2] == ["from", "the"] and after[-1] in {"left", "right"} else EITHER

@@ -157,11 +157,7 @@ def _of_words(name: str) -> NounTest | None:
 
 
 def noun(words: list[str]) -> NounTest:
-    """The test that a pattern of a noun makes; True for any where there is none.
-
-    Args:
-        words: the pattern, split at blanks.
-    """
+    """The test that a pattern of a noun makes; True for any where there is none."""
     kind = _kind((words[0] if words else ANY).split("|"))
     filters = [_filter(word) for word in words[1:]]
     if not filters:
@@ -186,11 +182,7 @@ def _in_front(p: Prep, context: Context) -> bool:
 
 
 def prep(words: list[str]) -> PrepTest:
-    """The test that a pattern of a phrase makes.
-
-    Args:
-        words: the pattern, split at blanks.
-    """
+    """The test that a pattern of a phrase makes."""
     values: set[str] = set()
     spelled: set[str] = set()
     other: set[str] = set()

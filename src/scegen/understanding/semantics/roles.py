@@ -12,11 +12,7 @@ from scegen.understanding.semantics.context import Clause
 
 
 def clause_of(event: Event) -> Clause:
-    """Who acts in an event, and on whom, passives turned round.
-
-    Args:
-        event: the event, mentions resolved.
-    """
+    """Who acts in an event, and on whom, passives turned round."""
     actors = [e for m in event.subject for e in m.entities]
     direct = event.object
     targets = [e for m in chain(direct) for e in m.entities] if isinstance(direct, Mention) else []
@@ -30,11 +26,7 @@ def clause_of(event: Event) -> Clause:
 
 
 def clause_of_noun(noun: Mention) -> Clause:
-    """``a van from the left``: what the phrases after a noun say of it, a clause without a verb.
-
-    Args:
-        noun: the noun, resolved.
-    """
+    """``a van from the left``: what the phrases after a noun say of it, a clause without a verb."""
     event = Event("", noun.i, noun.j, "", mods=noun.mods, subject=[noun], pps=noun.pps)
     event.negated = noun.negated
     return Clause(event, list(noun.entities), [])
@@ -57,10 +49,6 @@ def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause
 
     ``At a stop sign, the ego …`` says it of the noun that follows, ``its way round the van`` of
     whose way it is; of others nobody is named.
-
-    Args:
-        chunks: the chunks of the text.
-        clauses: those of its nouns and verbs.
     """
     taken = {id(p) for c in clauses if c.actors for p in c.places()}
     for k, noun in enumerate(chunks):

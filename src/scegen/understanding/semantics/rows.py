@@ -63,11 +63,7 @@ class Row:
 
 
 class Families:
-    """Rows by family, as ``dangers.brake``; what they ask of the verb is looked up.
-
-    Args:
-        rows: of each family, in their order.
-    """
+    """Rows by family, as ``dangers.brake``; what they ask of the verb is looked up."""
 
     def __init__(self, rows: dict[str, tuple[Row, ...]]) -> None:
         self.rows = rows
@@ -142,13 +138,7 @@ def families() -> Families:
 
 
 def read_rows(*names: str, effects: Effects = effects_of, keys: frozenset[str] = _KEYS) -> Families:
-    """The rows of some files by family, as ``dangers.brake``.
-
-    Args:
-        names: of the files.
-        effects: what a row does.
-        keys: what a row may have.
-    """
+    """The rows of some files by family, as ``dangers.brake``."""
     found: dict[str, tuple[Row, ...]] = {}
     for name in names:
         for events, rows in read(name).items():
@@ -159,11 +149,6 @@ def read_rows(*names: str, effects: Effects = effects_of, keys: frozenset[str] =
 
 def say(family: str, clause: Clause, context: Context) -> bool:
     """Adds what the rows of a family make of a clause.
-
-    Args:
-        family: file and event, as ``dangers.brake``.
-        clause: what happens.
-        context: the scenario in the making.
 
     Returns:
         Whether a row fits that says something.

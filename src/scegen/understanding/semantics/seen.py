@@ -81,11 +81,7 @@ def _in_the_egos_lane(entity: Entity, site: Site) -> None:
 
 
 def _lane_of(place: Place) -> str | None:
-    """Which lane of several a phrase names: ``left``, ``middle``, ``fast``.
-
-    Args:
-        place: the lane.
-    """
+    """Which lane of several a phrase names: ``left``, ``middle``, ``fast``."""
     if place.kind != "lane" or place.owner is not None:
         return None
     data = place.head.data if place.head is not None else {}
@@ -136,11 +132,7 @@ def _far_side(entity: Entity, site: Site) -> None:
 
 
 def settle_far_sides(draft: Draft) -> None:
-    """Not the side where somebody else is said to be, else not the one of the ego's kerb.
-
-    Args:
-        draft: the scenario in the making, all clauses read.
-    """
+    """Not the side where somebody else is said to be, else not the one of the ego's kerb."""
     crossing = [e for e in draft.entities if e.far_side is not None]
     others = [p for p in draft.placements if not p.reference and p.entity not in crossing]
     named = {a for p in others for a in p.approaches if len(p.approaches) == 1}

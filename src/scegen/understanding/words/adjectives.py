@@ -12,10 +12,7 @@ _ROADS = frozenset({"highway", "road", "ramp"})
 def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     """Participles before a noun, and nouns or weather words used as adjectives.
 
-    Args:
-        terms: the terms of the text.
-        m: index of the term in question.
-        opened: an article or number stands before.
+    It is ``opened`` where an article or number stands before.
     """
     term = terms[m]
     if term.cat == "verb" and term.premod:
@@ -33,12 +30,7 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
 
 
 def noun_follows(tokens: list[Token], j: int) -> bool:
-    """Whether a participant or thing is named at token ``j``, adjectives skipped.
-
-    Args:
-        tokens: the tokens of the text.
-        j: index of a token.
-    """
+    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
     for step in range(3):
         following = longest_match(tokens, j)
         if following is None and step == 0 and j < len(tokens) and tokens[j].kind == "word":

@@ -26,11 +26,7 @@ class Angles:
 
 
 def read_angles(tokens: list[Token]) -> Angles | None:
-    """The directions of the arms, if the text lists them or says at what angle two roads cross.
-
-    Args:
-        tokens: the tokens of the text.
-    """
+    """The directions of the arms, if the text lists them or says at what angle two roads cross."""
     for i, token in enumerate(tokens):
         if token.kind != "number":
             continue
@@ -76,11 +72,7 @@ def _crossing(angle: float, i: int, j: int) -> Angles | None:
 
 
 def kind_of(degrees: tuple[float, ...]) -> JunctionKind:
-    """The shape that arms in these directions make.
-
-    Args:
-        degrees: directions of the arms, rising.
-    """
+    """The shape that arms in these directions make."""
     gaps = [(b - a) % 360 for a, b in zip(degrees, (*degrees[1:], degrees[0]), strict=True)]
     if len(degrees) == _FEWEST:
         through = any(abs(gap - 180) <= _SQUARE_DEG for gap in gaps)
@@ -92,12 +84,7 @@ def kind_of(degrees: tuple[float, ...]) -> JunctionKind:
 
 
 def set_apart(terms: list[Term], angles: Angles | None) -> list[Term]:
-    """The terms with one for all angles, so that nobody counts vehicles by them.
-
-    Args:
-        terms: the terms of the text.
-        angles: the angles found in it.
-    """
+    """The terms with one for all angles, so that nobody counts vehicles by them."""
     if angles is None:
         return terms
     kept = [t for t in terms if t.j <= angles.i or t.i >= angles.j]

@@ -245,13 +245,7 @@ def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) 
 
 
 def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
-    """The meaning that fits the words around, and whether it is a participle before a noun.
-
-    Args:
-        match: a phrase with its meanings.
-        tokens: the tokens of the text.
-        previous: the term before.
-    """
+    """The meaning that fits the words around, and whether it is a participle before a noun."""
     match = _not_inflected(match)
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)

@@ -151,10 +151,7 @@ def _candidates(low: str, lemma: str, cat: str, value: str, form: str) -> tuple[
 def in_context(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """The term as the words around it would have it.
 
-    Args:
-        term: the term.
-        terms: the terms before it; some are changed in its light, or become part of it.
-        tokens: the tokens of the text.
+    Some terms before it are changed in its light, or become part of it.
     """
     first = tokens[term.i]
     lemma = first.base

@@ -18,12 +18,7 @@ _ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
 
 
 def named_at(tokens: list[Token], i: int) -> Term | None:
-    """A participant or road that has no noun.
-
-    Args:
-        tokens: the tokens of the text.
-        i: where it may begin.
-    """
+    """A participant or road that has no noun."""
     at = i > 0 and tokens[i - 1].low == "at"  # "at T0 the lead brakes": a moment
     named = (None if at else _labelled(tokens[i], i)) or _road_number(tokens, i) or _aged(tokens, i)
     numbered = named is not None and i + 1 < len(tokens) and tokens[i + 1].kind == "number"
@@ -55,12 +50,7 @@ def _road_number(tokens: list[Token], i: int) -> Term | None:
 
 
 def street_name(tokens: list[Token], i: int) -> Term | None:
-    """``Elm Street``, ``North Baker Avenue``: a road.
-
-    Args:
-        tokens: the tokens of the text.
-        i: where it may begin.
-    """
+    """``Elm Street``, ``North Baker Avenue``: a road."""
     if not tokens[i].text[0].isupper():
         return None
     j = next((j for j in range(i, len(tokens)) if not tokens[j].text[0].isupper()), len(tokens))

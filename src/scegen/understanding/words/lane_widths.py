@@ -11,13 +11,7 @@ from scegen.understanding.words.tokens import Token, low_at
 
 
 def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
-    """The width of the road's lanes, where a term gives one that can be built.
-
-    Args:
-        terms: the terms of the text.
-        k: index of the term.
-        tokens: its tokens.
-    """
+    """The width of the road's lanes, where a term gives one that can be built."""
     length = _length_m(terms[k], LANE_WIDTHS_M)
     if length is None:
         return None
@@ -26,13 +20,7 @@ def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | 
 
 
 def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
-    """The length of a ramp's lane, or of one that ends, where a term gives one that can be built.
-
-    Args:
-        terms: the terms of the text.
-        k: index of the term.
-        tokens: its tokens.
-    """
+    """The length of a ramp's lane, or of one that ends, if a term gives one that can be built."""
     length = _length_m(terms[k], AUXILIARY_LENGTHS_M)
     if length is None:
         return None

@@ -28,10 +28,6 @@ def _languages() -> dict[str, list[str]]:
 def require_english(tokens: list[Token], text: str) -> None:
     """Refuses a text in another language.
 
-    Args:
-        tokens: the tokens of the text.
-        text: the text.
-
     Raises:
         InputError: if it is plainly not English.
     """

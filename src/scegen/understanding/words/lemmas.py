@@ -37,9 +37,6 @@ def _candidates(word: str) -> list[tuple[str, str]]:
 def lemmas(word: str) -> tuple[tuple[str, str], ...]:
     """Base forms with the inflection that leads to ``word``.
 
-    Args:
-        word: one lower-case word.
-
     Returns:
         Pairs (base, form), form one of ``base``, ``s``, ``ed``, ``ing``; the word itself comes
         first; only bases that occur in the lexicon follow it.

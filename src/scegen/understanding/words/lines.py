@@ -33,9 +33,6 @@ def laid_out(text: str) -> dict[int, str]:
 
     A line that ends openly ends a sentence where a list, an entry ("Ego: 50 km/h") or a paragraph
     follows; a dash or slash between words is a comma, and the colon after a title.
-
-    Args:
-        text: any string.
     """
     found = {k: "" for m in _ITEM.finditer(text) for k in range(m.start("item"), m.end("item"))}
     between = list(_BETWEEN.finditer(text))

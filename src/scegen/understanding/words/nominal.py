@@ -22,14 +22,7 @@ def is_nominal(
     following: Term | None,
     chunks: list[Chunk],
 ) -> bool:
-    """Whether a verb form after these words is a noun ("a sudden stop").
-
-    Args:
-        mods: the words before it.
-        head: the verb form.
-        following: the term after it.
-        chunks: the chunks read so far.
-    """
+    """Whether a verb form after these words is a noun ("a sudden stop")."""
     if head.cat != "verb" or head.form == "ed":
         return False
     previous = chunks[-1] if chunks else None
@@ -78,13 +71,7 @@ def has_dir(mods: list[Term]) -> bool:
 
 
 def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Term:
-    """``a construction area``, ``at test start``: the last noun of a compound, or the head itself.
-
-    Args:
-        head: a noun for a thing.
-        following: the term after it.
-        chunks: the chunks read so far.
-    """
+    """``a construction area``, ``at test start``: the last noun of a compound, or the head."""
     if following is None or (following.cat, following.form) != ("verb", "base"):
         return head
     singular = head.value == "noun" and head.form != "s"  # no singular noun has such a verb
@@ -92,12 +79,7 @@ def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Ter
 
 
 def ego_owns(heads: list[Term], following: Term | None) -> bool:
-    """``the ego lane``, ``the VUT front strikes the GVT rear``: what follows is theirs.
-
-    Args:
-        heads: the nouns of a participant.
-        following: the term after them.
-    """
+    """``the ego lane``, ``the VUT front strikes the GVT rear``: what follows is theirs."""
     if following is None:
         return False
     if (following.cat, following.form) == ("dir", "base") and following.value in _ENDS:
@@ -107,10 +89,6 @@ def ego_owns(heads: list[Term], following: Term | None) -> bool:
 
 
 def governed(chunks: list[Chunk]) -> bool:
-    """Whether a side named next belongs to a preposition ("from left and right").
-
-    Args:
-        chunks: the chunks read so far.
-    """
+    """Whether a side named next belongs to a preposition ("from left and right")."""
     preposed = bool(chunks) and chunks[-1].cat in VERBAL_LINKS
     return preposed or _after_a_side(chunks)

@@ -53,10 +53,6 @@ def _digits(text: str) -> float:
 def number_at(tokens: list[Token], i: int) -> Number | None:
     """The number that begins at token ``i``, if one does.
 
-    Args:
-        tokens: all tokens of the text.
-        i: index of the token to look at.
-
     Returns:
         The number, or None.
     """
@@ -89,10 +85,6 @@ def _with_fraction(tokens: list[Token], j: int, whole: Number) -> Number:
 
 def share_at(tokens: list[Token], i: int) -> Number | None:
     """``one third of its width``, ``half overlap``: a share of a width, in percent.
-
-    Args:
-        tokens: all tokens of the text.
-        i: index of the token to look at.
 
     Returns:
         The share with the tokens of the fraction alone, or None where it is of anything else.

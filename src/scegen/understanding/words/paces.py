@@ -28,12 +28,7 @@ _SAID_REACH = 4
 
 
 def pace_at(tokens: list[Token], i: int) -> Term | None:
-    """A number that says how fast one drives compared with what is allowed.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of the token where it begins.
-    """
+    """A number that says how fast one drives compared with what is allowed."""
     number = number_at(tokens, i)
     told = doing(tokens, i) or _merely_at(tokens, i)
     if number is None or not _FEWEST <= number.value <= _MOST or not told:
@@ -92,12 +87,7 @@ def _must_have_been(tokens: list[Token], i: int) -> bool:
 
 
 def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
-    """``a car comes at 50, the ego was doing 40 km/h``: in the unit of the other speeds, if any.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of a number without a unit.
-    """
+    """``a car comes at 50, the ego was doing 40 km/h``: in the unit of the other speeds, if any."""
     number = number_at(tokens, i)
     if number is None or not _FEWEST < number.value <= _MOST:
         return None
@@ -143,12 +133,7 @@ def _likewise(tokens: list[Token], i: int) -> bool:
 
 
 def speed_at(tokens: list[Token], i: int) -> Term | None:
-    """``at a much lower constant speed``, ``with considerably higher velocity``.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of the token where it begins.
-    """
+    """``at a much lower constant speed``, ``with considerably higher velocity``."""
     if tokens[i].low not in {"at", "with"}:
         return None
     value = None
@@ -168,12 +153,7 @@ def _degree(word: str) -> str | None:
 
 
 def doing(tokens: list[Token], i: int) -> bool:
-    """Whether a verb of motion stands right before, as in "doing about 50".
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of the number.
-    """
+    """Whether a verb of motion stands right before, as in "doing about 50"."""
     k = i - 1 - (low_at(tokens, i) == "hundred" and low_at(tokens, i - 1) == "a")
     while k >= 0 and tokens[k].low in word_list("vaguely"):
         k -= 1

@@ -11,13 +11,7 @@ _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
 
 def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
-    """``right behind``, ``right past``, ``right in front of``: no direction, except after a turn.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of a token.
-        previous: the term before it.
-    """
+    """``right behind``, ``right past``, ``right in front of``: no way, except after a turn."""
     if tokens[i].low != "right" or previous is None or previous.cat == "det":
         return False
     after = low_at(tokens, i + 1)
@@ -29,12 +23,7 @@ def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
 
 
 def then_a_noun(tokens: list[Token], match: Match) -> bool:
-    """``straight on the main road``: "on" belongs to the road, unlike in "straight on at".
-
-    Args:
-        tokens: the tokens of the text.
-        match: a phrase of motion or direction that may end in "on".
-    """
+    """``straight on the main road``: "on" belongs to the road, unlike in "straight on at"."""
     after = low_at(tokens, match.j)
     if after == "of":
         return all(e.cat == "manner" and e.value == "row" for e in match.entries)
@@ -76,12 +65,7 @@ def nothing_shed(tokens: list[Token], match: Match) -> bool:
 
 
 def over_a_place(tokens: list[Token], match: Match) -> bool:
-    """``runs over the crosswalk``: nothing is run over; ``squeezes in front of the bus``.
-
-    Args:
-        tokens: the tokens of the text.
-        match: a verb that may end in "over" or "in".
-    """
+    """``runs over the crosswalk``: nothing is run over; ``squeezes in front of the bus``."""
     ends = tokens[match.j - 1].low
     if ends != "over" or not match.only("verb"):
         return False
@@ -94,11 +78,6 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
 
     A noun would not stand there with an ending and an object of its own.
-
-    Args:
-        token: a word that no phrase of the lexicon holds.
-        previous: the term before it.
-        tokens: the tokens of the text.
     """
     if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
         return False
@@ -119,9 +98,5 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
 
 
 def suffix_form(token: Token) -> str | None:
-    """The inflection that the ending of an unknown word shows.
-
-    Args:
-        token: the word.
-    """
+    """The inflection that the ending of an unknown word shows."""
     return next((ending for ending in ("ing", "ed", "s") if token.low.endswith(ending)), None)

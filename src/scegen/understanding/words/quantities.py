@@ -72,10 +72,6 @@ def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
 def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     """The quantity whose first number stands at token ``i``.
 
-    Args:
-        tokens: all tokens of the text.
-        i: index of the token to look at.
-
     Returns:
         The quantity, or None where no number with a unit stands.
     """
@@ -211,28 +207,13 @@ def _goes_over(tokens: list[Token], i: int) -> bool:
 
 
 def as_written(tokens: list[Token], i: int, j: int, other: Quantity) -> Quantity | None:
-    """A number without a unit, in the unit of another quantity.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of its first token.
-        j: index after the last one.
-        other: the quantity with the unit.
-    """
+    """A number without a unit, in the unit of another quantity."""
     units = [u for k in range(other.i, other.j) if (u := _unit_at(tokens, k)) is not None]
     return in_unit(tokens, i, j, other.dimension, units[0][1]) if units else None
 
 
 def in_unit(tokens: list[Token], i: int, j: int, dimension: str, unit: str) -> Quantity | None:
-    """A number without a unit, in a given one.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of its first token.
-        j: index after the last one.
-        dimension: of the unit.
-        unit: its name.
-    """
+    """A number without a unit, in a given one."""
     number = number_at(tokens, i)
     if number is None:
         return None
@@ -240,23 +221,13 @@ def in_unit(tokens: list[Token], i: int, j: int, dimension: str, unit: str) -> Q
 
 
 def ends_a_quantity(tokens: list[Token], i: int) -> Quantity | None:
-    """The quantity that ends right before a token, if one does.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of the token.
-    """
+    """The quantity that ends right before a token, if one does."""
     begins = range(max(0, i - _LONGEST_UNIT - 1), max(0, i))
     found = (quantity_at(tokens, k) for k in begins)
     return next((q for q in found if q is not None and q.j == i), None)
 
 
 def after_a_measure(tokens: list[Token], i: int) -> bool:
-    """``0.5 m to the left``, ``50 % on the right``: whether such a number ends before a token.
-
-    Args:
-        tokens: the tokens of the text.
-        i: index of the token.
-    """
+    """``0.5 m to the left``, ``50 % on the right``: whether such a number ends before a token."""
     found = ends_a_quantity(tokens, i)
     return found is not None and found.dimension in {"length", "percentage"}

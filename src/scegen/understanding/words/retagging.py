@@ -20,10 +20,7 @@ _MOST_LANES = 6
 def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """The term as the words before it would have it.
 
-    Args:
-        term: the term.
-        terms: the terms before it; some are changed in its light.
-        tokens: the tokens of the text.
+    Some terms before it are changed in its light.
     """
     if term.cat == "punct":
         return term

@@ -12,12 +12,7 @@ _ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}
 
 
 def named_by_letter(terms: list[Term], k: int) -> bool:
-    """``at the T``, ``reaches a T``: the junction itself.
-
-    Args:
-        terms: the terms of the text.
-        k: index of the letter.
-    """
+    """``at the T``, ``reaches a T``: the junction itself."""
     before = [t.cat for t in terms[max(0, k - 2) : k]]
     after = [t.cat for t in terms[k + 1 : k + 2]]
     placed = before in (["prep", "det"], ["verb", "det"])
@@ -26,11 +21,6 @@ def named_by_letter(terms: list[Term], k: int) -> bool:
 
 def only_counted(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     """``a four-arm roundabout``: the arms are counted, the noun says what kind it is.
-
-    Args:
-        terms: the terms of the text.
-        k: index of the word of shape.
-        tokens: the tokens of the text.
 
     Returns:
         How many arms; None if the word says more than that.

@@ -15,10 +15,6 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
     """The terms with "near" and "far" sides replaced by left and right, "left of" spelled out.
 
     The near side is the side of the kerb along which one drives.
-
-    Args:
-        terms: the terms of the text.
-        side: the driving side that the text names.
     """
     near = "left" if side is DrivingSide.LEFT else "right"
     values = {"near": near, "far": _OTHER[near]}

@@ -16,12 +16,7 @@ def _shortened(word: str) -> list[str]:
 
 
 def one_slip(written: str, meant: str) -> bool:
-    """Whether one letter more, less or other, or two swapped neighbours, tell the words apart.
-
-    Args:
-        written: a word.
-        meant: another one.
-    """
+    """Whether one letter more, less or other, or two swapped neighbours, tell the words apart."""
     if written == meant or abs(len(written) - len(meant)) > 1:
         return False
     if len(written) != len(meant):
@@ -40,9 +35,6 @@ def meant(word: str) -> str | None:
 
     First letters are seldom wrong, and many other words differ in them ("learning", "turning"):
     only words that begin alike count.
-
-    Args:
-        word: a lower-case word that the lexicon does not know.
     """
     if not _SHORTEST_WORD <= len(word) <= 20 or word in word_lists("spelling")["real_words"]:
         return None

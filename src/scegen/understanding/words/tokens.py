@@ -85,9 +85,6 @@ class Token:
 def tokenize(text: str) -> list[Token]:
     """Tokens in order; hyphens, slashes and other marks within words only separate.
 
-    Args:
-        text: any string.
-
     Returns:
         The tokens; ``token.text == text[token.start : token.end]`` holds for each.
     """
@@ -135,13 +132,7 @@ def low_at(tokens: Sequence[Token], i: int) -> str:
 
 
 def base_words(tokens: list[Token], i: int, j: int) -> str:
-    """The base forms of some tokens, with blanks between.
-
-    Args:
-        tokens: of the text.
-        i: index of the first.
-        j: index after the last.
-    """
+    """The base forms of some tokens, with blanks between."""
     return " ".join(token.base for token in tokens[i:j])
 
 

@@ -16,10 +16,6 @@ def who_drive(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """The terms with such nouns as cars, which is said.
 
     A driving verb would else find its subject in the next noun, and turn who does it to whom.
-
-    Args:
-        terms: of the text, in its order.
-        tokens: its tokens.
     """
     nouns = [k for k, t in enumerate(terms) if t.cat == "unknown" and _opened(terms, k)]
     drive = {tokens[terms[k].i].low for k in nouns if _drives(terms, k, tokens)}
