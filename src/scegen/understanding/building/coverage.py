@@ -72,6 +72,11 @@ def unattached(
         text = scenario.description[start:end]
         instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
+    return with_remarks(scenario, found)
+
+
+def with_remarks(scenario: FunctionalScenario, found: list[Unsupported]) -> FunctionalScenario:
+    """The scenario with these remarks, in the order of the text."""
     if found == list(scenario.unsupported):
         return scenario
     found.sort(key=lambda u: (u.start, u.end))

@@ -8,6 +8,7 @@ from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Maneuver
+from scegen.understanding.building.coverage import with_remarks
 from scegen.understanding.chunks import Event
 from scegen.understanding.frames import acts, always_acts
 from scegen.understanding.lexicon import word_list
@@ -55,10 +56,7 @@ def undone(
         if doers and not any(_shown(kind, doer, scenario) for doer in doers):
             text = scenario.description[start:end]
             found.append(Unsupported(text=text, start=start, end=end, instead=_INSTEAD))
-    if len(found) == len(scenario.unsupported):
-        return scenario
-    found.sort(key=lambda u: (u.start, u.end))
-    return scenario.model_copy(update={"unsupported": tuple(found)})
+    return with_remarks(scenario, found)
 
 
 def _told(event: Event, tokens: list[Token]) -> bool:

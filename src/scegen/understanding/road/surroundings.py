@@ -11,7 +11,7 @@ from scegen.scenario.vocabulary import DrivingSide
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.measures import last_of, role_of, value_of
-from scegen.understanding.words.lane_widths import auxiliary_length_m, lane_width_m
+from scegen.understanding.words.lane_widths import size_of_lanes
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 from scegen.units import speed_mps
@@ -86,11 +86,8 @@ def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token
         _limit(found, terms, k, tokens)
     elif role in _CONDITIONS:
         _conditions(found, terms, k, role)
-    elif (width := lane_width_m(terms, k, tokens)) is not None:
-        found.road["lane_width_m"] = width, basis
-        found.measured.append(term)
-    elif (length := auxiliary_length_m(terms, k, tokens)) is not None:
-        found.road["auxiliary_length_m"] = length, basis
+    elif (size := size_of_lanes(terms, k, tokens)) is not None:
+        found.road[size[0]] = size[1], basis
         found.measured.append(term)
     else:
         return False

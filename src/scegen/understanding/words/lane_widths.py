@@ -10,22 +10,21 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token, low_at
 
 
-def lane_width_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
-    """The width of the road's lanes, where a term gives one that can be built."""
-    length = _length_m(terms[k], LANE_WIDTHS_M)
-    if length is None:
-        return None
+def size_of_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> tuple[str, float] | None:
+    """``lane_width_m``, or ``auxiliary_length_m`` (of a ramp's lane, or of one that ends).
+
+    None where a term gives neither that can be built.
+    """
     lanes = [t for t in terms if _is_lane(t) or _names_it(t, tokens)]
-    return length if _told_of(lanes, terms[k], tokens, "wide") else None
-
-
-def auxiliary_length_m(terms: Sequence[Term], k: int, tokens: list[Token]) -> float | None:
-    """The length of a ramp's lane, or of one that ends, if a term gives one that can be built."""
-    length = _length_m(terms[k], AUXILIARY_LENGTHS_M)
-    if length is None:
-        return None
-    lanes = [t for t in terms if "auxiliary" in t.data]
-    return length if _told_of(lanes, terms[k], tokens, "long") else None
+    ending = [t for t in terms if "auxiliary" in t.data]
+    for field, named, limits, how in (
+        ("lane_width_m", lanes, LANE_WIDTHS_M, "wide"),
+        ("auxiliary_length_m", ending, AUXILIARY_LENGTHS_M, "long"),
+    ):
+        length = _length_m(terms[k], limits)
+        if length is not None and _told_of(named, terms[k], tokens, how):
+            return field, length
+    return None
 
 
 def _length_m(term: Term, limits: tuple[float, float]) -> float | None:

@@ -89,13 +89,9 @@ def share_at(tokens: list[Token], i: int) -> Number | None:
     Returns:
         The share with the tokens of the fraction alone, or None where it is of anything else.
     """
-    lows = [low_at(tokens, k) for k in range(i, i + 2)]
-    count, part, length = (
-        {"one": 1, "a": 1, "two": 2, "three": 3}.get(lows[0]),
-        PARTS.get(lows[1]),
-        2,
-    )
-    if lows[0] == "half":
+    opens = low_at(tokens, i)
+    count, part, length = COUNTED.get(opens), PARTS.get(low_at(tokens, i + 1)), 2
+    if opens == "half":
         count, part, length = 1, 2, 1
     if count is None or part is None:
         return None
