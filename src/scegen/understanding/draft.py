@@ -18,7 +18,7 @@ from scegen.scenario.vocabulary import (
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.words.tokens import Token
 
-_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
+TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
 _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
 """What comes before a turn at the junction ("cuts in and turns right")."""
@@ -168,18 +168,18 @@ class Draft:
             InfeasibleError: if the text lets one vehicle turn both left and right.
         """
         known = entity.maneuvers
-        both_ways = known & _TURNS and values & _TURNS and not values & known
+        both_ways = known & TURNS and values & TURNS and not values & known
         either = alternative is not None and alternative == entity.turn_alternative
         if both_ways and not either:
             if not later:
                 self._contradiction(entity, values, basis)
             self.note_at(basis, "one junction is built; this later turn is left out")
             return
-        if alternative is None and values & _TURNS:
+        if alternative is None and values & TURNS:
             known = known - _OVERRIDABLE - _ON_THE_WAY if entity.turn_alternative is None else known
-        if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & _TURNS:
+        if alternative is None and values in (_OVERRIDABLE, _ON_THE_WAY) and known & TURNS:
             return
-        if alternative is None and entity.turn_alternative is None and values < known <= _TURNS:
+        if alternative is None and entity.turn_alternative is None and values < known <= TURNS:
             known = set()  # "both turn: V1 goes left": now it is said which way
         if Maneuver.CROSS in values:
             if Maneuver.STRAIGHT in known and not entity.is_vehicle:
@@ -190,8 +190,8 @@ class Draft:
         entity.turn_alternative = alternative or entity.turn_alternative
 
     def _contradiction(self, entity: Entity, values: set[Maneuver], basis: Basis) -> None:
-        first = f"{min(entity.maneuvers & _TURNS)}{self._quoted(entity.maneuver_basis)}"
-        second = f"{min(values & _TURNS)}{self._quoted(basis)}"
+        first = f"{min(entity.maneuvers & TURNS)}{self._quoted(entity.maneuver_basis)}"
+        second = f"{min(values & TURNS)}{self._quoted(basis)}"
         who = "the ego" if entity.ego else f"one {entity.kind}"
         msg = f"contradictory maneuvers: {who} is said to turn {first} and to turn {second}"
         raise InfeasibleError(

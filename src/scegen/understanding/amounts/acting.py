@@ -9,7 +9,7 @@ from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
-from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Basis
 from scegen.understanding.happenings import STILL, Amount, Doing
@@ -17,7 +17,6 @@ from scegen.understanding.semantics.context import Clause
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import quantity_at
 
-_CHANGING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 _GOING_OVER = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _RESTING = frozenset({"stop", "wait", "unknown"})
 
@@ -156,7 +155,7 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
 def _then_again(doing: Doing, text: Telling) -> Doing | None:
     """``brakes at 3 m/s² to 60 km/h, then at 8 m/s²``: the same once more, without its verb."""
     then = text.find("then", doing.i + 1, text.bounds(doing.i)[1])
-    if doing.kind not in _CHANGING or then is None or text.within(doing.i + 1, then[1] + 1):
+    if doing.kind not in CHANGING or then is None or text.within(doing.i + 1, then[1] + 1):
         return None
     if text.tokens[then[1] - 1].low == "again":
         return None  # "slows to 42 km/h, again at 1 m/s²"

@@ -5,12 +5,11 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Doing
 
 _PAIR = 2
-_CHANGES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 
 
 def as_fast(text: Telling) -> None:
@@ -36,7 +35,7 @@ def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
 
 def _until_alike(text: Telling) -> None:
     """``slows down to the speed of the lorry``, ``brakes to match it``: as fast in the end."""
-    for doing in text.acts(0, len(text.tokens), _CHANGES):
+    for doing in text.acts(0, len(text.tokens), CHANGING):
         if "target_speed_mps" in doing.amounts:
             continue
         within = text.within(doing.i + 1, text.bounds(doing.i)[1])

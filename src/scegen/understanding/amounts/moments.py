@@ -6,7 +6,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Doing, Since
 from scegen.understanding.lexicon import word_list
@@ -14,7 +14,6 @@ from scegen.understanding.lexicon import word_list
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
 _INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
                    ActKind.OPEN_DOOR})  # fmt: skip
-_PACE = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 _BEGINNING = frozenset({"try", "light", "inert"})
 """``starts to brake``: what is begun is told after it."""
 
@@ -49,7 +48,7 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     here_into = [a for a in here if a.kind in _INTO] + pulls_out
     if not here_into:  # "brakes at a TTC of 3 s", "brakes with 6 m/s² 20 m ahead of the ego"
         then = [a for a in here if told & a.places] or _opens_with(figure, acts)
-        here_into = [a for a in then if measure is Measure.TTC_S or a.kind in _PACE]
+        here_into = [a for a in then if measure is Measure.TTC_S or a.kind in CHANGING]
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
 
 

@@ -22,8 +22,8 @@ def sets_off(figure: Figure) -> bool:
     """``when the gap is 20 m``, ``50 m before the junction``: what sets an act off."""
     noun, word, clause = figure.noun, figure.led_by, figure.clause
     opened = clause is not None and clause[2] in word_list("triggers")
-    nears = clause is not None and clause[2] == "as" and _nears(figure)
-    opened = opened or (nears and not isinstance(noun, Place))
+    if clause is not None and clause[2] == "as" and not isinstance(noun, Place):  # "as it nears it"
+        opened = figure.verb is not None and figure.verb.lemma in word_list("nearing")
     short = word in word_list("short_before")
     told = short or word == "to"
     line = noun if isinstance(noun, Place) and noun.kind in _LINES and told else None
@@ -45,8 +45,9 @@ def sets_off(figure: Figure) -> bool:
         return _comes_down(figure, doing, subject, line)
     subject = subject if opened else figure.said_of or subject
     moved = subject if subject is not doing.entity else None
-    if moved is not None and _waits(figure, moved):
-        return False
+    rests = figure.does in _RESTING and moved in figure.actors
+    if moved is not None and (moved.still or rests):
+        return False  # "where a van waits 5 m before the line": so far it stays
     doing.when = figure.trigger("junction", entity=moved)
     return True
 
@@ -71,16 +72,6 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
         subject, other = text.in_file(subject, other)
     doing.when = figure.trigger("measure", measure=figure.measure, entity=subject, reference=other)
     return True
-
-
-def _waits(figure: Figure, entity: Entity) -> bool:
-    """``where a van waits 5 m before the line``: so far it stays, which sets nothing off."""
-    return entity.still or (figure.does in _RESTING and entity in figure.actors)
-
-
-def _nears(figure: Figure) -> bool:
-    """``as the ego comes within 30 m``: so near is a moment; "as it follows" lasts."""
-    return figure.verb is not None and figure.verb.lemma in word_list("nearing")
 
 
 def _thing(figure: Figure) -> Thing | None:

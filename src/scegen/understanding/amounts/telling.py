@@ -15,6 +15,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 
 ANY: frozenset[ActKind] = frozenset(ActKind)
+CHANGING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 _ENDS = frozenset({".", ";", "!", "?"})
 
 

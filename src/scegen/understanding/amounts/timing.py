@@ -6,14 +6,13 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.joined import likewise, part_of
-from scegen.understanding.amounts.telling import ANY, Telling
+from scegen.understanding.amounts.telling import ANY, CHANGING, Telling
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing, Since
 from scegen.understanding.lexicon import word_list
 
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
 _GREEN_REACH = 9
-_LASTING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
 _ENDING = frozenset({"target_speed_mps", "duration_s", "distance_m"})
 
 
@@ -122,7 +121,7 @@ def endless(doing: Doing, text: Telling) -> bool:
     over = any(e.perfect for e in told if e.i == doing.i) or _ENDING & set(doing.amounts)
     if doing.kind is ActKind.CROSS:  # "has stepped off the kerb": there the crossing begins
         return all(e.lemma != "cross" for e in told)
-    return doing.kind in _LASTING and not over
+    return doing.kind in CHANGING and not over
 
 
 def _act(figure: Figure) -> Doing | None:
@@ -170,5 +169,5 @@ def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, Since]:
     own = last.entity is doing.entity
     later = any(t.low in word_list("later") for t in text.tokens[figure.j : figure.j + 2])
     # of braking without an end, or that another answers: "the ego reacts after 1 s"
-    ends = last.kind not in _LASTING or (own and _ENDING & set(last.amounts))
+    ends = last.kind not in CHANGING or (own and _ENDING & set(last.amounts))
     return last, "end" if ends and (own or later) else "begin"

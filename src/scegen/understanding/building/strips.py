@@ -45,7 +45,8 @@ def strips_beside(
         elif auxiliary is not None and strip not in BESIDE_AN_AUXILIARY_LANE:
             draft.note_at(None if of_road else basis, _BESIDE_A_RAMP)
         elif not of_road or carriageway is Carriageway.DIVIDED:
-            if strip is Strip.HARD_SHOULDER and not of_road and not _anybody_on_it(draft):
+            told = (e.parked or e.was_parked or e.strip for e in draft.entities)
+            if strip is Strip.HARD_SHOULDER and not of_road and not any(told):
                 draft.note_at(basis, _NOBODY_DRIVES)
             proofs.add("junction.strips", basis)
             found.add(strip)
@@ -93,7 +94,3 @@ def _where_somebody_is(
         elif strip not in found:
             entity.strip = None
             draft.note_at(basis, _BESIDE_A_SHOULDER if beside else AT_JUNCTIONS)
-
-
-def _anybody_on_it(draft: Draft) -> bool:
-    return any(e.parked or e.was_parked is not None or e.strip is not None for e in draft.entities)

@@ -12,11 +12,10 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
-from scegen.understanding.draft import Draft
+from scegen.understanding.draft import TURNS, Draft
 from scegen.understanding.entity import Basis, Entity
 
 _OVER_A_JUNCTION = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.STRAIGHT})
-_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING,
                                 HazardKind.CROSSING_CYCLIST})  # fmt: skip
 
@@ -38,7 +37,7 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
             entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), entity.bides
         return {Maneuver.STAY}
     if entity.maneuvers and (entity.was_parked is not None or not entity.parked):
-        turns = entity.maneuvers & _TURNS
+        turns = entity.maneuvers & TURNS
         passes = turns and entity in draft.causing(HazardKind.OVERTAKING)
         return turns if passes else entity.maneuvers  # "overtakes, then turns right"
     found = _followed(entity, junction, draft)

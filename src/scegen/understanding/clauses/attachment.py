@@ -115,7 +115,7 @@ def _noun(prep: Prep, state: State) -> Mention | None:
     if head is None and whom.is_landmark and prep.value == "from" and state.events:
         # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
         # side of its own: "turns in front of a car from the left"
-        own = any(m.is_ego for m in state.events[-1].subject) and _from_a_side(prep)
+        own = any(m.is_ego for m in state.events[-1].subject) and prep.names("side", "direction")
         return whom if own else None
     return head or whom
 
@@ -179,10 +179,6 @@ def _came_from(prep: Prep, whom: Mention, state: State) -> bool:
     far = any(c.j == prep.word.i and c.cat == "quantity" for c in state.chunks)
     out = [p for p in phrases if p.outer == "from" or (far and p.value == "between")]
     return any(p.target is whom and p.value in {"behind", "ahead", "between"} for p in out)
-
-
-def _from_a_side(prep: Prep) -> bool:
-    return prep.names("side", "direction")
 
 
 def _head_of(prep: Prep, state: State) -> Mention | None:

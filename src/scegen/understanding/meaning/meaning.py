@@ -209,7 +209,8 @@ class Interpreter:
 def _is_of_the_verb(prep: Prep, event: Event, kerb: str) -> bool:
     """``approaches the ego from the left``: not the ego comes from there."""
     who = prep.on_mention
-    if _from_behind(prep) and _goes_into(event, who):
+    met = any(p.value in {"into", "with"} and p.target is who for p in event.pps)
+    if met and _from_behind(prep):  # "runs into the van from behind"
         return True
     beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
     beside = beside and not _stands_there(prep, event, kerb)
@@ -238,11 +239,6 @@ def _met_there(prep: Prep) -> bool:
 def _from_behind(prep: Prep) -> bool:
     """``hits the van from behind``: behind the van."""
     return prep.outer == "from" and prep.value == "behind" and prep.target is None
-
-
-def _goes_into(event: Event, mention: Mention | None) -> bool:
-    """``runs into the van``, ``collides with it``."""
-    return any(p.value in {"into", "with"} and p.target is mention for p in event.pps)
 
 
 def _starts(event: Event, prep: Prep) -> bool:

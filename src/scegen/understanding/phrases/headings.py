@@ -186,7 +186,8 @@ def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:
 
 def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     """Whether words up to a colon, or the first sentence, only name what is told after them."""
-    spoken = any(_finite(c) or c.cat in _AUXILIARIES for c in title)
+    verbs = [c for c in title if isinstance(c, Event) and not c.nominal and c.form == "s"]
+    spoken = bool(verbs) or any(c.cat in _AUXILIARIES for c in title)
     if title and title[-1].value == "speed" and not _others(title):
         spoken = spoken or _names_ego(title)  # "Motorway, ego at 120 km/h: a van …"
     titled = [c for c in title if isinstance(c, Mention)]
@@ -219,10 +220,6 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
 def _is_for(mention: Mention, title: list[Chunk]) -> bool:
     """``Blind-spot test for trucks.``: what kind of vehicle is tested, nobody who takes part."""
     return mention.plural and value_at(title, title.index(mention) - 1) in {"for", "and"}
-
-
-def _finite(chunk: Chunk) -> bool:
-    return isinstance(chunk, Event) and not chunk.nominal and chunk.form == "s"
 
 
 def _role(mention: Mention, title: list[Chunk]) -> bool:

@@ -14,6 +14,7 @@ ALONG, AGAINST = "along_course", "against_course"
 _ROADS = frozenset({"road", "access", "leg", "exit", "highway"})
 _COURSES = frozenset({"direction", "path"})
 _TURNING = frozenset({"turn", "sharp_turn", "u_turn"})
+_STOPS = frozenset({"punct", "conj", "sub", "rel"})
 _ON_THE_WAY = frozenset({"aux", "manner", "quantity"})
 _WALKING = frozenset({"cross", "walk", "dash", "move", "appear", "approach", "enter", "inert"})
 
@@ -64,10 +65,6 @@ def _hand_on(before: list[Chunk], road: Place) -> None:
     of = value_at(before, len(before) - 1) in {"of", "in"}
     if of and isinstance(place, Place) and place.kind in {"crosswalk", "junction"}:
         place.arm, place.user = road.arm, road.user
-
-
-def _stops(chunk: Chunk) -> bool:
-    return chunk.cat in {"punct", "conj", "sub", "rel"}
 
 
 def _text(chunk: Chunk | None, tokens: list[Token]) -> str:

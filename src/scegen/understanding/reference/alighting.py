@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.words.tokens import Token
 
 _OPENS = frozenset({"door", "alight"})
@@ -42,17 +42,14 @@ def _on_a_side(event: Event) -> None:
     """``on the traffic side``: the side of the vehicle, not of the road."""
     on = [p for p in event.pps if p.names("side")]
     for who in event.subject:
-        of_body = [p for p in who.pps if p.place is not None and _of_body(p.place)]
+        named = [(p, p.place.mods) for p in who.pps if p.place is not None]
+        of_body = [p for p, mods in named if any("of_body" in m.data for m in mods)]
         who.pps = [p for p in who.pps if p not in of_body]
         on += of_body
     event.pps = [p for p in event.pps if p not in on]
     places = [p.place for p in on if p.place is not None]
     event.mods += [m for place in places for m in place.mods if m.cat == "dir"]
     event.j = max([event.j, *(place.j for place in places)])
-
-
-def _of_body(place: Place) -> bool:
-    return any("of_body" in m.data for m in place.mods)
 
 
 def _around(event: Event, tokens: list[Token]) -> Mention | None:

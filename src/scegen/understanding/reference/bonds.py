@@ -67,7 +67,9 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
     mentions = [c for c in chunks if isinstance(c, Mention)]
     objects = {id(e.object) for e in events}
     there = _said_to_be_there(chunks)
-    subjects = {
+    # "the lead car reveals a standing one. The ego hits it.": told of what came into view
+    revealed = {id(e.object) for e in events if e.name == "reveal"}
+    subjects = revealed | {
         id(m)
         for e in events
         for m in e.subject
@@ -75,7 +77,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     found = Bonds(
-        subjects=(subjects | there | _revealed(events)) - _in_reasons(chunks, tokens),
+        subjects=(subjects | there) - _in_reasons(chunks, tokens),
         settled=_settled(events),
         everywhere=sides_of(events, chunks),
         again=same_again(mentions, events, tokens),
@@ -91,7 +93,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         comes = event.name == "approach" or any(d.value == "opposite" for d in event.dirs)
         if comes or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
-        if _comes_out(event):
+        if event.name in _COMING_OUT or any(m.is_person for m in event.subject):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
         for place in (p.place for p in event.pps):
             if place is not None and place.beside is not None:
@@ -112,11 +114,6 @@ def _whose_sides(chunks: list[Chunk]) -> dict[int, str]:
     places = [c for c in chunks if isinstance(c, Place) and c.kind in {"side", "lane"} and c.dirs]
     whose = [(place.beside or place.owner, " ".join(place.dirs)) for place in places]
     return {id(who): side for who, side in whose if who is not None}
-
-
-def _revealed(events: list[Event]) -> set[int]:
-    """``the lead car reveals a standing one. The ego hits it.``: told of what came into view."""
-    return {id(e.object) for e in events if e.name == "reveal" and e.object is not None}
 
 
 def _keeps_away(event: Event, tokens: list[Token], found: Bonds) -> None:
@@ -200,11 +197,6 @@ def _of_another(event: Event, found: Bonds) -> None:
         end = part.opening == "into" and bool({"front", "rear"} & set(part.dirs))
         if end or (event.name == "collide" and part.opening != "of"):
             found.unlike[id(part.owner)] += event.subject
-
-
-def _comes_out(event: Event) -> bool:
-    """Whether somebody comes into view: on foot, or by a verb that says so."""
-    return event.name in _COMING_OUT or any(m.is_person for m in event.subject)
 
 
 def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:

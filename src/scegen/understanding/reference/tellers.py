@@ -29,7 +29,8 @@ def teller_goes_by(
         How the teller moves; None if it drives, or nothing says so.
     """
     mentions = [c for c in chunks if isinstance(c, Mention)]
-    own = [e for e in events if any(_us(m) for m in e.subject) and not e.negated]
+    us = [(e, w) for e in events if not e.negated for m in e.subject for w in (m, m.whole)]
+    own = [e for e, who in us if who is not None and tells(who)]
     my_car = any(m.is_ego and tokens[m.i].low in _MY for m in mentions)
     kinds = [(m, KINDS[h.value]) for m in mentions for h in m.heads if h.value in KINDS]
     mines = [kind for m, kind in kinds if mine(m, kind)]
@@ -43,10 +44,6 @@ def teller_goes_by(
         return next(iter(mines), None)
     afoot = any(_afoot(e, tokens) for e in own) or any(_on_foot(m, tokens) for m in mentions)
     return ParticipantKind.PEDESTRIAN if afoot else next(iter(mines), None)
-
-
-def _us(mention: Mention) -> bool:
-    return tells(mention) or (mention.whole is not None and tells(mention.whole))
 
 
 def _cycles(event: Event) -> bool:

@@ -191,10 +191,6 @@ def _act(row: dict[str, Any], of: str, words: Words) -> Effect:
     return effect
 
 
-def _recast(name: str) -> Effect:
-    return lambda clause, _: setattr(clause.event, "name", name)
-
-
 def _parts(row: dict[str, Any]) -> Effect:
     targets, actors = who(row.get("targets", "targets")), who(row.get("actors", "actors"))
 
@@ -234,7 +230,7 @@ def _changes(row: dict[str, Any]) -> Iterable[Effect]:
     if "rewrite" in row:
         yield REWRITES[row["rewrite"]]
     if "as" in row:
-        yield _recast(row["as"])
+        yield lambda clause, _: setattr(clause.event, "name", row["as"])
 
 
 def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable[Effect]:

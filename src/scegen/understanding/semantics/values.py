@@ -16,7 +16,6 @@ _EXITS = {
     "first": Maneuver.EXIT_1, "second": Maneuver.EXIT_2, "third": Maneuver.EXIT_3,
     "fourth": Maneuver.EXIT_4, "fifth": Maneuver.EXIT_5, "sixth": Maneuver.EXIT_6,
 }  # fmt: skip
-_TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
 _REACH = 3
 
 
@@ -34,7 +33,7 @@ def alike(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
     near = context.lows(event.i - _REACH, event.j + _REACH)
     if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
         return {}
-    turned = [e.maneuvers & _TURNS for e in context.draft.entities if e not in clause.actors]
+    turned = [e.maneuvers & ways.SIDEWAYS for e in context.draft.entities if e not in clause.actors]
     told = [way for way in turned if len(way) == 1]
     return dict.fromkeys(told[-1], clause.words) if told else {}
 
@@ -42,7 +41,7 @@ def alike(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
 def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
     """A turn whose side is not said."""
     denied = {ways.DIRECTIONS[d] for d in clause.event.denied_ways if d in ways.DIRECTIONS}
-    return dict.fromkeys((_TURNS - denied) or {Maneuver.STRAIGHT}, clause.words)
+    return dict.fromkeys((ways.SIDEWAYS - denied) or {Maneuver.STRAIGHT}, clause.words)
 
 
 def _exit(clause: Clause, _: Context) -> dict[Maneuver, Basis]:

@@ -10,7 +10,7 @@ from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure, quantity_at
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 DIRECTIONS = {
     "left": Maneuver.LEFT,
@@ -26,7 +26,7 @@ _WAY = frozenset({"road", "lane", "path", "highway"})
 _TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
 _LAMP_REACH = 6
 _THROUGH = frozenset({"through", "across"})
-_SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
+SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
 _WITHIN_LANE_M = 2.0
 
 
@@ -35,7 +35,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
     found = {
         DIRECTIONS[t.value]: span(event, t.i, t.j)
         for t in event.dirs
-        if t.value in DIRECTIONS and not _beside_somebody(t.j, tokens)
+        if t.value in DIRECTIONS and low_at(tokens, t.j) != "of"  # "right of the centre line"
     }
     named = (p.target for p in event.pps)
     lanes = {n.j for n in named if isinstance(n, Place) and n.kind == "lane"}
@@ -80,11 +80,6 @@ def _our_side(side: Place, event: Event) -> bool:
     """``a van comes down the ramp to our left``: where that is, for whoever tells it."""
     ours = side.has("possessive", "first_person")
     return ours and not any(e.ego for m in event.subject for e in m.entities)
-
-
-def _beside_somebody(j: int, tokens: list[Token]) -> bool:
-    """``right of the centre line``: where somebody is, no turn."""
-    return j < len(tokens) and tokens[j].low == "of"
 
 
 def _came_from(event: Event) -> set[str]:
@@ -218,7 +213,7 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "onto_the_road": _onto_the_road,
     "only_signalled": _only_signalled,
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),
-    "leads_aside": lambda clause, c: bool(_SIDEWAYS & set(directions(clause.event, c.tokens))),
+    "leads_aside": lambda clause, c: bool(SIDEWAYS & set(directions(clause.event, c.tokens))),
     "leads_through": lambda clause, c: through(clause.event, c) is not None,
     "onward": lambda clause, _: any(d.value == "straight" for d in clause.event.dirs),
     "denies_a_way": lambda clause, _: bool(clause.event.denied_ways & set(DIRECTIONS)),

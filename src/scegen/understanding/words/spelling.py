@@ -11,17 +11,13 @@ _SHORTEST_KEY = 6
 _SHORTEST_WORD = 5
 
 
-def _shortened(word: str) -> list[str]:
-    return [word[:k] + word[k + 1 :] for k in range(len(word))]
-
-
 def one_slip(written: str, meant: str) -> bool:
     """Whether one letter more, less or other, or two swapped neighbours, tell the words apart."""
     if written == meant or abs(len(written) - len(meant)) > 1:
         return False
     if len(written) != len(meant):
         longer, shorter = sorted((written, meant), key=len, reverse=True)
-        return shorter in _shortened(longer)
+        return any(shorter == longer[:k] + longer[k + 1 :] for k in range(len(longer)))
     wrong = [k for k, (a, b) in enumerate(zip(written, meant, strict=True)) if a != b]
     if len(wrong) == 1:
         return True

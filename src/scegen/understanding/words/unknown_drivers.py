@@ -17,8 +17,10 @@ def who_drive(terms: list[Term], tokens: list[Token]) -> list[Term]:
 
     A driving verb would else find its subject in the next noun, and turn who does it to whom.
     """
-    nouns = [k for k, t in enumerate(terms) if t.cat == "unknown" and _opened(terms, k)]
-    drive = {tokens[terms[k].i].low for k in nouns if _drives(terms, k, tokens)}
+    unknown = [k for k, t in enumerate(terms) if t.cat == "unknown"]
+    nouns = [k for k in unknown if cat_at(terms, _opener(terms, k)) in _OPENERS]
+    named = [(k, tokens[terms[k].i]) for k in nouns]
+    drive = {n.low for k, n in named if _acts(terms, k, _number(n)) or _suffers(terms, k)}
     found = list(terms)
     for k in nouns:  # "follows the EVT until the EVT brakes"
         t = terms[k]
@@ -27,16 +29,8 @@ def who_drive(terms: list[Term], tokens: list[Token]) -> list[Term]:
     return found
 
 
-def _opened(terms: list[Term], k: int) -> bool:
-    return cat_at(terms, _opener(terms, k)) in _OPENERS
-
-
 def _number(noun: Token) -> str:
     return "s" if noun.low.endswith("s") else "base"
-
-
-def _drives(terms: list[Term], k: int, tokens: list[Token]) -> bool:
-    return _acts(terms, k, _number(tokens[terms[k].i])) or _suffers(terms, k)
 
 
 def _opener(terms: list[Term], k: int) -> int:
