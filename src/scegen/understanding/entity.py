@@ -8,13 +8,7 @@ from typing import Any
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import Strip
 from scegen.scenario.signals import AtLight
-from scegen.scenario.vocabulary import (
-    ON_FOOT,
-    Approach,
-    CrossedArm,
-    Maneuver,
-    ParticipantKind,
-)
+from scegen.scenario.vocabulary import ON_FOOT, Approach, CrossedArm, Maneuver, ParticipantKind
 
 
 @dataclass(slots=True, unsafe_hash=True)

@@ -122,11 +122,8 @@ class Figure(Clause):
         begin, tokens = opened[-1].i, self.text.tokens
         if sum(t.low == "," for t in tokens[begin:i]) not in {0, _PARENTHESIS}:
             return None  # "when the ego, at 40 km/h, is 20 m away"
-        ends = (k for k in range(i, stop) if tokens[k].low == "," or self._and_then(k))
+        ends = (k for k in range(i, stop) if tokens[k].low == ",")
         return begin, next(ends, stop), self.text.low(begin, opened[-1].j).strip()
-
-    def _and_then(self, k: int) -> bool:
-        return self.text.low(k, k + 2) == " and then "
 
     @cached_property
     def inside(self) -> Mention | Thing | None:

@@ -107,18 +107,11 @@ def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     later = [s for s in scenes if s.event.i > event.i and s.event.parent is not event]
     if later and later[0].actors == clause.actors and later[0].event.name in _GOING:
         later = [s for s in later[1:] if s.event.sentence == event.sentence]
-    # "until a truck going straight on has passed": what tells only which one is no doing of its own
-    later = [s for n, s in enumerate(later) if not _describes(s, later[n + 1 : n + 2])]
     following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
     if following is None or following.event.negated or following.event.name != "pass":
         return []
     others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
     return [] if any(t in clause.actors for t in following.targets) else others
-
-
-def _describes(told: Clause, after: list[Clause]) -> bool:
-    same = bool(after) and after[0].actors == told.actors
-    return same and told.event.form == "ing" and after[0].event.sentence == told.event.sentence
 
 
 def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:

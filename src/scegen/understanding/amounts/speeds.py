@@ -57,8 +57,7 @@ def _taken(figure: Figure) -> list[Entity]:
         speed, basis = quantity.value, entity.speed_basis
         later = basis is not None and figure.i < (basis.i or 0)  # "at 30 km/h …; nothing moves"
         free = entity.speed is None or (entity.speed == STILL and later)
-        able = speed.low <= _fastest_mps(entity, near) and not _stays(entity, speed)
-        if free and able and not entity.parked:
+        if free and _can(entity, speed, near) and not entity.parked:
             entity.speed, entity.speed_basis = speed, Basis(figure.i, figure.j, quantity.note)
             taken.append(entity)
     return taken
@@ -72,21 +71,19 @@ def _able(figure: Figure, meant: list[Entity]) -> list[Entity]:
         bike = entity.kind is ParticipantKind.BICYCLE and entity.named_by == {"bike"}
         if bike and speed.low > BODIES[entity.kind].top_speed_mps:
             entity.kind = ParticipantKind.MOTORCYCLE
-    fast = [e for e in meant if speed.low <= _fastest_mps(e, near)]
-    return [] if all(_stays(e, speed) for e in fast) else fast
+    return [e for e in meant if _can(e, speed, near)]
 
 
-def _stays(entity: Entity, speed: Interval) -> bool:
-    """Whether it stands all the time, so that no speed can be its own."""
+def _can(entity: Entity, speed: Interval, near: list[Entity]) -> bool:
+    """Whether it can be so fast: not if it stands all the time.
+
+    If somebody else stands nearer, what one does by muscle in traffic is the most.
+    """
     stands = entity.still or entity.held is not None
-    return stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
-
-
-def _fastest_mps(entity: Entity, near: list[Entity]) -> float:
-    """What it can do; if somebody else stands nearer, what one does by muscle in traffic."""
-    top = BODIES[entity.kind].top_speed_mps
+    stays = stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
     own = not near or entity in near or entity.kind not in _BY_MUSCLE
-    return top if own else min(top, _RUNNING_MPS)
+    top = BODIES[entity.kind].top_speed_mps
+    return not stays and speed.low <= (top if own else min(top, _RUNNING_MPS))
 
 
 def _from_to(figure: Figure) -> Doing | None:

@@ -4,13 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.junction import Junction
-from scegen.scenario.vocabulary import (
-    Approach,
-    DrivingSide,
-    HazardKind,
-    Maneuver,
-    ParticipantKind,
-)
+from scegen.scenario.vocabulary import Approach, DrivingSide, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.building.viewpoint import Placed
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Entity

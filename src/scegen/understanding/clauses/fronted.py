@@ -2,15 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import (
-    Chunk,
-    Event,
-    Mention,
-    NounPhrase,
-    Place,
-    Thing,
-    Word,
-)
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing, Word
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import GOVERNING, behind_insertion, chunk_at, value_at
 

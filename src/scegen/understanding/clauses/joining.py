@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import (
-    is_word,
-    sentence_end,
-)
+from scegen.understanding.phrases.lookahead import is_word, sentence_end
 
 
 def joins(mention: Mention, state: State) -> bool:

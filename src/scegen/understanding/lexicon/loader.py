@@ -13,16 +13,8 @@ from typing import Any
 
 from scegen.scenario.parsing import parse
 
-_ENTRY_FILES = (
-    "participants",
-    "roads",
-    "events",
-    "manner",
-    "directions",
-    "grammar",
-    "environment",
-    "things",
-)
+_ENTRY_FILES = ("participants", "roads", "events", "manner", "directions", "grammar",
+                "environment", "things")  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

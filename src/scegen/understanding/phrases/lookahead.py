@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 
@@ -137,9 +136,7 @@ def predicate_opens(chunk: Chunk | None) -> bool:
 def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
     """Whether another verb makes the clause after a participle with a phrase of place."""
     preposed = governed = False
-    for before, chunk in pairwise(chunks[k : k + _CLAUSE]):
-        if isinstance(chunk, Event) and preposed and _describes(chunk, before):
-            continue  # "emerges from behind two cars parked there"
+    for chunk in chunks[k + 1 : k + _CLAUSE]:
         if isinstance(chunk, Event):
             return governed and not chunk.nominal and chunk.form in {"s", "ed"}
         if isinstance(chunk, Word):
@@ -150,11 +147,6 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
         elif not preposed and isinstance(chunk, Mention):
             return False
     return False
-
-
-def _describes(participle: Event, noun: Chunk) -> bool:
-    told = participle.form == "ed" and participle.name in {"park", "locate"}
-    return told and isinstance(noun, Mention)
 
 
 def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:

@@ -45,7 +45,6 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
                 told[-1:] = [*chunks[end:stop], told[-1]]
                 end = stop
             found[begin:begin] = told
-            _hand_on(found, chunk)
             found.append(chunk)
             k = end
         elif course is not None:
@@ -57,14 +56,6 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if ends(chunk):
             begin = len(found)
     return _without_asides(found, tokens)
-
-
-def _hand_on(before: list[Chunk], road: Place) -> None:
-    """``the crosswalk (the crossing) of the road that it turns into``: on that arm."""
-    place = chunk_at(before, len(before) - 2)
-    of = value_at(before, len(before) - 1) in {"of", "in"}
-    if of and isinstance(place, Place) and place.kind in {"crosswalk", "junction"}:
-        place.arm, place.user = road.arm, road.user
 
 
 def _text(chunk: Chunk | None, tokens: list[Token]) -> str:

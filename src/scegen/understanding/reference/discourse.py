@@ -18,11 +18,7 @@ from scegen.understanding.reference.egos import (
     the_ego,
     the_teller,
 )
-from scegen.understanding.reference.groups import (
-    Group,
-    opened,
-    vehicle_around,
-)
+from scegen.understanding.reference.groups import Group, opened, vehicle_around
 from scegen.understanding.reference.known import known
 from scegen.understanding.reference.mention_words import Reading, mine, read_mention, states_of
 from scegen.understanding.reference.pronouns import of_pronoun, picked

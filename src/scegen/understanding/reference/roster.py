@@ -17,10 +17,7 @@ from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.tokens import Token
 
 _RIDDEN = ParticipantKind.MOTORCYCLE
-_NARROWER = {
-    ParticipantKind.BICYCLE: _RIDDEN,
-    ParticipantKind.ANIMAL: ParticipantKind.LARGE_ANIMAL,
-}
+_NARROWER = {ParticipantKind.BICYCLE: _RIDDEN, ParticipantKind.ANIMAL: ParticipantKind.LARGE_ANIMAL}
 
 
 @dataclass(slots=True)

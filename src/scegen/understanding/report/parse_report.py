@@ -81,12 +81,7 @@ class ParseReport:
         """The report as data that JSON can hold."""
         findings = [asdict(f) | {"standing": f.standing.value} for f in self.findings]
         counts = {s.value: len(self.of(s)) for s in Standing}
-        return {
-            "text": self.text,
-            "traffic": self.traffic,
-            "counts": counts,
-            "findings": findings,
-        }
+        return {"text": self.text, "traffic": self.traffic, "counts": counts, "findings": findings}
 
 
 def report_on(

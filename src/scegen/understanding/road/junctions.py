@@ -197,14 +197,9 @@ def _set_kind(
 
 
 _STRENGTH = {
-    Control.ALL_WAY_STOP: 4,
-    Control.SIGNALS: 3,
-    Control.STOP: 2,
-    Control.YIELD: 2,
-    Control.PRIORITY_TO_RIGHT: 2,
-    Control.SIGNALS_OFF: 1,
-    Control.UNCONTROLLED: 0,
-}
+    Control.ALL_WAY_STOP: 4, Control.SIGNALS: 3, Control.STOP: 2, Control.YIELD: 2,
+    Control.PRIORITY_TO_RIGHT: 2, Control.SIGNALS_OFF: 1, Control.UNCONTROLLED: 0,
+}  # fmt: skip
 
 
 def _regulate(reading: JunctionReading, said: dict[Control, Basis]) -> None:

@@ -215,10 +215,7 @@ _KINDS: dict[str, Kind] = {
     "own": _among(_own),
     "mod": _among(lambda clause, c: [c.tokens[m.j - 1].low for m in clause.event.mods]),
     "via": _among(
-        lambda clause, c: [
-            *_own(clause, c),
-            *(c.tokens[p.word.i].low for p in clause.event.pps),
-        ]
+        lambda clause, c: [*_own(clause, c), *(c.tokens[p.word.i].low for p in clause.event.pps)]
     ),
     "ends": _among(lambda clause, c: [c.tokens[clause.event.j - 1].low]),
     "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),

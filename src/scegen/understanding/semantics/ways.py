@@ -12,11 +12,7 @@ from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure, quantity_at
 from scegen.understanding.words.tokens import Token, low_at
 
-DIRECTIONS = {
-    "left": Maneuver.LEFT,
-    "right": Maneuver.RIGHT,
-    "straight": Maneuver.STRAIGHT,
-}
+DIRECTIONS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT, "straight": Maneuver.STRAIGHT}
 _BRANCHES = frozenset({"leg", "junction", "access"})
 """What one takes ("the left fork")."""
 _GOALS = frozenset({"side", "leg", "access", "road"})

@@ -16,12 +16,7 @@ _ENDS = frozenset({"front", "rear"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 
 
-def is_nominal(
-    mods: list[Term],
-    head: Term,
-    following: Term | None,
-    chunks: list[Chunk],
-) -> bool:
+def is_nominal(mods: list[Term], head: Term, following: Term | None, chunks: list[Chunk]) -> bool:
     """Whether a verb form after these words is a noun ("a sudden stop")."""
     if head.cat != "verb" or head.form == "ed":
         return False
