@@ -7,6 +7,7 @@ from scegen.understanding.chunks import Mention, Word
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import Quantity
+from scegen.understanding.words.terms import Term
 
 _WAITS = frozenset({"wait", "yield", "cause"})
 _FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})

@@ -36,7 +36,8 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if clause is not None and isinstance(chunk, Place):
             end, chunk.arm = clause
             chunk.user = next(c for c in chunks[k + 1 : end] if isinstance(c, Mention))
-            stop = next((m for m in range(end, len(chunks)) if _stops(chunks[m])), end)
+            after = range(end, len(chunks))
+            stop = next((m for m in after if chunks[m].cat in _STOPS), end)
             speed = next((m + 1 for m in (end, end + 1) if value_at(chunks, m) == "speed"), None)
             told = _told_anew(chunks, k, end, measured=speed is not None)
             # "on which a van approaches from the left", "that the ego drives along at 50 km/h"
