@@ -41,7 +41,8 @@ def of_nouns(text: Telling) -> list[Ending]:
     for k in (k for k, t in enumerate(tokens) if t.base in word_list("impacts")):
         begin = k
         while begin and tokens[begin - 1].low in word_list("before_impacts"):
-            begin -= 1
+            joined = tokens[max(0, begin - 2)].low == "to"  # "a front-to-rear impact"
+            begin -= 3 if joined and tokens[begin - 3].low in word_list("before_impacts") else 1
         done = [s.event for s in text.scenes if s.event.i <= k < s.event.j]
         if any(not (e.nominal or bare(e, text)) for e in done):
             continue
