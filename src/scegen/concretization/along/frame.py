@@ -35,7 +35,7 @@ GAINS_MPS2, LOSES_MPS2 = 1.5, 1.5
 _SETTLES_M, _SPARE_M = 40.0, 30.0
 _LEAST_SETTLES_M = 5.0
 _LEAST_M = 60.0
-_LONGEST_M = 600.0
+_LONGEST_M, _LONGEST_ARM_M = 600.0, 2000.0
 _ROUND_M = 10.0
 
 
@@ -181,8 +181,19 @@ def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:
 
 
 def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
-    """The road with arms as long as the frame."""
+    """The road with arms as long as the frame.
+
+    Raises:
+        MotionInfeasibleError: no road that long is built.
+    """
     near, beyond = -frame.centre_m(frame.begin_m), frame.centre_m(frame.end_m)
+    if max(near, beyond) > _LONGEST_ARM_M:
+        raise MotionInfeasibleError(
+            f"what is told takes {near + beyond:.0f} m of road",
+            where="road",
+            hint=f"At most {_LONGEST_ARM_M:g} m are built before its middle, and as much behind: "
+            "let it take less time, or happen at lower speeds.",
+        )
     lengths = {frame.ego_arm: near, 1 - frame.ego_arm: beyond}
     arms = tuple(
         arm.model_copy(update={"length_m": round(lengths[arm.id] - frame.gaps_m[arm.id], 3)})

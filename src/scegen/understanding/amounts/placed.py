@@ -146,6 +146,8 @@ def to_a_thing(figure: Figure) -> bool:
     if not here or not (lies or all(e.ego for e in text.spoken_of(figure.start, figure.i))):
         return False
     nearest = min(here, key=lambda x: x.basis.i or 0)
+    if not all(e.ego for e in text.spoken_of(figure.j, nearest.basis.i or 0)):
+        return False  # "20 m ahead of the ego a cyclist swerves around a pothole"
     text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, _with_place(figure)))
     return True
 
