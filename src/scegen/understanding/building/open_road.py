@@ -30,7 +30,8 @@ def at_the_edge(draft: Draft, happenings: Happenings) -> None:
     """Who stands or walks at the edge of the road, and concerns nobody, is beside the lanes."""
     told: list[Entity | Item | None] = [*draft.causing(), *draft.suffering()]
     told += [e for s in happenings.spacings for e in (s.entity, s.reference)]
-    told += happenings.ending.between if happenings.ending is not None else []
+    ending = happenings.ending
+    told += ending.between if ending is not None and ending.kind is not OutcomeKind.AVOIDED else []
     for entity in draft.entities:
         stays = bool(entity.maneuvers) and entity.maneuvers <= {Maneuver.STAY, Maneuver.STRAIGHT}
         if stays and entity.roadside is not None and not entity.is_vehicle and entity not in told:
