@@ -147,3 +147,17 @@ def test_who_waits_for_somebody_comes_to_rest_though_that_one_is_soon_gone():
     rolls = concrete.ego.model_copy(update={"speed_program": tuple(slows)})
     people = tuple(rolls if p.id == "ego" else p for p in concrete.participants)
     assert "act.waits.rest" in missed(said, concrete.model_copy(update={"participants": people}))
+
+
+@pytest.mark.parametrize(("kind", "hazard", "pace"), [
+    ("pedestrian", "crossing_pedestrian", 6), ("bicycle", "crossing_cyclist", 20)
+])  # fmt: skip
+def test_the_ego_brakes_so_long_before_it_hits_who_crosses(kind, hazard, pace):
+    said = road(
+        [ego(40), one("x", kind, ["right"], CROSS, speed=pace)],
+        [(hazard, "x", "ego")],
+        acts=[act("brakes", "ego", "brake")],
+        spacings=[apart("ego", "x", "ttc_s", 1.0, "brakes")],
+        outcome=ends("collision", "ego", "x"),
+    )
+    assert not missed(said, first(said))

@@ -111,7 +111,8 @@ def _meets(story: Story, name: str) -> str:
 def _until_met_s(story: Story, walk: Walk, meets: Runner) -> float | None:
     """How long the other takes to its line from when it sets off, where that is said."""
     spacing = _spacing(story, walk, meets.id)
-    if spacing is None or spacing[2] is None or spacing[2] is walk.stop or meets.speed_mps <= 0.0:
+    acts = spacing is not None and isinstance(spacing[2], Act) and spacing[2] is not walk.stop
+    if spacing is None or not acts or meets.speed_mps <= 0.0:
         return None
     measure, value, _, _ = spacing
     return value / meets.speed_mps if measure is Measure.GAP_M else value
@@ -132,15 +133,15 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
         walk.x_m = unbraked.x_m(arrival) + meets.towards * (meets.leading_m + clear)
         return
     measure, value, act, since = spacing
-    if act is not None and not walk.timed:
+    if isinstance(act, Act) and not walk.timed:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
-    moment = 0.0 if act is None else walk.sets_off_s
-    if act is not None and act is walk.stop:
+    moment = walk.sets_off_s if isinstance(act, Act) else act
+    if act is walk.stop:
         moment += walk.rests_s() if since == "end" else walk.slows_s()
     away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
-    if act is None and not walk.timed:
-        arrival = meets.profile.time_s(away)
+    if not isinstance(act, Act) and not walk.timed:
+        arrival = meets.profile.time_s(abs(meets.x_m(moment) - meets.x_m(0.0)) + away)
         walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
 
 
@@ -160,18 +161,21 @@ def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
     return 0.0
 
 
-def _spacing(story: Story, walk: Walk, other: str) -> tuple[Measure, float, Act | None, str] | None:
-    """A distance along the road that is said between the two: as an act begins or ends, or first.
+def _spacing(
+    story: Story, walk: Walk, other: str
+) -> tuple[Measure, float, Act | float, str] | None:
+    """A distance along the road that is said between the two: as an act of its own begins or ends.
 
-    Of its setting off and its stopping.
+    Or at a time (s): as the other brakes, or at first.
     """
-    for act in (walk.act, walk.stop):
-        when = act.when if act is not None else None
+    for act in filter(None, (walk.act, walk.stop)):
+        when = act.when
         if isinstance(when, WhenMeasure):
             return when.measure, when.value.middle + _hidden_behind_m(story, when), act, "begin"
     pair, own = {walk.id, other}, {a.id: a for a in (walk.act, walk.stop) if a is not None}
     for said in story.functional.spacings:
         along = {said.participant, said.reference} == pair and said.measure in LENGTHWISE
         if along and (said.since == "begin" or said.at in own):
-            return said.measure, said.value.middle, own.get(said.at), said.since
+            moment = story.begins_s.get(said.at, 0.0)
+            return said.measure, said.value.middle, own.get(said.at, moment), said.since
     return None
