@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from scegen.scenario.model import Interval
-from scegen.scenario.outcome import BodySide
+from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 from scegen.understanding.amounts.telling import Telling
@@ -129,18 +129,25 @@ def _is_middle(part: NounPhrase) -> bool:
 
 
 def settle(text: Telling) -> None:
-    """What half of the front is touched, by the numbers if any: by whom it is narrow, where."""
+    """What half of the front is touched, by the numbers if any: by whom it is narrow, where.
+
+    Of whom the ego nears with an overlap, and no end is told, it is that they touch.
+    """
+    overlaps = [s for s in text.found.spacings if s.measure is Measure.OVERLAP_PERCENT]
+    for two in overlaps if text.found.ending is None else []:
+        if isinstance(two.entity, Entity) and _nears(text.ego, two.entity, text):
+            basis = two.amount.basis.because("bodies overlap where they touch")
+            text.found.ending = Ending(OutcomeKind.COLLISION, basis, [text.ego, two.entity])
     ending = text.found.ending
     if ending is None or ending.half is None or ending.impact is not None:
         return
     basis, left = ending.half_basis or ending.basis, ending.half is Side.LEFT
-    told = [s for s in text.found.spacings if s.measure is Measure.OVERLAP_PERCENT]
-    for overlap in told:
+    for overlap in overlaps:
         known = overlap.amount.basis
         begins, ends = min(known.i or 0, basis.i or 0), max(known.j or 0, basis.j or 0)
         overlap.amount = Amount(overlap.amount.value, Basis(begins, ends, known.reason))
         overlap.side = overlap.side or ending.half
-    if told:
+    if overlaps:
         return
     other = ending.other
     if other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE:
@@ -153,6 +160,12 @@ def settle(text: Telling) -> None:
         share = ending.share or _HALF
         value = Interval(low=0.0 if left else _WHOLE - share, high=share if left else _WHOLE)
         ending.impact = Amount(value, basis)
+
+
+def _nears(ego: Entity, other: Entity, text: Telling) -> bool:
+    """Whether the ego gets to another if nobody does anything."""
+    slower = ego.speed is not None and other.speed is not None and ego.speed.low > other.speed.high
+    return slower or other.still or text.context.oncoming(other)
 
 
 def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:

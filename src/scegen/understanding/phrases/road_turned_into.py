@@ -105,9 +105,10 @@ def _entered(chunks: list[Chunk], start: int) -> int:
 
 
 def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
-    """``the destination road``; "that road", if the turn alone tells which."""
+    """``the destination road``; "that road", "the side street", if the turn alone tells which."""
     words = {t.low for t in tokens[road.i : road.j]}
     named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
     turned = any(map(turns, before))
     that = not words.isdisjoint(word_list("pointing")) and turned and len(named) <= 1
+    that |= road.kind == "access" and road.opened_by("def") and turned and not named
     return that or not words.isdisjoint(word_lists("ways")["reached"])
