@@ -54,6 +54,8 @@ def test_a_verb_that_is_denied(verb):
         assert _ends(text) is OutcomeKind.AVOIDED, text
 
 
-@pytest.mark.parametrize(("noun", "verb"), product(NOUNS[1:5], ["occurs", "results", "follows"]))
+@pytest.mark.parametrize(
+    ("noun", "verb"), list(product(NOUNS[1:5], ["occurs", "results", "follows"]))
+)
 def test_the_same_words_without_a_denial(noun, verb):
     assert _ends(f"{SCENE}. {noun.capitalize()} {verb}.") is OutcomeKind.COLLISION
