@@ -92,7 +92,8 @@ def _said_of(k: int, text: Telling) -> set[str]:
         after = event.i > k and (own or not text.spoken_of(k, event.i))
         if held or (after and all(t.kind == "word" for t in between)):
             around = {t.low for t in between} - {"without"}  # "impact without braking is at 25 %"
-            denied = event.negated if held else around & {*word_list("none")}
+            whole = text.tokens[event.i - 1].low == "which"  # "…, which ends in a crash"
+            denied = (event.negated and not whole) if held else around & {*word_list("none")}
             said |= {"denied"} if denied else around
             kept = {event.name} & _KEEPING_OFF if after and not denied else set()
             said |= {"in_vain"} if kept and in_vain(event) else kept
