@@ -21,6 +21,7 @@ from scegen.understanding.phrases.doings_named import DONE_TO
 from scegen.understanding.phrases.lookahead import finite_follows, is_word, value_at
 
 _SMALL = frozenset({"prep", "manner"})
+_REACH = 3
 _PARTS = frozenset({"side", "flank"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
 _TURNS = frozenset({"turn", "u_turn"})
@@ -53,8 +54,10 @@ def read_mention(mention: Mention, state: State) -> None:
     if state.fronted or (direct and any(e is anchor and e.finite for e in state.pending)):
         listed = state.waiting if {"and", "conj"} & state.between else None
         _start_clause(mention, state)
-        # "the ego and, 30 m in front of it, a van approach"
-        mention.joined = listed if listed is not None and not listed.pps else mention.joined
+        # "the ego and, 30 m in front of it, a van approach"; not "a van, and behind it a boy runs"
+        verb = next((c for c in state.after(_REACH) if isinstance(c, Event)), None)
+        alone = listed is None or listed.pps or (verb is not None and verb.form == "s")
+        mention.joined = mention.joined if alone else listed
     elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
     elif (described := _described(mention, state)) is not None:
