@@ -16,8 +16,18 @@ _BESIDES = frozenset({"prep", "locus", "manner", "aux"})
 
 def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
-    near = figure.named_before(_outside(figure)) or _of_the_noun(figure) or _opens_with(figure)
+    near = _for_whom(figure) or figure.named_before(_outside(figure))
+    near = near or _of_the_noun(figure) or _opens_with(figure)
     return [(entity, figure.quantity) for entity in near] or _by_clause(figure)
+
+
+def _for_whom(figure: Figure) -> list[Entity]:
+    """``60 km/h for the ego and 20 km/h for the van``."""
+    text = figure.text
+    who = next((m for m in text.mentions if m.i >= figure.j), None)
+    given = who is not None and text.low(figure.j, who.i) == " for "
+    acts = text.within(figure.start, figure.i)
+    return list(who.entities) if who is not None and given and not acts else []
 
 
 def _outside(figure: Figure) -> int:
