@@ -50,6 +50,11 @@ def number(low, high):
     )
 
 
+def between(low, high):
+    """No round number: where a measure meets it exactly, the last bit decides."""
+    return number(low, high).map(lambda v: v + 0.00037)
+
+
 @st.composite
 def paths(draw):
     count = draw(st.sampled_from([0, 3, 30]))
@@ -62,12 +67,12 @@ def paths(draw):
 triggers = st.one_of(
     st.builds(AtTime, time_s=number(0, 6)),
     st.builds(Travelled, participant=st.sampled_from(NAMES), distance_m=number(0, 60)),
-    st.builds(DistanceBelow, participant=st.sampled_from(NAMES), distance_m=number(1, 40)),
+    st.builds(DistanceBelow, participant=st.sampled_from(NAMES), distance_m=between(1, 40)),
     st.builds(
         ArrivalBelow,
         participant=st.sampled_from(NAMES),
         place_m=number(0, 60),
-        time_s=number(1, 6),
+        time_s=between(1, 6),
     ),
     st.builds(StoodStill, participant=st.sampled_from(NAMES), duration_s=number(1, 4)),
 )
