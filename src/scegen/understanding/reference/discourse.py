@@ -100,6 +100,9 @@ class Discourse:
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
             one = of_both(reading, loci_of(mention), self._roster)
+            for entity in one if not (reading.generic or reading.ego) else []:
+                entity.kind = reading.kind  # "both vehicles …; the lead van"
+                entity.named_by |= reading.called
             found = one or self._noun(reading, mention, exclude)
         found = self._share(mention, found)
         mention.entities = list(found)

@@ -86,7 +86,7 @@ def of_both(reading: Reading, loci: set[str], roster: Roster) -> list[Entity]:
     """``both vehicles go straight, the adversary from the left``: one of them, one the ego."""
     ego = roster.draft.ego
     places = reading.dirs | loci
-    placed = bool(places) and places <= {"ahead", "behind"} and reading.det == "def"
+    placed = bool(places) and places <= {"ahead", "behind"} and reading.det in {"def", "bare"}
     if reading.plural or not (reading.ego or placed or "adversary" in reading.labels):
         return []
     for group in roster.groups:
