@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import chain
 from math import ceil
+from typing import NamedTuple
 
 import numpy as np
 
@@ -38,6 +39,19 @@ _LEAST_LEAD_S = 1.0
 BEFORE_WALKER_M = 0.9
 """Who stands, or is parked and hides somebody, does so that far before that one's line."""
 _LOOK_S = 0.05
+
+
+class _Told(NamedTuple):
+    """A distance along the road that is said of one who crosses and of whom it meets.
+
+    It is that as an act of its own begins or ends, else at a time: as the other brakes, at first.
+    """
+
+    measure: Measure
+    value: float
+    act: Act | None
+    since: str = "begin"
+    at_s: float = 0.0
 
 
 def cross(story: Story) -> None:
@@ -110,37 +124,34 @@ def _meets(story: Story, name: str) -> str:
 
 def _until_met_s(story: Story, walk: Walk, meets: Runner) -> float | None:
     """How long the other takes to its line from when it sets off, where that is said."""
-    spacing = _spacing(story, walk, meets.id)
-    acts = spacing is not None and isinstance(spacing[2], Act) and spacing[2] is not walk.stop
-    if spacing is None or not acts or meets.speed_mps <= 0.0:
+    told = _spacing(story, walk, meets.id)
+    if told is None or told.act is None or told.act is walk.stop or meets.speed_mps <= 0.0:
         return None
-    measure, value, _, _ = spacing
-    return value / meets.speed_mps if measure is Measure.GAP_M else value
+    return told.value / meets.speed_mps if told.measure is Measure.GAP_M else told.value
 
 
 def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
     """When it sets off and where its line lies, so that it ``takes`` as long as the other does."""
     half = walk.body.width_m / 2
     when = walk.act.when if walk.act is not None else None
-    spacing = _spacing(story, walk, meets.id)
+    told = _spacing(story, walk, meets.id)
     walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, _LEAST_LEAD_S)
     if isinstance(when, AfterStart):
         walk.sets_off_s = when.delay_s.middle
-    if spacing is None:
+    if told is None:
         arrival, unbraked = walk.sets_off_s + takes, _unbraked(story, meets)
         touched = unbraked.speed_at_mps(arrival) > 0.0 or story.contact_wanted(walk.id, meets.id)
         clear = half if touched else half + BEFORE_WALKER_M  # who stands stays where it is
         walk.x_m = unbraked.x_m(arrival) + meets.towards * (meets.leading_m + clear)
         return
-    measure, value, act, since = spacing
-    if isinstance(act, Act) and not walk.timed:
+    if told.act is not None and not walk.timed:
         walk.sets_off_s = max(_MEETS_S - takes, 2.0)
-    moment = walk.sets_off_s if isinstance(act, Act) else act
-    if act is walk.stop:
-        moment += walk.rests_s() if since == "end" else walk.slows_s()
-    away = value if measure is Measure.GAP_M else value * meets.speed_at_mps(moment)
+    moment = told.at_s if told.act is None else walk.sets_off_s
+    if told.act is not None and told.act is walk.stop:
+        moment += walk.rests_s() if told.since == "end" else walk.slows_s()
+    away = told.value * (1.0 if told.measure is Measure.GAP_M else meets.speed_at_mps(moment))
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
-    if not isinstance(act, Act) and not walk.timed:
+    if told.act is None and not walk.timed:
         arrival = meets.profile.time_s(abs(meets.x_m(moment) - meets.x_m(0.0)) + away)
         walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
 
@@ -161,21 +172,17 @@ def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
     return 0.0
 
 
-def _spacing(
-    story: Story, walk: Walk, other: str
-) -> tuple[Measure, float, Act | float, str] | None:
-    """A distance along the road that is said between the two: as an act of its own begins or ends.
-
-    Or at a time (s): as the other brakes, or at first.
-    """
+def _spacing(story: Story, walk: Walk, other: str) -> _Told | None:
+    """The first that is told of the two: what sets it off, or makes it stop, before the rest."""
     for act in filter(None, (walk.act, walk.stop)):
         when = act.when
         if isinstance(when, WhenMeasure):
-            return when.measure, when.value.middle + _hidden_behind_m(story, when), act, "begin"
+            away = when.value.middle + _hidden_behind_m(story, when)
+            return _Told(when.measure, away, act)
     pair, own = {walk.id, other}, {a.id: a for a in (walk.act, walk.stop) if a is not None}
     for said in story.functional.spacings:
         along = {said.participant, said.reference} == pair and said.measure in LENGTHWISE
         if along and (said.since == "begin" or said.at in own):
-            moment = story.begins_s.get(said.at, 0.0)
-            return said.measure, said.value.middle, own.get(said.at, moment), said.since
+            at_s = story.begins_s.get(said.at, 0.0)
+            return _Told(said.measure, said.value.middle, own.get(said.at), said.since, at_s)
     return None

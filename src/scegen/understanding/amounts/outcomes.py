@@ -16,7 +16,7 @@ from scegen.understanding.amounts.contact_nouns import (
     of_phrases,
 )
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.struck import struck
+from scegen.understanding.amounts.struck import fully_told
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, Place, Thing, Word
 from scegen.understanding.entity import Basis, Entity
@@ -42,9 +42,7 @@ def read_outcome(text: Telling) -> None:
         text.found.ending = text.found.ending or next((e for e in endings if e.kind is kind), None)
     ending = text.found.ending
     if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
-        alike = [e for e in endings if (e.kind, {*e.between}) == (ending.kind, {*ending.between})]
-        struck(alike, text)
-        text.found.ending = ending = next((e for e in alike if e.struck or e.impact), ending)
+        text.found.ending = ending = fully_told(ending, endings, text)
         _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
     if ending is not None and span is not None and ending.other is not None:

@@ -25,18 +25,22 @@ _REACH = 7
 _ROADS = frozenset({"road", "lane", "highway"})
 
 
-def struck(endings: Iterable[Ending], text: Telling) -> None:
-    """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
-    for ending in endings:
-        _struck(ending, text)
+def fully_told(ending: Ending, endings: Iterable[Ending], text: Telling) -> Ending:
+    """An ending, or another that tells the same of the same two, and where the ego is touched."""
+    told = ending.kind, {*ending.between}
+    alike = [each for each in endings if (each.kind, {*each.between}) == told]
+    for each in alike:
+        _struck(each, text)
+    return next((each for each in alike if each.struck or each.impact), ending)
 
 
 def _struck(ending: Ending, text: Telling) -> None:
+    """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
     start, end = text.bounds(ending.basis.i or 0)
     places = [c for c in text.chunks if isinstance(c, Place) and start <= c.i < end]
     roads = [c for c in text.chunks if isinstance(c, Place) and c.kind in _ROADS]
-    parts = [(p, _portion(p, text)) for p in places]  # "the right corner of its front"
-    portions = {id(portion) for place, portion in parts if portion is not place}
+    part_of = {id(p): _portion(p, text) for p in places}  # "the right corner of its front"
+    portions = {id(portion) for p in places if (portion := part_of[id(p)]) is not p}
     in_the_rear: Basis | None = None
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
         if place.opening == "with" and place.i < (ending.basis.i or 0):
@@ -49,13 +53,14 @@ def _struck(ending: Ending, text: Telling) -> None:
         corner = "front" in place.dirs and bool(_SIDES & set(place.dirs))
         part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
         part = BodySide.FRONT if corner else part
-        whose = _owner(place, ending, text)
+        portion = part_of[id(place)]
+        whose = _owner(place, portion, ending, text)
         egos = whose is text.ego
         flank = part not in _ENDS
         if part is None or whose is None or (flank and not (egos and _hit(place, ending, text))):
             continue
         basis = Basis(place.i, place.j)
-        half = _portion(place, text) or (place if corner else None)
+        half = portion or (place if corner else None)
         if half is not None and _is_middle(half) and egos and ending.struck is None:
             words = Basis(min(half.i, place.i), max(half.j, place.j))
             ending.impact = Amount(Interval(low=_HALF, high=_HALF), words)
@@ -168,7 +173,9 @@ def _nears(ego: Entity, other: Entity, text: Telling) -> bool:
     return slower or other.still or text.context.oncoming(other)
 
 
-def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
+def _owner(
+    place: Place, portion: NounPhrase | None, ending: Ending, text: Telling
+) -> Entity | None:
     """Whose part it is: "the ego's front", "the rear of the car", "its rear"."""
     i = ending.basis.i or 0
     if place.owner is not None and place.owner.entities:
@@ -180,8 +187,7 @@ def _owner(place: Place, ending: Ending, text: Telling) -> Entity | None:
     if place.has("possessive", "first_person"):
         return text.ego
     own = any((m.cat, m.value) == ("possessive", "its") for m in place.mods)
-    half = _portion(place, text)
-    head = half if half is not None and half.i < place.i else place
+    head = portion if portion is not None and portion.i < place.i else place
     done = [s for s in text.scenes if s.event.object is head]
     scene = next((s for s in (*done, *text.scenes) if s in done or s.event.i == i), None)
     if scene is None:

@@ -108,11 +108,9 @@ def _has_another(figure: Figure, who: Mention) -> bool:
     """Whether a speed is told of somebody elsewhere ("… in front of us at 30; we do 70")."""
     nouns = [(m.mods, m.entities) for m in figure.text.mentions]
     verbs = [(s.event.mods, s.actors) for s in figure.text.scenes]
-    said = [e for mods, of in (*nouns, *verbs) for m in mods if _is_speed(m, figure) for e in of]
-    return any(e in said for e in who.entities)
+    told = ((m, of) for mods, of in (*nouns, *verbs) for m in mods if _is_speed(m))
+    return any(e in of for m, of in told if m.i != figure.i for e in who.entities)
 
 
-def _is_speed(term: Term, unlike: Figure | None = None) -> bool:
-    """Whether it is a speed, and not that of a figure."""
-    same = unlike is not None and term.i == unlike.i
-    return (term.cat, term.value) == ("quantity", "speed") and not same
+def _is_speed(term: Term) -> bool:
+    return (term.cat, term.value) == ("quantity", "speed")
