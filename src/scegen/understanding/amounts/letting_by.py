@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Control, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Thing
 from scegen.understanding.entity import Basis, Entity
@@ -13,6 +13,7 @@ from scegen.understanding.semantics.context import Clause
 
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _SOON, _ORDERS = 4, ("first", "before", "after")
+_ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
 _HOLDING = frozenset({"wait", "stop"})
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
@@ -21,7 +22,7 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``."""
     event, scenes = clause.event, text.scenes
     if event.name == "yield":
-        return clause.targets or _coming_across(clause, scenes)
+        return clause.targets or _coming_across(clause, text)
     if event.lemma == "let":
         return clause.targets if any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
@@ -34,7 +35,7 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if awaited:
         return awaited
     if not named and event.name == "wait":
-        return _passing_meanwhile(clause, scenes) or _coming_across(clause, scenes)
+        return _passing_meanwhile(clause, scenes) or _coming_across(clause, text)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
 
 
@@ -114,13 +115,14 @@ def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
     return [] if any(t in clause.actors for t in following.targets) else others
 
 
-def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
+def _coming_across(clause: Clause, text: Telling) -> list[Entity]:
     """``a pedestrian crosses, the ego waits``: whoever comes across its way just before."""
     event = clause.event
     other = [p for p in event.pps if p.value != "for" or not isinstance(p.target, Thing)]
     if not all(e.is_vehicle and not e.parked for e in clause.actors) or other or event.object:
         return []  # "waits for a gap" says no more of whom than "waits"
-    before = [s for s in scenes if s.event.i < event.i and event.sentence - s.event.sentence <= 1]
+    before = [s for s in text.scenes if s.event.i < event.i]
+    before = [s for s in before if event.sentence - s.event.sentence <= 1]
     for told in reversed(before):
         if told.event.negated or told.actors == clause.actors:
             continue
@@ -128,7 +130,9 @@ def _coming_across(clause: Clause, scenes: list[Clause]) -> list[Entity]:
         others = [e for e in told.actors if e not in clause.actors]
         meets = [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
         return meets or [e for e in others if "opposite" in e.dirs]
-    return []
+    seen = [p.entity for p in text.draft.placements if p.approaches <= _ACROSS and not p.reference]
+    seen = [e for e in seen if e.moving_vehicle and e not in clause.actors]
+    return seen[:1] if event.name == "yield" else []
 
 
 def go_on(text: Telling) -> None:

@@ -84,8 +84,10 @@ def _against_the_ego(draft: Draft, ego: Entity) -> None:
     placed = draft.placements_of(ego)
     said = [p for p in placed if p.reference is None and p.approaches <= _SEEN_BACK]
     others = [e for e in draft.entities if e.moving_vehicle and e is not ego]
-    if said and len(others) == 1 and not others[0].approaches and others[0].heading is None:
-        allow(others[0], {INVERSE[a] for a in said[0].approaches}, said[0].basis)
+    towards = bool(said) and said[0].approaches == {Approach.OPPOSITE}
+    for other in others if said and (towards or len(others) == 1) else []:
+        if not other.approaches and other.heading is None:
+            allow(other, {INVERSE[a] for a in said[0].approaches}, said[0].basis)
 
 
 def unplaced_dangers(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, teller_at
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, teller_at
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -25,7 +25,7 @@ PASSIVE = frozenset(
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
-_ITS = frozenset({"it", "him", "they"})
+_ITS, _PASSING = frozenset({"it", "him", "they"}), frozenset({"overtake", "bypass", "pass"})
 _SHOWN = frozenset({"encounter", "cause", "prevent"})
 """Verbs that say what their object is doing."""
 
@@ -281,11 +281,18 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
     elif told and anchor.is_landmark and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
-    elif done_to is not None and done_to.name not in _SHOWN and told and not event.finite:
-        event.subject = done_to.subject  # "nearly hit me coming from the right"
+    elif done_to is not None and not event.finite and _by_doing(event, done_to, told, state):
+        event.subject = done_to.subject
     else:
         own = anchor is state.candidate
         event.subject = chain(anchor) if own else _last_of(anchor, event)
+
+
+def _by_doing(event: Event, done_to: Event, told: bool, state: State) -> bool:
+    """``nearly hit me coming from the right``, ``overtakes a bus using the opposite lane``."""
+    if event.name == "use" and done_to.name in _PASSING:
+        return isinstance(lane := state.at(1), Place) and "opposite" in lane.dirs
+    return told and done_to.name not in _SHOWN
 
 
 def _last_of(noun: Mention, event: Event) -> list[Mention]:

@@ -15,7 +15,8 @@ _BY_MANNER = {
     "wrong_way": HazardKind.ONCOMING_LANE,
     "out_of_control": HazardKind.LOSS_OF_CONTROL,
 }
-_COMING = frozenset({"move", "approach", "enter", "speed", "accelerate", "collide", "overtake"})
+_COMING = frozenset({"move", "approach", "appear", "enter", "speed", "accelerate", "collide",
+                     "overtake"})  # fmt: skip
 _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
                      "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 

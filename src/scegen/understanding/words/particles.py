@@ -32,6 +32,8 @@ def then_a_noun(tokens: list[Token], match: Match) -> bool:
         return _named_at(tokens, match.j, ("place",), ("actor", "thing"))
     if tokens[match.j - 1].low not in {"on", "through"}:
         return False
+    if match.only("verb") and match.entries[0].value == "approach":
+        return _named_at(tokens, match.j, ("dir",), ("place", "thing"))  # "comes up on its left"
     if not all(e.cat in _GIVES and e.value in {"straight", "move", "inert"} for e in match.entries):
         return False
     if after in word_list("each"):
@@ -46,7 +48,7 @@ def _named_at(
     tokens: list[Token], j: int, wanted: tuple[str, ...], others: tuple[str, ...]
 ) -> bool:
     """Whether a noun of a class is named at token ``j``, articles and the like skipped."""
-    for _ in range(3):
+    for _ in range(4):
         found = longest_match(tokens, j)
         if found is None or found.has(*others):
             return False
