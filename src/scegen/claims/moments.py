@@ -49,13 +49,9 @@ def sideways_begin(told: Told, act: Act, view: View) -> Ints:
     """When a move to the side begins; one after another of the same, as it turns to its side."""
     drive, acts = told.drive(act.participant), told.functional.acts
     beside = _starts_beside(told, drive)
-    earlier = [
-        a
-        for a in acts[: acts.index(act)]
-        if a.participant == act.participant
-        and a.kind in LEAVING
-        and not (beside and a.kind is ActKind.OVERTAKE)
-    ]
+    leaving = LEAVING - {ActKind.OVERTAKE} if beside else LEAVING
+    before_it = acts[: acts.index(act)]
+    earlier = [a for a in before_it if a.participant == act.participant and a.kind in leaving]
     if earlier:
         before = sideways_begin(told, earlier[-1], view)
     else:
@@ -74,7 +70,7 @@ def sideways_begin(told: Told, act: Act, view: View) -> Ints:
     under_way = (np.abs(goes_on) if sense == 0.0 else sense * goes_on) > ASIDE_MPS
     steps = np.arange(view.steps)
     since = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
-    if earlier and earlier[-1].kind is ActKind.CHANGE_LANE:
+    if earlier and earlier[-1].kind is not ActKind.SWERVE:
         over = aside_over(told, earlier[-1], before, view)[-1]
         since = straightened(view, act.participant, over)
     # Between two moves to one side it rests for a moment.
@@ -102,10 +98,12 @@ def straightened(view: View, name: str, over: Ints) -> Ints:
 
 
 def _starts_beside(told: Told, drive: Drive | None) -> bool:
-    """Whether it drives in the lane beside at first, so that it leaves no lane to pass."""
+    """Whether it leaves no lane to pass: it drives beside at first, or all whom the ego passes."""
     if drive is None:
         return True
-    return Approach.ADJACENT in told.functional.participant(drive.participant).approaches
+    name, of = drive.participant, told.functional
+    whom = of.overtaken(name) if name == told.ego else (name,)
+    return bool(whom) and all(Approach.ADJACENT in of.participant(p).approaches for p in whom)
 
 
 def _comes_back_by(told: Told, act: Act) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import product
 
 from scegen.scenario.acts import SLOWING, ActKind
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.telling import CHANGING, Telling
@@ -103,6 +103,8 @@ def _back_from_there(found: list[Doing]) -> None:
         own = [d for d in found if d.entity is doing.entity and d.i < doing.i]
         sides = [d.side for d in own if d.kind is ActKind.OVERTAKE and d.side is not None]
         doing.side = OTHER[sides[-1]] if sides else doing.side
+        for out in own[-1:]:  # two acts: the one does not begin where the other does
+            out.always = out.always or out.kind is ActKind.OVERTAKE
 
 
 def _past_and_back(found: list[Doing], text: Telling) -> None:
@@ -114,6 +116,7 @@ def _past_and_back(found: list[Doing], text: Telling) -> None:
     for doing in found:
         if doing.kind is ActKind.CHANGE_LANE and (doing.entity, doing.into) in passed:
             doing.into = None
+            doing.side = doing.side or OTHER[Side(text.context.across)]
     dangers[:] = [
         d
         for d in dangers

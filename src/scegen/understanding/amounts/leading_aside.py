@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Place
+from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
@@ -23,7 +23,7 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         return
     event, entity = scene.event, doing.entity
     turns = doing.kind is ActKind.TURN
-    for value, basis in _sides(doing.kind, event, text):
+    for value, basis in _sides(doing.kind, scene, text):
         if value in _BACK and doing.side is None:
             doing.side, doing.side_basis = Side(value), basis
     if turns:
@@ -48,8 +48,9 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         doing.side_basis = words.because("into the lane beside its own")
 
 
-def _sides(kind: ActKind, event: Event, text: Telling) -> list[tuple[str, Basis]]:
+def _sides(kind: ActKind, scene: Clause, text: Telling) -> list[tuple[str, Basis]]:
     """The sides that words name to which a movement leads; the other of the lane that it leaves."""
+    event = scene.event
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
     # "merges out of the right lane", "pulls out of our lane"
@@ -59,9 +60,14 @@ def _sides(kind: ActKind, event: Event, text: Telling) -> list[tuple[str, Basis]
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
     # "in the left lane, a car wanders towards ours": where it is, but "on the left, it overtakes"
     starts = [p.target for p in event.pps if p.fronted and kind is not ActKind.OVERTAKE]
+    # "the ego in the left lane overtakes a van in the right lane": there is the van
+    theirs = {
+        e.start_lane[1].i for e in scene.targets if e.start_lane and scene.actors[0].start_lane
+    }
     goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
     for goal in (g for g in goals if all(g is not place for place in (*sources, *starts))):
-        if not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
+        beside = any(c is not goal and c.i < goal.i <= c.j + 1 for c in within)
+        if not beside and theirs.isdisjoint(range(goal.i - 1, goal.j)):
             # "from the lane to its right": from there
             sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]
     # Who drifts out of the right lane may do so to either side.
@@ -84,15 +90,15 @@ def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
 def _homewards(doing: Doing, returns: bool, context: Context) -> None:
     """Who comes from the front goes over the middle; who has overtaken comes back."""
     entity, words = doing.entity, doing.basis
-    returns = returns and Maneuver.OVERTAKE in entity.maneuvers and context.oncoming(entity)
+    passes = Maneuver.OVERTAKE in entity.maneuvers
+    back = passes and (returns or (doing.into is not None and doing.into.ego))
     across = Side(context.across)
-    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not returns:
+    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not (passes and returns):
         doing.into, doing.into_basis = doing.into or context.draft.ego, doing.into_basis or words
         if doing.side is None:
             reason = "who comes from the front crosses the middle of the road"
             doing.side, doing.side_basis = across, words.because(reason)
-    back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
-    if (returns or back) and doing.side is None and entity.beside is None:
+    if back and doing.side is None and entity.beside is None:
         reason = "who has overtaken comes back to its lane"
         doing.side, doing.side_basis = OTHER[across], words.because(reason)
 

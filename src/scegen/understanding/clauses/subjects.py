@@ -18,8 +18,7 @@ from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
-     "undertake",
-     "enter", "use", "door", "chase", "harm", "send"}
+     "undertake", "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
