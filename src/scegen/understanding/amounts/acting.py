@@ -103,8 +103,6 @@ def _back_from_there(found: list[Doing]) -> None:
         own = [d for d in found if d.entity is doing.entity and d.i < doing.i]
         sides = [d.side for d in own if d.kind is ActKind.OVERTAKE and d.side is not None]
         doing.side = OTHER[sides[-1]] if sides else doing.side
-        for out in own[-1:]:  # two acts: the one does not begin where the other does
-            out.always = out.always or out.kind is ActKind.OVERTAKE
 
 
 def _past_and_back(found: list[Doing], text: Telling) -> None:
