@@ -5,13 +5,15 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Place
+from scegen.understanding.chunks import Place, Prep
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people
 
+_ALONG = frozenset({"ahead", "behind"})
+_BESIDE = {Approach.ADJACENT}
 _BACK = {"left": "right", "right": "left"}
 OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 
@@ -111,19 +113,34 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     lanes = [g for g in lanes if g.kind in {"lane", "path"}]
     owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
     out = "out" in context.lows(event.i, event.j)  # "cuts out in front of"
-    fronts = [p for p in event.pps if (p.word.cat, p.value) == ("locus", "ahead") and not out]
-    ahead = people(fronts)
+    near = [p for p in event.pps if p.word.cat == "locus" and p.value in _ALONG and not out]
+    # "boxed in behind a van, it …", "so does the car behind it": where one is at first
+    near = [p for p in near if not p.fronted and all(m.j != p.word.i for m in event.subject)]
     cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN)
     egos = [e for e in context.draft.entities if e.ego]
     cut = [e for d in cuts if doing.entity in d.by for e in d.to or egos]
-    named = [e for e in (*owners, *scene.targets, *ahead, *cut) if e is not doing.entity]
+    named = [e for e in (*owners, *scene.targets, *people(near), *cut) if e is not doing.entity]
     if named:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
-    known = any(p.entity is doing.into or p.reference is doing.into
-                for p in context.draft.placements)  # fmt: skip
-    if ahead and named and doing.entity.ego and not known and not context.junction.crossing:
-        # "changes to the right lane in front of a truck": that one is there
-        basis = Basis(fronts[0].word.i, named[0].basis.j)
-        context.draft.place(named[0], None, {Approach.ADJACENT}, basis)
-        if doing.side is not None:
-            named[0].beside = named[0].beside or (doing.side.value, basis)
+    if near and named and not context.junction.crossing and named[0].moving_vehicle:
+        _beside_whom(doing, named[0], near[0], context)
+
+
+def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) -> None:
+    """``changes to the right lane in front of a truck``, ``behind it``: that one is there.
+
+    Who comes in behind another is so from the start, unless it lets that one by.
+    """
+    draft, behind = context.draft, phrase.value == "behind"
+    who, seen = (other, Approach.AHEAD) if doing.entity.ego else (doing.entity, Approach.BEHIND)
+    told = [p for p in draft.placements if other in (p.entity, p.reference) or who is p.entity]
+    said = [p.approaches for p in told if not behind or p.basis.i != phrase.word.i]
+    if not (doing.entity.ego or (behind and other.ego)) or any(a != _BESIDE for a in said):
+        return
+    basis = Basis(phrase.word.i, other.basis.j)
+    if not said:
+        draft.place(who, None, _BESIDE, basis)
+        if doing.entity.ego and doing.side is not None:
+            other.beside = other.beside or (doing.side.value, basis)
+    if behind and doing.entity not in context.letting:
+        draft.place(who, None, {seen}, basis)
