@@ -18,9 +18,11 @@ def opens(mention: Mention, state: State) -> bool:
     """
     that = state.at(-1)
     marked = isinstance(that, Word) and that.cat == "rel"
-    about = state.at(-1 - marked)
-    if marked and is_word(about, ","):
-        about = state.at(-3)
+    between = -1 - marked
+    between -= marked and is_word(state.at(between), ",")
+    placed = state.at(between)  # "the car ahead, which the ego follows"
+    between -= marked and isinstance(placed, Word) and placed.cat == "locus"
+    about = state.at(between)
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.waiting and not state.between

@@ -127,7 +127,7 @@ def _clause(event: Event, state: State) -> None:
         event.subject, state.resumed = _goes_on(event, state), []
     elif state.waiting is not None and _past_being(event, state):
         event.subject, event.embedded = chain(state.waiting), False
-    elif "rel" in between and state.mentions:
+    elif "rel" in between and state.mentions and not _closed(event, state):
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)
@@ -161,6 +161,13 @@ def _past_being(event: Event, state: State) -> bool:
     helped = bool({"aux:do", "aux:will", "aux:can", "aux:modal", "aux:shall"} & state.between)
     beside = state.mentions[-1:] != [state.candidate] and event.name not in PASSIVE
     return helped or event.form == "s" or (event.form == "ed" and beside)
+
+
+def _closed(event: Event, state: State) -> bool:
+    """``drives ahead of the ego, which is as fast, and brakes``: who drives, not the ego."""
+    closed = "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
+    event.embedded = event.embedded and not closed
+    return closed
 
 
 def _antecedent(state: State) -> Mention:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
-from scegen.understanding.phrases.lookahead import chunk_at, value_at
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
 
 _EVERYWHERE = frozenset({"direction", "side", "exit", "leg", "road"})
@@ -30,6 +31,23 @@ def each_side(prep: Prep) -> bool:
         return target.has("quant", "all") and "adjacent" in target.dirs  # "in each adjacent lane"
     single = target.head is not None and target.head.form != "s"
     return from_everywhere(prep) and single and target.kind == "side"
+
+
+def in_between(chunks: list[Chunk]) -> list[Chunk]:
+    """``rides between the ego and a truck``: ahead of the one and behind the other, in line."""
+    found = list(chunks)
+    for k in [k for k, c in enumerate(chunks) if (c.cat, c.value) == ("locus", "between")]:
+        ego, joined, other = (chunk_at(chunks, k + n) for n in (1, 2, 3))
+        verb = next((c for c in chunks[k::-1] if isinstance(c, Event) or c.value in BOUNDARIES), None)
+        stays = not isinstance(verb, Event) or verb.name in word_list("steady")
+        stays = stays and cat_at(chunks, k - 1) != "inert"  # "the collision between us and a van"
+        mine = isinstance(ego, Mention) and (ego.is_ego or ego.is_me)
+        vehicle = isinstance(other, Mention) and bool(other.heads) and not other.has("state", "parked")
+        if stays and mine and vehicle and value_at(chunks, k + 2) == "and":
+            ways = ["ahead", "behind"][:: -1 if value_at(chunks, k + 4) == "behind" else 1]
+            for n, way in zip((k, k + 2), ways, strict=True):
+                found[n] = Word(Term("locus", way, chunks[n].i, chunks[n].j))
+    return found
 
 
 def each_of(chunks: list[Chunk]) -> list[Chunk]:

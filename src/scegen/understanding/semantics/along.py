@@ -29,7 +29,7 @@ def _keeps_along(clause: Clause, context: Context) -> bool:
         or (free and event.how(ALONG, AGAINST, "wrong_way") is not None)  # "the way the ego drives"
         or any(_from_or_to_a_vehicle(p, context) for p in event.pps)
         or (walks and _ahead_in_a_lane(event.pps, context))
-        or (walks and free and _the_same_way(clause, context))
+        or (walks and free and _says(clause, context, word_list("along_the_traffic")))
     )
     over = event.object  # "runs along the road"
     own = context.tokens[event.j - 1].low in word_list("lengthwise")
@@ -45,12 +45,6 @@ def _ahead_in_a_lane(preps: list[Prep], context: Context) -> bool:
     within = any(context.tokens[p.word.i].low == "in" for p in lanes)
     sided = any(p.value == "from" for p in preps)
     return ahead and within and not sided
-
-
-def _the_same_way(clause: Clause, context: Context) -> bool:
-    """``runs ahead of the ego on the right, the same way``."""
-    ways = (w for w in word_list("with_the_traffic") if w.startswith("same"))
-    return _says(clause, context, ways)
 
 
 def _says(clause: Clause, context: Context, phrases: Iterable[str]) -> bool:
