@@ -117,7 +117,7 @@ def _hit(place: Place, ending: Ending, text: Telling) -> bool:
 
 def _portion(place: Place, text: Telling) -> NounPhrase | None:
     """``the left half`` of its front, the bonnet ``in the middle``, ``on the left``."""
-    of = (place.i if place.owner is None else place.owner.i) - 1
+    of = min([place.i, *([place.owner.i] if place.owner is not None else [])]) - 1
     for part in text.chunks:
         if not (isinstance(part, Place | Thing) and (_SIDES & set(part.dirs) or _is_middle(part))):
             continue

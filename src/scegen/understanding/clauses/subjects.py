@@ -113,7 +113,7 @@ def _blocked(event: Event, state: State) -> bool:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
-    event.embedded = "rel" in between or state.where
+    event.embedded = ("rel" in between and not _closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
     noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:
@@ -127,7 +127,7 @@ def _clause(event: Event, state: State) -> None:
         event.subject, state.resumed = _goes_on(event, state), []
     elif state.waiting is not None and _past_being(event, state):
         event.subject, event.embedded = chain(state.waiting), False
-    elif "rel" in between and state.mentions and not _closed(event, state):
+    elif "rel" in between and state.mentions and event.embedded:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)
@@ -163,11 +163,9 @@ def _past_being(event: Event, state: State) -> bool:
     return helped or event.form == "s" or (event.form == "ed" and beside)
 
 
-def _closed(event: Event, state: State) -> bool:
+def _closed(state: State) -> bool:
     """``drives ahead of the ego, which is as fast, and brakes``: who drives, not the ego."""
-    closed = "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
-    event.embedded = event.embedded and not closed
-    return closed
+    return "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
 
 
 def _antecedent(state: State) -> Mention:

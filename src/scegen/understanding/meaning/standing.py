@@ -106,12 +106,12 @@ def _wait_at_a_line(clause: Clause, at: set[str]) -> None:
 def _beside_the_lanes(actors: list[Entity], clause: Clause, context: Context) -> None:
     """``stands on the shoulder``, ``… and pulls out``: parked, all the time or at first."""
     beside: list[Entity] = []
-    for entity in [e for e in actors if e.is_vehicle and not e.ego]:
-        if entity.sets_off < clause.event.i:
+    for entity in [e for e in actors if e.is_vehicle]:
+        if entity.sets_off >= clause.event.i:
+            entity.was_parked, entity.pulls_out = entity.was_parked or clause.words, True
+        elif not entity.ego:
             beside.append(entity)
             entity.parked, entity.parked_basis = True, clause.words
-        else:
-            entity.was_parked, entity.pulls_out = entity.was_parked or clause.words, True
     context.draft.dangers[:] = [  # "a broken-down van stands on the shoulder": in nobody's way
         d for d in context.draft.dangers
         if d.kind not in _IN_THE_WAY or not d.by or not all(e in beside for e in d.by)

@@ -10,6 +10,7 @@ from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at,
 from scegen.understanding.words.terms import Term
 
 _EVERYWHERE = frozenset({"direction", "side", "exit", "leg", "road"})
+_IN_LINE = "ahead", "behind"
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
 
@@ -35,19 +36,21 @@ def each_side(prep: Prep) -> bool:
 
 def in_between(chunks: list[Chunk]) -> list[Chunk]:
     """``rides between the ego and a truck``: ahead of the one and behind the other, in line."""
-    found = list(chunks)
+    found, second = list(chunks), dict[int, Chunk]()
     for k in [k for k, c in enumerate(chunks) if (c.cat, c.value) == ("locus", "between")]:
-        ego, joined, other = (chunk_at(chunks, k + n) for n in (1, 2, 3))
-        verb = next((c for c in chunks[k::-1] if isinstance(c, Event) or c.value in BOUNDARIES), None)
+        ego, other = chunk_at(chunks, k + 1), chunk_at(chunks, k + 3)
+        if not (isinstance(ego, Mention) and isinstance(other, Mention) and other.heads):
+            continue
+        before = (c for c in chunks[k::-1] if isinstance(c, Event) or c.value in BOUNDARIES)
+        verb = next(before, None)
         stays = not isinstance(verb, Event) or verb.name in word_list("steady")
         stays = stays and cat_at(chunks, k - 1) != "inert"  # "the collision between us and a van"
-        mine = isinstance(ego, Mention) and (ego.is_ego or ego.is_me)
-        vehicle = isinstance(other, Mention) and bool(other.heads) and not other.has("state", "parked")
-        if stays and mine and vehicle and value_at(chunks, k + 2) == "and":
-            ways = ["ahead", "behind"][:: -1 if value_at(chunks, k + 4) == "behind" else 1]
-            for n, way in zip((k, k + 2), ways, strict=True):
-                found[n] = Word(Term("locus", way, chunks[n].i, chunks[n].j))
-    return found
+        mine = (ego.is_ego or ego.is_me) and value_at(chunks, k + 2) == "and"
+        if stays and mine and not other.has("state", "parked"):
+            one, two = ("behind", "ahead") if value_at(chunks, k + 4) == "behind" else _IN_LINE
+            found[k] = Word(Term("locus", one, chunks[k].i, chunks[k].j))
+            second[k + 3] = Word(Term("locus", two, other.i, other.i))
+    return [c for k, chunk in enumerate(found) for c in (second.get(k), chunk) if c is not None]
 
 
 def each_of(chunks: list[Chunk]) -> list[Chunk]:
