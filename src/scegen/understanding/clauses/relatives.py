@@ -62,6 +62,11 @@ def close(event: Event, state: State) -> bool:
     return True
 
 
+def closed(state: State) -> bool:
+    """``drives ahead of the ego, which is as fast, and brakes``: who drives, not the ego."""
+    return "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
+
+
 def aside(event: Event, events: list[Event]) -> bool:
     """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about."""
     return event.embedded and any(

@@ -12,6 +12,7 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
+from scegen.understanding.clauses.relatives import closed
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 
@@ -113,7 +114,7 @@ def _blocked(event: Event, state: State) -> bool:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
-    event.embedded = ("rel" in between and not _closed(state)) or state.where
+    event.embedded = ("rel" in between and not closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
     noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:
@@ -163,16 +164,8 @@ def _past_being(event: Event, state: State) -> bool:
     return helped or event.form == "s" or (event.form == "ed" and beside)
 
 
-def _closed(state: State) -> bool:
-    """``drives ahead of the ego, which is as fast, and brakes``: who drives, not the ego."""
-    return "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
-
-
 def _antecedent(state: State) -> Mention:
-    """The noun before "which": the last one that does not merely own something.
-
-    In "the car ahead of us, which" it is the car.
-    """
+    """The last noun before "which" that owns nothing: the car, in "the car ahead of us, which"."""
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
     return next((m for m in nouns if not ((_told(m) and m.is_landmark) or m.aside)), nouns[0])
 
