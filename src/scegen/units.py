@@ -21,7 +21,7 @@ UNITS: dict[str, dict[str, float]] = {
     "speed": SPEED_UNITS_MPS,
     "length": {
         "m": 1.0, "km": 1000.0, "cm": 0.01, "ft": 0.3048, "in": 0.0254, "yd": 0.9144,
-        "mile": 1609.344,
+        "mile": 1609.344, "car length": 4.5,
     },
     "time": {"s": 1.0, "ms": 0.001, "min": 60.0},
     "acceleration": {"m/s2": 1.0, "g": 9.80665, "ft/s2": 0.3048},

@@ -159,9 +159,8 @@ def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amoun
         return
     entity, draft = two[0], figure.text.draft
     placed = any(entity in (p.entity, p.reference) or p.entity.ego for p in draft.placements)
-    meets = figure.text.context.junction.crossing or draft.crossing_implied is not None
     sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
-    if not (placed or meets or sideways or entity.parked or entity.heading):
+    if not (placed or figure.text.context.meeting or sideways or entity.parked or entity.heading):
         reason = "a gap along the road is one to who is ahead"
         draft.place(entity, None, {Approach.AHEAD}, amount.basis.because(reason))
 

@@ -93,10 +93,9 @@ def earlier(figure: Figure) -> bool:
 def _comes_in(figure: Figure) -> Doing | None:
     """``a van from the right 2 s after the ego``: it comes into the junction."""
     text = figure.text
-    met = text.context.junction.crossing or text.draft.crossing_implied is not None
     told = [c for c in text.within(figure.i, figure.end) if c.event.name in _COMING]
     who = [e for c in told for e in c.drivers] or part_of(figure)[1]
-    if not met or not who or not who[0].is_vehicle:
+    if not text.context.meeting or not who or not who[0].is_vehicle:
         return None
     return text.add(Doing(ActKind.ENTER, who[0], figure.amount.basis, figure.i))
 

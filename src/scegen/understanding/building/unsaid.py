@@ -110,8 +110,10 @@ def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
 def _turned_across(entity: Entity, draft: Draft) -> Basis | None:
     """``turns left across the path of the van``: the van goes straight on."""
     ego = entity.ego and "ego" in entity.named_by
-    across = (d for d in draft.dangers if d.kind is HazardKind.UNPROTECTED_LEFT_TURN)
-    met = (d for d in across if (entity in d.to or (not d.to and ego)) and entity not in d.by)
+    lefts = [d for d in draft.dangers if {Maneuver.LEFT} in [e.maneuvers for e in d.by]]
+    kinds = {HazardKind.FAILURE_TO_YIELD: lefts, HazardKind.UNPROTECTED_LEFT_TURN: draft.dangers}
+    turns = (d for d in draft.dangers if d in kinds.get(d.kind, []))
+    met = (d for d in turns if (entity in d.to or (not d.to and ego)) and entity not in d.by)
     return next((d.basis for d in met), None)
 
 

@@ -144,8 +144,8 @@ def _of_the_one_listed(prep: Prep, state: State) -> None:
 def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     """Whether a phrase behind a noun says where who acts is, or on which side it is done.
 
-    "In the lane of the ego ahead of it", "follows a van, 20 m behind it", "is overtaken by a van
-    on the left".
+    "In the lane of the ego ahead of it", "follows a van 20 m behind", "is overtaken by a van on
+    the left".
     """
     verb, place = state.last, prep.place
     if place is not None:
@@ -163,9 +163,10 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
         # "passes a truck in the left lane"; who is in the right lane is passed
         lane = verb.object is whom and place.kind == "lane" and "left" in place.dirs
         return lane or (verb.passive and place.kind == "side")
-    if prep.who is None or prep.who.pronoun is None or prep.word.cat != "locus":
+    its = prep.who is not None and prep.who.pronoun is not None
+    if prep.word.cat != "locus" or not (its or prep.target is None):
         return False
-    if whom.stands_after("of"):
+    if its and whom.stands_after("of"):
         return True
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     return followed and verb is not None and verb.name == "follow" and prep.value == "behind"

@@ -130,6 +130,7 @@ class ClauseReader:
     def _adverb(self, word: Word) -> None:
         state = self._state
         if word.cat in {"aux", "neg"}:
+            state.between -= {"aux:be"} if word.value == "will" else set()  # "is going to cut in"
             state.between.add(f"{word.cat}:{word.value}")
             return
         release(self._state)

@@ -1,9 +1,9 @@
-"""Who goes at an all-way stop although somebody else came first."""
+"""Who goes although somebody else came first, has priority or is already close."""
 
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import Control, HazardKind
-from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Context
@@ -14,10 +14,8 @@ _GOING = frozenset({"move", "turn", "enter", "cross", "pull_out", "cut_in", "acc
 
 def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> None:
     """``the ego was at the four-way stop first, but the van goes``: the van had to wait."""
-    if context.junction.control is not Control.ALL_WAY_STOP:
-        return
     tokens = context.tokens
-    at = next((k for k, t in enumerate(tokens) if t.low in word_list("first")), None)
+    at = _turn(chunks, context)
     if at is None or not word_list("still") & {t.low for t in tokens}:
         return
     who = _who(at, chunks)
@@ -30,7 +28,19 @@ def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> N
             return
 
 
+def _turn(chunks: list[Chunk], context: Context) -> int | None:
+    """Where it says that it is somebody's turn: "first" at an all-way stop, "has priority"."""
+    lows = context.lows(0, len(context.tokens))
+    if context.junction.control is Control.ALL_WAY_STOP and "first" in lows:
+        return lows.index("first")
+    for before, has, what in zip(chunks, chunks[1:], chunks[2:], strict=False):
+        way = isinstance(what, Place) and what.kind == "right_of_way" and not what.has("quant")
+        if way and has.value == "have" and before.cat != "neg" and context.junction.crossing:
+            return what.i
+    return None
+
+
 def _who(at: int, chunks: list[Chunk]) -> list[Entity]:
-    """Whom "first" is said of: the participant named last before it, outside phrases."""
+    """Whom it is said of: the participant named last before it, outside phrases."""
     named = [c for c in chunks if isinstance(c, Mention) and c.i < at and c.prep is None]
     return list(named[-1].entities) if named else []

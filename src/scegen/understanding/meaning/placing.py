@@ -14,6 +14,8 @@ from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.terms import Term
 
+_OUT_OF = frozenset({"parking", "access"})
+
 
 def _in_line(prep: Prep, entities: list[Entity], event: Event) -> bool:
     """``enters the roundabout behind a car``: as it follows that one, which is not in it yet."""
@@ -29,7 +31,7 @@ def _ends_there(event: Event, prep: Prep, entities: list[Entity]) -> bool:
     places = [(p.value, p.place.kind) for p in event.pps if p.place is not None]
     onto = any(word in {"to", "into"} and kind == "lane" for word, kind in places)
     # "a car comes the other way; the ego backs out in front of it"
-    out = event.name == "reverse" and any(kind in {"parking", "access"} for _, kind in places)
+    out = event.name in {"reverse", "appear"} and any(kind in _OUT_OF for _, kind in places)
     afoot = prep.who is not None and not any(e.is_vehicle for e in prep.who.entities)
     egos = any(e.ego for e in entities)  # "the ego stops in front of the van": it came up to it
     halts = (afoot or egos) and event.name == "stop"  # "stops 1 m in front of her"

@@ -58,23 +58,31 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 
 def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``a parked van, from behind which a boy runs``: "…, and from behind it a boy runs"."""
+    """``a parked van, from behind which a boy runs``: "…, and from behind it a boy runs".
+
+    So is ``a side road from which a bus turns``.
+    """
     found: list[Chunk] = []
     known: Mention | None = None
+    place: Place | None = None
     for k, chunk in enumerate(chunks):
         opens = k
         while cat_at(found, opens - 1) in GOVERNING:
             opens -= 1
         locus = any(c.cat == "locus" for c in found[opens:])
-        after = isinstance(chunk_at(chunks, k + 1), Mention)
-        its = tokens[chunk.i].low in _WHICH and locus and after
-        if its and known is not None and value_at(found, opens - 1) == ",":
-            at = found[opens].i
+        its = tokens[chunk.i].low in _WHICH and isinstance(chunk_at(chunks, k + 1), Mention)
+        it: Chunk | None = None
+        if its and locus and known is not None and value_at(found, opens - 1) == ",":
             it = Mention(chunk.i, chunk.j, [], None, pronoun="it", same_as=known)
-            found[opens:] = [Word(Term("conj", "and", at, at)), *found[opens:], it]
+        elif its and place is not None and value_at(found, len(found) - 1) == "from":
+            it = replace(place, i=chunk.i, j=chunk.j)
+        if it is not None:
+            at = found[opens].i
+            joint = [Word(Term("punct", ",", at, at)), Word(Term("conj", "and", at, at))]
+            found[opens:] = [*joint, *found[opens:], it]
             continue
-        if isinstance(chunk, Mention):
-            known = chunk
+        known = chunk if isinstance(chunk, Mention) else known
+        place = chunk if isinstance(chunk, Place) else None if chunk is known else place
         found.append(chunk)
     return found
 

@@ -71,7 +71,9 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
     m, opener = k + 1, ""
     word = chunk_at(chunks, m)
     if _preposed(chunks, m):
-        opener, m = _text(word, tokens), m + 2
+        who, opener, m = chunk_at(chunks, m + 2), _text(word, tokens), m + 2
+        if opener == "from" and isinstance(who, Mention) and who.opened_by("indef"):
+            return None  # "a side road from which a van turns": told of the van, not of the road
     elif value_at(chunks, m) == "where":
         opener, m = _text(word, tokens).split()[0], m + 1
     else:

@@ -36,13 +36,17 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         chunk.negated = chunk.negated or _fits(chunk, chunk.prep, tokens)
         several = chunk.plural and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
+        later = (m for m in chunks[k + 1 :] if isinstance(m, Mention) and not m.is_mass)
+        # "turns left across oncoming traffic; an oncoming van …"
+        told = "opposite" in chunk.dirs and any("opposite" in m.dirs for m in later)
         anybody = chunk.is_mass or (several and lit)
         seen = chunk_at(chunks, k - 2)  # "the view of oncoming traffic"
         met_head_on = "opposite" in chunk.dirs and chunk.prep.value == "against"
         purpose = (chunk.prep.value in {"for", "against"} and not met_head_on) or (
             chunk.prep.value == "of" and isinstance(seen, Thing) and seen.kind == "view"
         )
-        chunk.negated = chunk.negated or (anybody and purpose and id(chunk) not in met)
+        general = anybody and (purpose or told) and id(chunk) not in met
+        chunk.negated = chunk.negated or general
 
 
 def _what_lies_there(chunks: list[Chunk], events: list[Event]) -> None:

@@ -47,6 +47,7 @@ FACTS: dict[str, Test] = {
     **{name: _is(name) for name in _OF_THE_VERB},
     "reaction": lambda clause, _: clause.reaction,
     "sudden": lambda clause, _: clause.sudden is not None,
+    "supposed": lambda clause, c: any(c.lows(m.i - 1, m.i) == ["if"] for m in clause.event.subject),
     "premodifier": lambda clause, _: clause.event.premod_of is not None,
     "subject": lambda clause, _: bool(clause.event.subject),
     "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
@@ -61,7 +62,7 @@ FACTS: dict[str, Test] = {
     "crossing": lambda _, context: context.junction.crossing,
     "on_a_road": lambda _, context: context.junction.road is not None,
     "highway": lambda _, context: context.junction.highway,
-    "meeting": lambda _, c: c.junction.crossing or c.draft.crossing_implied is not None,
+    "meeting": lambda _, context: context.meeting,
     "kerbwards": lambda clause, c: any(
         [
             c.draft.kerb in [d for place in clause.places() for d in place.dirs],

@@ -115,6 +115,11 @@ class Context:
         """The words from one token to before another."""
         return [t.low for t in self.tokens[max(i, 0) : max(j, 0)]]
 
+    @property
+    def meeting(self) -> bool:
+        """Whether roads meet, as the text says or implies so far."""
+        return self.junction.crossing or self.draft.crossing_implied is not None
+
     def crossing_implied(self, basis: Basis, reason: str) -> None:
         """Something takes place that needs a junction."""
         if self.draft.crossing_implied is None:
@@ -155,7 +160,6 @@ class Context:
         across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
         named = self.draft.placements_of(entity)
         lateral = {Approach.LEFT, Approach.RIGHT}
-        met = self.junction.crossing or self.draft.crossing_implied is not None
-        met = met or self.draft.side_road is not None
+        met = self.meeting or self.draft.side_road is not None
         met = met or any(p.approaches == lateral for p in named)  # "on perpendicular roads"
         return met and any(p.approaches & across for p in named)

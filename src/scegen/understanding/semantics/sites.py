@@ -96,7 +96,7 @@ def _on_its_side(entity: Entity, site: Site) -> None:
     whole = site.noun.owner if isinstance(site.noun, Place) else site.noun
     if isinstance(whole, Mention):  # "from the front of the bus"
         found = {a for e in whole.entities for a in _standing(e, site.context)}
-        if found == {Approach.OPPOSITE} and not site.context.junction.crossing:
+        if found == {Approach.OPPOSITE} and not site.context.meeting:
             found = {Approach(site.context.across)}
         found &= set(SIDES.values())
         sides = found if len(found) == 1 else set()

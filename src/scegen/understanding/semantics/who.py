@@ -81,7 +81,7 @@ ENTITY: dict[str, EntityTest] = {
     "slow": lambda e, c: e in c.draft.causing(*_SLOWER),
     "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
     "numbered": lambda e, _: e.lane is not None,
-    "kept_by_sign": lambda e, _: bool(e.on_minor and e.on_minor[0]) and e.stands is None,
+    "on_minor": lambda e, _: e.on_minor is not None and e.on_minor[0],
 }
 
 

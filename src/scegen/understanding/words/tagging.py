@@ -178,7 +178,7 @@ def _turning(previous: Term | None) -> bool:
 def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
     """``continues to the third exit``: "to" leads to a place, not to another verb."""
     leads = tokens[match.j - 1].low == "to" and match.j < len(tokens)
-    return leads and not begins(tokens, match.j, "verb", "neg", "manner")
+    return leads and not begins(tokens, match.j, "verb", "aux", "neg", "manner")
 
 
 def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
