@@ -12,7 +12,7 @@ from scegen.understanding.reference.own_vehicles import (
     is_one_vehicle,
     stand_for_vehicles,
 )
-from scegen.understanding.reference.reference import is_pronoun
+from scegen.understanding.reference.reference import is_pronoun, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -212,13 +212,18 @@ def _in_traffic(event: Event) -> bool:
 
 
 def _aside(chunks: list[Chunk], events: list[Event]) -> None:
-    """``officers said …``, ``two people were hurt``: nobody who takes part."""
+    """``officers said …``, ``she said I was …``, ``two people were hurt``: they take no part."""
+    named = [c for c in chunks if isinstance(c, Mention)]
+    asked = {id(m) for m in named[:1] if is_pronoun(m) and any(map(tells, named))}
     for event in events:
         told = [p.target for p in event.pps if p.value == "to"]
         for mention in [*event.subject, event.object, *told] if event.says else []:
-            if isinstance(mention, Mention) and any("onlooker" in h.data for h in mention.heads):
+            onlooks = isinstance(mention, Mention) and any(
+                "onlooker" in h.data for h in mention.heads
+            )
+            if isinstance(mention, Mention) and (onlooks or id(mention) in asked):
                 mention.negated = True
-    referred = [c.i for c in chunks if isinstance(c, Mention) and is_pronoun(c)]
+    referred = [m.i for m in named if is_pronoun(m)]
     doing = {id(m) for e in events if e.name != "harm" for m in (*e.subject, e.object)}
     for event in (e for e in events if e.name == "harm"):
         for hurt in event.subject if event.passive or event.object is None else [event.object]:

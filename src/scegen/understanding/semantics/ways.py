@@ -33,6 +33,8 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         for t in event.dirs
         if t.value in DIRECTIONS and low_at(tokens, t.j) != "of"  # "right of the centre line"
     }
+    if len(found) > 1 and any(low_at(tokens, t.j) == "into" for t in event.dirs):
+        found.pop(Maneuver.STRAIGHT, None)  # "turns left straight into the path of a van"
     named = (p.target for p in event.pps)
     lanes = {n.j for n in named if isinstance(n, Place) and n.kind == "lane"}
     for prep in event.pps:
@@ -88,9 +90,12 @@ def through(event: Event, context: Context) -> Basis | None:
     """``drives through the intersection``; a roundabout is left by one of its exits."""
     if context.junction.kind is JunctionKind.ROUNDABOUT:
         return None
-    own = not _THROUGH.isdisjoint(context.lows(event.i, event.j))
+    own = not _THROUGH.isdisjoint(context.lows(event.i, event.j + 1))
     if own and isinstance(event.object, Place) and event.object.kind == "junction":
         return Basis(event.i, event.object.j)
+    lit = all(p.names("signal") for p in event.pps)
+    if own and event.object is None and lit and context.junction.crossing:
+        return Basis(event.i, event.j)  # "goes through on green"
     for prep in event.pps:
         place, word = prep.target, context.tokens[prep.word.i].low
         if isinstance(place, Place) and (
@@ -154,8 +159,13 @@ def _past_the_roadside(clause: Clause, context: Context) -> bool:
         return False
     if not word_list("round").isdisjoint(context.lows(event.i, event.j)):
         return False
-    beside = [p.entity for p in context.draft.placements if p.approaches <= sides]
-    return all(not e.is_vehicle or (e.parked and e in beside) for e in clause.targets)
+    beside = {p.entity.index: p.approaches <= sides for p in context.draft.placements}
+    beside |= {e.index: False for e in context.draft.causing(HazardKind.OBSTACLE)}
+    row = len(clause.targets) > 1  # "a row of parked cars"
+    return all(
+        not e.is_vehicle or ((e.parked or (row and e.pulls_out)) and beside.get(e.index, row))
+        for e in clause.targets
+    )
 
 
 def _across_the_road(clause: Clause, context: Context) -> bool:

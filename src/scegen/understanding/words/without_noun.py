@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.ordinals import POSITIONS
 from scegen.understanding.words.terms import Term, term_at
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _LETTER = re.compile(r"^[A-HJ-SU-XZ]$")
 """Not I, who tells it, and not the shapes of junctions."""
@@ -21,8 +22,14 @@ _VERBAL = frozenset({"s", "ed"})
 def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """``three cars: A turns, B follows A``: each letter is one of them.
 
-    A letter counts where its neighbour in the alphabet stands for somebody, too.
+    A letter counts where its neighbour in the alphabet stands for somebody, too; in talk ("A: What
+    happened? B: I braked.") it only tells who speaks, and is left out.
     """
+    if not word_list("first_person").isdisjoint(t.low for t in tokens):
+        told = {
+            k for k, t in enumerate(terms) if _is_letter(t, tokens) and low_at(tokens, t.j) == ":"
+        }
+        terms = [t for k, t in enumerate(terms) if told.isdisjoint({k, k - 1})]
     letters = {
         k: tokens[t.i].text
         for k, t in enumerate(terms)
