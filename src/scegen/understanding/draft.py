@@ -134,7 +134,7 @@ class Draft:
         if kind is HazardKind.CROSSING_PEDESTRIAN and by and all(e.kind in ANIMALS for e in by):
             kind = HazardKind.CROSSING_ANIMAL
         for danger in self.dangers:
-            like = any(e.ego for e in danger.by) == any(e.ego for e in by)
+            like = len({any(e.ego for e in who) for who in (danger.by, by) if who}) < 2
             alike = {e.index for e in danger.to} == {e.index for e in to}
             same = not danger.to or not to or alike
             if danger.kind is kind and like and same:

@@ -32,6 +32,8 @@ def _ends_there(event: Event, prep: Prep, entities: list[Entity]) -> bool:
     onto = any(word in {"to", "into"} and kind == "lane" for word, kind in places)
     # "a car comes the other way; the ego backs out in front of it"
     out = event.name in {"reverse", "appear"} and any(kind in _OUT_OF for _, kind in places)
+    goal = event.object.kind if isinstance(event.object, Place) else ""
+    out = out or (event.name, goal) == ("merge", "road")
     afoot = prep.who is not None and not any(e.is_vehicle for e in prep.who.entities)
     egos = any(e.ego for e in entities)  # "the ego stops in front of the van": it came up to it
     halts = (afoot or egos) and event.name == "stop"  # "stops 1 m in front of her"

@@ -146,11 +146,11 @@ def _ordinal(roster: Roster, mention: Mention) -> list[Entity]:
     vehicles = [e for e in roster.entities if e.moving_vehicle and not e.ego]
     named = vehicles or roster.entities
     group = roster.groups[-1].members if roster.groups else named
-    if position < 0 or mention.label == "former":
+    if mention.label in {"former", "latter"}:
         two = roster.recent if len(roster.recent) > 1 else group
         group = list(two[-2:]) if position == 0 or not roster.pair else roster.pair
         roster.pair = group if position == 0 else []
-        position %= max(len(group), 1)
+    position += len(group) if position < 0 else 0
     return claimed(group[position : position + 1])
 
 
