@@ -96,7 +96,6 @@ _FILTERS: dict[str, NounTest] = {
     "kerb": lambda n, c: c.draft.kerb in n.dirs,
     "both": lambda n, c: any(m.cat == "quant" for m in n.mods) or c.tokens[n.i - 1].low == "either",
     "compass": lambda n, _: n.mod("compass") is not None,
-    "bound": lambda n, _: any(m.cat == "compass" and "bound" in m.data for m in n.mods),
     "different": _said("different", "another"),
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
     "unprotected": _said("unprotected"),
