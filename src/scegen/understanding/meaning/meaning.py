@@ -155,7 +155,7 @@ class Interpreter:
         say("dangers.move_off", clause, context)
         say("constructions.any", clause, context)
         self._clauses.append(clause)
-        standing.stand(clause, context)
+        say("standing.any", clause, context)
         self._places(clause)
         say("positions.access", clause, context)
         failed = event.parent is not None and event.parent.name == "fail"

@@ -15,15 +15,6 @@ _ALL_STOP = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 
 
-def _prevented(clause: Clause, context: Context) -> bool:
-    """``avoids braking``, ``wants to pass a truck``; not ``avoids it by braking``."""
-    parent = clause.event.parent
-    if parent is None or context.lows(clause.event.i - 1, clause.event.i) == ["by"]:
-        return False
-    wished = any(above.lemma in word_list("wishing") for above in parent.upwards())
-    return parent.name in _PREVENTED or parent.negated or wished
-
-
 def by_then(event: Event, context: Context) -> bool:
     """``once it has stopped``, ``after a bus has gone by``: over before what is told with it."""
     who = min((m.i for m in event.subject), default=0)
@@ -55,13 +46,6 @@ def _moves_over(clause: Clause, _: Context) -> bool:
     return event.name not in _PASSING and any(b.i == event.i or b.j == event.j for b in told)
 
 
-def _begins(clause: Clause, _: Context) -> bool:
-    """``starts to move``."""
-    parent = clause.event.parent
-    verbs = {clause.event.lemma, parent.lemma if parent is not None else ""}
-    return not verbs.isdisjoint(word_list("starting"))
-
-
 def _may_cross(entity: Entity, _: Context) -> bool:
     """Whoever is said to, or is on foot and not said to keep along the road."""
     afoot = not entity.is_vehicle and entity.maneuvers != {Maneuver.STRAIGHT}
@@ -69,12 +53,13 @@ def _may_cross(entity: Entity, _: Context) -> bool:
 
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
-    "prevented": _prevented,
     "by_then": lambda clause, c: by_then(clause.event, c),
     "rests_there": _rests_there,
+    "braked_before": lambda clause, _: any(
+        e.brakes_from is not None and e.brakes_from < clause.event.i for e in clause.actors
+    ),
     "from_rest": _from_rest,
     "moves_over": _moves_over,
-    "begins": _begins,
 }
 """Words of conditions that ask whether something is done."""
 ENTITY: dict[str, Callable[[Entity, Context], bool]] = {

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Event, Place, Thing
+from scegen.understanding.chunks import Event, Place
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
-
-_BESIDE = frozenset({"adjacent", "left", "right"})
-"""Which lane it is, seen from the one that somebody drives in."""
 
 
 def into_lane(event: Event) -> Place | None:
@@ -22,18 +19,9 @@ def into_lane(event: Event) -> Place | None:
     return next((lane for lane in lanes if lane.kind in {"lane", "path"}), None)
 
 
-def _next_lane(clause: Clause, context: Context) -> bool:
-    """``swings into the right lane``: on a road without a junction, a change of lane."""
-    event, lane = clause.event, into_lane(clause.event)
-    ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
-    beside = ranked or (lane is not None and lane.kind == "lane" and bool(_BESIDE & set(lane.dirs)))
-    beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
-    keeps = event.lemma in word_list("keeping")
-    return beside and not keeps and not context.junction.crossing
-
-
-def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
+def _from_the_next(clause: Clause, context: Context) -> bool:
     """``the van next to it drifts into the same lane``: from beside, whatever lane it is."""
+    event, lane = clause.event, into_lane(clause.event)
     who = [e for m in event.subject for e in m.entities]
     entered = any(p.target is lane and p.value == "into" for p in event.pps)
     entered = entered or (event.name == "enter" and event.object is lane)
@@ -41,13 +29,6 @@ def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
     if lane is not None and lane.owner is not None:  # "the ego moves into the lane of the van"
         who += lane.owner.entities
     return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
-
-
-def _into_a_gap(event: Event) -> bool:
-    """``steers into the same gap``: between the vehicles of another lane."""
-    goals = [p.target for p in event.pps if p.value == "into"]
-    goals += [event.object] if event.name == "enter" else []
-    return any(isinstance(g, Thing) and g.head is not None and "gap" in g.head.data for g in goals)
 
 
 def _against(entity: Entity, place: Place) -> bool:
@@ -119,7 +100,7 @@ def _against_lane(clause: Clause, _: Context) -> bool:
 
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
-    "next_lane": _next_lane,
+    "from_the_next": _from_the_next,
     "against_lane": _against_lane,
     "head_on_somewhere": _head_on_somewhere,
     "head_on": lambda clause, c: _head_on(clause, into_lane(clause.event), c),

@@ -89,22 +89,6 @@ def on_the_wrong_side(entity: Entity, context: Context) -> bool:
     return strays and Maneuver.OVERTAKE not in entity.maneuvers
 
 
-def _may_get_past(_: Clause, context: Context) -> bool:
-    """Whether the ego goes no way of its own, and something is in it."""
-    ego = context.draft.ego
-    if ego is None or ego.maneuvers & _SETTLED or context.junction.crossing:
-        return False
-    dangers = [d for d in context.draft.dangers if not any(e.ego for e in d.by)]
-    others = [e for e in context.draft.entities if not e.ego]
-    stands = any(e.parked or context.placed(e, Approach.AHEAD) for e in others)
-    return stands or context.barred or any(d.kind in _IN_THE_WAY for d in dangers)
-
-
-_SETTLED = frozenset({Maneuver.OVERTAKE, Maneuver.LANE_CHANGE, Maneuver.LEFT, Maneuver.RIGHT,
-                      Maneuver.U_TURN})  # fmt: skip
-_IN_THE_WAY = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
-
-
 def _stand_to_each_other(clause: Clause, context: Context) -> bool:
     """Whether it is said how one who acts stands to those on whom it is done."""
     egos = any(e.ego for e in clause.targets)
@@ -132,6 +116,5 @@ FACTS = {
     "stand_to_each_other": _stand_to_each_other,
     "was_ahead": _was_ahead,
     "rear_ends": _rear_ends,
-    "may_get_past": _may_get_past,
 }
 """Words of conditions that ask for a meeting."""

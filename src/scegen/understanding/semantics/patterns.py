@@ -101,6 +101,7 @@ _FILTERS: dict[str, NounTest] = {
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
     "unprotected": _said("unprotected"),
     "gap": _head("gap"),
+    "ranked": _head("ranked"),
     "leads_off": _head("auxiliary", ["off_ramp"]),
     "plural": lambda n, _: n.head is not None and n.head.form == "s",
     "headed": lambda n, _: n.head is not None,

@@ -32,7 +32,8 @@ from scegen.understanding.semantics.conditions import Test, condition
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
 
-_FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
+_FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions",
+          "standing")  # fmt: skip
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
                    "also", "puts", "where",

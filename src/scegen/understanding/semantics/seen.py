@@ -210,16 +210,7 @@ def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
     return value in {"to", "in"} and aside
 
 
-def _seen_on_foot(_: Clause, context: Context) -> bool:
-    """``I was on the zebra when a car came from the left``: along the road that is crossed."""
-    people = context.draft.entities
-    egos = [e for e in people if e.ego]
-    driving = [e for e in people if e.moving_vehicle and not e.ego]
-    return not all(e.is_vehicle for e in egos or people) and (bool(egos) or len(driving) == 1)
-
-
 FACTS = {
-    "seen_on_foot": _seen_on_foot,
     "within_the_lane": _within_the_lane,
     "wrong_lane": lambda clause, _: any(
         from_the_wrong_lane(p, clause.event) for p in clause.event.pps

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
-from scegen.understanding.semantics import doing, lanes, met, owed
+from scegen.understanding.semantics import doing, lanes, met
 from scegen.understanding.semantics.approaches import FACING
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
@@ -53,6 +53,8 @@ ENTITY: dict[str, EntityTest] = {
     "moving": lambda e, _: e.moving_vehicle,
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
+    "underway": lambda e, _: e.moves is not None,
+    "goes_off": lambda e, _: e.sets_off >= 0,
     "on_ramp": lambda e, _: e.on_ramp is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
     "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
@@ -89,12 +91,13 @@ def entity(word: str) -> EntityTest:
     """What a word asks of a participant.
 
     Args:
-        word: one of `ENTITY`, or ``does.MANEUVER`` (among others), ``only.MANEUVER``,
+        word: one of `ENTITY`, or ``does.MANEUVER|…`` (among others), ``only.MANEUVER``,
             ``causes.HAZARD``, ``suffers.HAZARD``.
     """
     name, _, detail = word.partition(".")
     if name == "does":
-        return lambda e, _: Maneuver(detail) in e.maneuvers
+        done = {Maneuver(way) for way in detail.split("|")}
+        return lambda e, _: not done.isdisjoint(e.maneuvers)
     if name == "only":
         return lambda e, _: e.maneuvers == {Maneuver(detail)}
     if name in {"causes", "suffers"}:
@@ -112,6 +115,18 @@ def _owners_of(kind: str) -> Who:
         if p.kind == kind and p.owner is not None
         for e in p.owner.entities
     ]
+
+
+def _in_the_way(clause: Clause, context: Context) -> list[Entity]:
+    """Who is said to keep somebody from seeing; else the one that is parked there."""
+    named = clause.event.whom("due", "with", "for", "by")
+    named = [e for e in named if e.is_vehicle and not e.ego]
+    parked = [e for e in context.draft.entities if e.parked and e not in clause.targets]
+    return named or (parked if len(parked) == 1 else [])
+
+
+def _others(clause: Clause, context: Context) -> list[Entity]:
+    return [e for e in context.draft.entities if e not in clause.actors]
 
 
 def _hit(clause: Clause, _: Context) -> list[Entity]:
@@ -142,7 +157,7 @@ NAMED: dict[str, Who] = {
     "walkers": lambda clause, _: clause.walkers,
     "targets": lambda clause, _: clause.targets,
     "everybody": lambda _, context: context.draft.entities,
-    "others": lambda clause, c: [e for e in c.draft.entities if e not in clause.actors],
+    "others": _others,
     "named": lambda clause, _: people([p for p in clause.event.pps if p.word.cat == "locus"]),
     "owners": lambda clause, c: lanes.owners(lanes.into_lane(clause.event), clause, c),
     "path_owners": _owners_of("path"),
@@ -157,8 +172,8 @@ NAMED: dict[str, Who] = {
     "driven_up_to": met.driven_up_to,
     "involved": lambda clause, _: [*clause.actors, *clause.targets],
     "met_with": lambda clause, c: [*clause.actors, *clause.targets, *_WITH(clause, c)],
-    "overlooked": owed.overlooked,
-    "in_the_way": owed.in_the_way,
+    "overlooked": lambda clause, c: clause.targets or _others(clause, c),
+    "in_the_way": _in_the_way,
     "nobody": lambda _clause, _context: [],
 }
 
