@@ -6,8 +6,8 @@
 * ``some|no|one WHO``: there is somebody; ``any|all|no WHO is WORD``: of whom something holds;
 * ``own WORD…``: a word of the verb itself; ``before``, ``lately``, ``next``, ``soon``: around it;
   ``tells PHRASE…``: behind it in its sentence; ``via``: of the verb or a preposition; ``mod``:
-  before or after it; ``ends``; ``said``: all its lemmas; ``measured``: what numbers with it measure;
-  where a list of the lexicon stands for words, it is called ``@NAME``;
+  before or after it; ``ends``; ``said``: all its lemmas; ``measured``: what numbers with it
+  measure; ``opened``: before who acts; a list of the lexicon is called ``@NAME``;
 * ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``above``: lemmas of it and
   the verbs above; ``how VALUE…``: manner;
 * of a number: ``opens @NAME``, ``closes @NAME``: so begins what stands behind it, ends what stands
@@ -30,77 +30,15 @@ from typing import TypeAlias
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
 from scegen.understanding.frames.loader import read
 from scegen.understanding.frames.windows import Window
-from scegen.understanding.semantics import doing, lanes, met, patterns, seen, ways
-from scegen.understanding.semantics.contact import goal_of_contact
+from scegen.understanding.semantics import lanes, patterns
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.rewriting import passes_round
-from scegen.understanding.semantics.values import alike
+from scegen.understanding.semantics.facts import FACTS, Test
 from scegen.understanding.semantics.who import entity, who
 from scegen.understanding.words.tokens import base_words
 
-Test: TypeAlias = Callable[[Clause, Context], bool]
 Kind: TypeAlias = Callable[[str], Test]
-_SOON, _SENTENCE, _SCREENED = 5, 24, 12
+_SOON, _SENTENCE = 5, 24
 _MARKS = frozenset({".", ";", ":"})
-
-_OF_THE_VERB = ("modal", "nominal", "passive", "perfect", "negated", "late", "unable", "reduced",
-                "finite")  # fmt: skip
-
-
-def _is(name: str) -> Test:
-    return lambda clause, _: bool(getattr(clause.event, name))
-
-
-FACTS: dict[str, Test] = {
-    **{name: _is(name) for name in _OF_THE_VERB},
-    "reaction": lambda clause, _: clause.reaction,
-    "sudden": lambda clause, _: clause.sudden is not None,
-    "premodifier": lambda clause, _: clause.event.premod_of is not None,
-    "subject": lambda clause, _: bool(clause.event.subject),
-    "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
-    "directed": lambda clause, _: bool(clause.event.dirs),
-    "told_of_now": lambda clause, c: (
-        not c.told_in_the_past and all(m.cat == "quantity" for m in clause.event.mods)
-    ),
-    "right_after": lambda clause, _: (
-        clause.event.parent is not None and clause.event.parent.j == clause.event.i
-    ),
-    "verbless": lambda clause, _: not clause.event.name,
-    "crossing": lambda _, context: context.junction.crossing,
-    "on_a_road": lambda _, context: context.junction.road is not None,
-    "highway": lambda _, context: context.junction.highway,
-    "meeting": lambda _, c: c.junction.crossing or c.draft.crossing_implied is not None,
-    "kerbwards": lambda clause, c: any(
-        [
-            c.draft.kerb in [d for place in clause.places() for d in place.dirs],
-            c.draft.kerb in [term.value for term in clause.event.dirs],
-        ]
-    ),
-    "ramp": lambda _, context: context.draft.ramp is not None,
-    "access": lambda _, context: context.draft.access is not None,
-    "from_kerb": lambda _, context: context.draft.from_kerb,
-    "controlled": lambda _, context: context.junction.control is not None,
-    "dangerous": lambda _, context: bool(context.draft.dangers),
-    "endangered": lambda _, c: any(d.by and not any(e.ego for e in d.by) for d in c.draft.dangers),
-    "prevents": lambda clause, _: any(c.link == "ing" or c.nominal for c in clause.event.children),
-    "barred": lambda _, context: context.barred,
-    "above_denied": lambda clause, _: (
-        clause.event.parent is not None and clause.event.parent.negated
-    ),
-    "noted": lambda clause, _: any(m.cat == "noted" for m in clause.event.mods),
-    "screen_before": lambda clause, c: any(0 < clause.event.i - i < _SCREENED for i in c.screens),
-    "people_act": lambda clause, _: any(
-        h.value == "pedestrian" for m in clause.event.subject for h in m.heads
-    ),
-    "as_others_do": lambda clause, c: bool(alike(clause, c)),
-    **lanes.FACTS,
-    **ways.FACTS,
-    **met.FACTS,
-    **doing.FACTS,
-    **seen.FACTS,
-    "passes_round": passes_round,
-    "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
-}
 
 
 def _among(found: Callable[[Clause, Context], Iterable[str | None]]) -> Kind:
@@ -188,6 +126,11 @@ def _lately(clause: Clause, context: Context) -> Iterable[str]:
     return takewhile(lambda word: word not in _MARKS, reversed(before))
 
 
+def _opened(clause: Clause, context: Context) -> list[str]:
+    who = min((m.i for m in clause.event.subject), default=0)
+    return context.lows(who - 1, who)
+
+
 def _own(clause: Clause, context: Context) -> list[str]:
     return context.lows(clause.event.i, clause.event.j)
 
@@ -254,6 +197,7 @@ _KINDS: dict[str, Kind] = {
     "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),
     "next": _among(_next_word),
     "soon": _among(lambda clause, c: c.lows(clause.event.j, clause.event.j + _SOON)),
+    "opened": _among(_opened),
     "lately": _among(_lately),
     "tells": _tells,
     "said": _among(lambda clause, c: [base_words(c.tokens, clause.event.i, clause.event.j)]),

@@ -28,9 +28,10 @@ from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames.loader import read
 from scegen.understanding.road.junctions import JunctionReading
-from scegen.understanding.semantics.conditions import Test, condition
+from scegen.understanding.semantics.conditions import condition
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
+from scegen.understanding.semantics.facts import Test
 
 _FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions",
           "standing")  # fmt: skip

@@ -11,9 +11,9 @@ import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
-from scegen.understanding.semantics import doing, lanes, met
+from scegen.understanding.semantics import lanes, met
 from scegen.understanding.semantics.approaches import FACING
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
@@ -21,6 +21,7 @@ from scegen.understanding.semantics.patterns import people, phrases
 Who: TypeAlias = Callable[[Clause, Context], list[Entity]]
 EntityTest: TypeAlias = Callable[[Entity, Context], bool]
 _PART = re.compile(r"[+-][\w.|]+")
+_ALL_STOP = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
@@ -30,6 +31,12 @@ def _leads(e: Entity, context: Context) -> bool:
         (e.ego if p.reference is None else p.reference is e) and p.approaches == {Approach.BEHIND}
         for p in context.draft.placements
     )
+
+
+def _may_cross(entity: Entity, _: Context) -> bool:
+    """Whoever is said to, or is on foot and not said to keep along the road."""
+    afoot = not entity.is_vehicle and entity.maneuvers != {Maneuver.STRAIGHT}
+    return afoot or Maneuver.CROSS in entity.maneuvers
 
 
 def _is(name: str) -> EntityTest:
@@ -47,7 +54,13 @@ _PLACES = {"beside": Approach.ADJACENT} | {
 }
 
 ENTITY: dict[str, EntityTest] = {
-    **doing.ENTITY,
+    "may_cross": _may_cross,
+    "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
+    "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
+    "braked": lambda e, c: (
+        e.is_vehicle and e.brakes_from is not None and c.junction.control not in _ALL_STOP
+    ),
+    "lets_by": lambda e, c: e in c.letting,
     "leads": _leads,
     "vehicle": lambda e, _: e.is_vehicle,
     "moving": lambda e, _: e.moving_vehicle,
