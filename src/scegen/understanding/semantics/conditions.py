@@ -239,6 +239,11 @@ def condition(text: str) -> Test:
     return FACTS[text] if text in FACTS else _told_by_rows(text)
 
 
+def holds(name: str, clause: Clause, context: Context) -> bool:
+    """Whether a word that has rows of its own is so of a clause."""
+    return _told_by_rows(name)(clause, context)
+
+
 @cache
 def _told_by_rows(name: str) -> Test:
     """A word that has rows of its own: each is one way in which it is so."""

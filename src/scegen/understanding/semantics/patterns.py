@@ -19,6 +19,7 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics.contact import lies_there
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.numbered_lanes import lane_number
 
@@ -102,6 +103,7 @@ _FILTERS: dict[str, NounTest] = {
     "unprotected": _said("unprotected"),
     "gap": _head("gap"),
     "ranked": _head("ranked"),
+    "lying": lies_there,
     "leads_off": _head("auxiliary", ["off_ramp"]),
     "plural": lambda n, _: n.head is not None and n.head.form == "s",
     "headed": lambda n, _: n.head is not None,
