@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lanes_meant import MOVING
 from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -45,10 +46,10 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if "crossed" in last and _across_it(chunk, before):
             chunk = replace(last["crossed"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
         found.append(chunk)
+        _remember_goal(chunk, found, last)
         if isinstance(chunk, Place):
             _remember(chunk, last, tokens)
             _remember_beside(chunk, k, chunks, last)
-            _remember_goal(chunk, found, last)
     return found
 
 
@@ -130,15 +131,17 @@ def _remember_beside(lane: Place, k: int, chunks: list[Chunk], last: dict[str, P
         last["lane"] = replace(lane, mods=[*lane.mods, beside, *sides]) if sides else lane
 
 
-def _remember_goal(side: Place, before: list[Chunk], last: dict[str, Place]) -> None:
-    """``the ego changes lanes to the left``: for "that lane", said later on."""
-    who, verb, word = before[-4:-1] if len(before) >= _SAID_OF_IT else (None, None, None)
-    moves = isinstance(verb, Event) and verb.name == "lane_change"
-    own = isinstance(who, Mention) and who.is_ego and word is not None and word.value == "to"
-    sides = [m for m in side.ways if m.value in _SIDES]
-    if own and moves and side.kind == "side" and sides:
-        beside = Term("dir", "adjacent", side.i, side.i)
-        last["lane"] = replace(side, kind="lane", mods=[beside, *sides])
+def _remember_goal(goal: Chunk, before: list[Chunk], last: dict[str, Place]) -> None:
+    """``the ego changes lanes to the left``, ``moves left``: for "that lane", said later on."""
+    at = len(before) - (3 if value_at(before, len(before) - 2) == "to" else 2)
+    who, verb = chunk_at(before, at - 1), chunk_at(before, at)
+    moves = isinstance(verb, Event) and verb.name in MOVING | {"lane_change"}
+    ways = [goal.term] if isinstance(goal, Word) else goal.ways if isinstance(goal, Place) else []
+    sides = [m for m in ways if m.value in {"left", "right"}]
+    aside = not isinstance(goal, Place) or goal.kind == "side"
+    if isinstance(who, Mention) and who.is_ego and moves and aside and sides:
+        beside = Term("dir", "adjacent", goal.i, goal.i)
+        last["lane"] = Place(goal.i, goal.j, [beside, *sides], None, kind="lane")
 
 
 def _taken(mention: Mention, before: Chunk | None) -> bool:
