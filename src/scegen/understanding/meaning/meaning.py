@@ -48,6 +48,7 @@ _ALL_TOLD = (
     ("nouns.text", "everybody"),
     ("nouns.stray", "strays"),
     ("nouns.ways", "verbs"),
+    ("movements.to_the_kerb", "verbs"),
     ("nouns.crossed", "verbs nouns"),
 )
 """Families asked once everything that happens is known, each of which clauses."""

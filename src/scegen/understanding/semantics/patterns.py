@@ -111,6 +111,7 @@ _FILTERS: dict[str, NounTest] = {
     "undirected": lambda n, _: not n.dirs,
     "vehicle": lambda n, _: any(e.is_vehicle for e in n.entities),
     "afoot": lambda n, _: any(not e.is_vehicle for e in n.entities),
+    "nobody_drives": lambda n, _: not any(e.is_vehicle for e in n.entities),
     "moving": lambda n, _: any(e.moving_vehicle for e in n.entities),
     "ego": lambda n, _: any(e.ego for e in n.entities),
     "somebody": lambda n, _: bool(n.entities),
