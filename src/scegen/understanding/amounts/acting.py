@@ -7,7 +7,7 @@ from itertools import product
 
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver
-from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
+from scegen.understanding.amounts.aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.chunks import Place

@@ -23,8 +23,8 @@ from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.conditions import holds
-from scegen.understanding.semantics.contact import goal_of_contact, lies_there, touched
 from scegen.understanding.semantics.context import Clause
+from scegen.understanding.semantics.met import goal_of_contact, lies_there, touched
 from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE, _PAIR = 4, 2

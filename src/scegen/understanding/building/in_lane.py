@@ -9,7 +9,7 @@ from scegen.understanding.building.viewpoint import Placed
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Happenings
-from scegen.understanding.semantics.numbered_lanes import EITHER
+from scegen.understanding.semantics.lanes import EITHER
 
 _FEWEST_WITH_A_MIDDLE = 3
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})

@@ -7,7 +7,7 @@ from itertools import groupby
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term
 
 _QUALITIES = frozenset({"colour", "quality"})

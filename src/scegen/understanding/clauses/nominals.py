@@ -5,9 +5,9 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach
-from scegen.understanding.clauses.beside import side_of_place
+from scegen.understanding.clauses.coordination import joins
 from scegen.understanding.clauses.fronted import place_in_front
-from scegen.understanding.clauses.joining import joins
+from scegen.understanding.clauses.located import side_of_place
 from scegen.understanding.clauses.phrases import (
     also_from,
     apposed_to,

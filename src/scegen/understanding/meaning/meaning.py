@@ -7,10 +7,10 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thin
 from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.meaning import placing, rows, standing
+from scegen.understanding.meaning import placing, rows
+from scegen.understanding.meaning.breaches import out_of_turn
 from scegen.understanding.meaning.lights import read_lights
-from scegen.understanding.meaning.manner import Manners
-from scegen.understanding.meaning.out_of_turn import out_of_turn
+from scegen.understanding.meaning.manner import Manners, jam, note_braking
 from scegen.understanding.meaning.reactions import mark_answers, mark_late
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.phrases.on_sides import each_side, from_everywhere
@@ -84,7 +84,7 @@ class Interpreter:
         nouns = list(of_nouns.values())
         for clause in told:
             say("movements.sets_off", clause, self._context)
-        standing.note_braking(events, self._context)
+        note_braking(events, self._context)
         for clause in (*nouns, *map(without_nouns, told)):
             say("nouns.numbered", clause, self._context)
         self._named(chunks, events, of_nouns)
@@ -127,7 +127,7 @@ class Interpreter:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk, of_nouns[id(chunk)])
                 if id(chunk) not in acting:
-                    standing.jam(chunk, self._context)
+                    jam(chunk, self._context)
                     say("nouns.idle", of_nouns[id(chunk)], self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, k, chunks, self._draft)

@@ -20,7 +20,7 @@ from scegen.understanding.words.nominal import (
     has_dir,
     is_nominal,
 )
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token
 

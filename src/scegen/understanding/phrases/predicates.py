@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Word
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.doings_named import entitle
 from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, ends, value_at
-from scegen.understanding.phrases.titles import entitle
 from scegen.understanding.words.nominal import WAYS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token

@@ -13,7 +13,7 @@ from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.groups import Group
 from scegen.understanding.reference.mention_words import Reading
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.tokens import Token
 
 _RIDDEN = ParticipantKind.MOTORCYCLE

@@ -7,9 +7,8 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.mention_words import KINDS, mine
+from scegen.understanding.reference.mention_words import KINDS, mine, tells
 from scegen.understanding.reference.own_vehicles import ONLY_VEHICLES
-from scegen.understanding.reference.reference import tells
 from scegen.understanding.words.tokens import Token
 
 _STEPS = frozenset({"walk", "cross", "appear"})

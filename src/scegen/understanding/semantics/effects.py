@@ -16,9 +16,9 @@ from scegen.understanding.semantics.marks import MARKS, Mark, first
 from scegen.understanding.semantics.met import apart
 from scegen.understanding.semantics.patterns import end, noun, people, phrases
 from scegen.understanding.semantics.rewriting import REWRITES
-from scegen.understanding.semantics.site import Site
+from scegen.understanding.semantics.seen import Site
 from scegen.understanding.semantics.sites import PUTS
-from scegen.understanding.semantics.values import VALUES, WORDS
+from scegen.understanding.semantics.ways import VALUES, WORDS
 from scegen.understanding.semantics.who import who
 
 Effect: TypeAlias = Callable[[Clause, Context], None]

@@ -1,4 +1,4 @@
-"""Into which lane, and into whose, a movement leads."""
+"""Into which lane, and into whose, a movement leads; which of several a number names."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.words.numbers import POSITIONS, number_at
+from scegen.understanding.words.tokens import Token
 
 
 def into_lane(event: Event) -> Place | None:
@@ -106,3 +108,29 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "head_on": lambda clause, c: _head_on(clause, into_lane(clause.event), c),
 }
 """Words of conditions that ask for a lane."""
+
+
+EITHER = "either"
+"""The side from which lanes are counted where that is not said."""
+FROM_SIDE = 3
+"""Words of "from the left"."""
+_MOST = 6
+
+
+def lane_number(place: object, tokens: list[Token]) -> int | None:
+    """``lane 2``, ``the third lane``; None for what has no number."""
+    if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
+        return None
+    if "number" in place.head.data:
+        return int(place.head.data["number"])
+    last = number_at(tokens, place.j - 1)
+    if last is not None and place.j > place.head.j and 0 < last.value <= _MOST:
+        return int(last.value)
+    first = POSITIONS.get(tokens[place.head.i].low, -1)
+    return first + 1 if first >= 0 else None
+
+
+def counted_from(j: int, tokens: list[Token]) -> str:
+    """``the third lane from the right``."""
+    after = [t.low for t in tokens[j : j + FROM_SIDE]]
+    return after[-1] if after[:2] == ["from", "the"] and after[-1] in {"left", "right"} else EITHER

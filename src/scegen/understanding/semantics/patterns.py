@@ -19,9 +19,9 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.contact import lies_there
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.numbered_lanes import lane_number
+from scegen.understanding.semantics.lanes import lane_number
+from scegen.understanding.semantics.met import lies_there
 
 NounTest: TypeAlias = Callable[[Any, Context], bool]
 PrepTest: TypeAlias = Callable[[Prep, Context], bool]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})

@@ -9,9 +9,8 @@ from functools import lru_cache
 from unicodedata import normalize
 
 from scegen.understanding.lexicon import abbreviations, load
-from scegen.understanding.words.lemmas import lemmas
+from scegen.understanding.words.lemmas import lemmas, meant
 from scegen.understanding.words.lines import laid_out
-from scegen.understanding.words.spelling import meant
 
 _TOKEN = re.compile(
     r"(?P<plain>[A-Za-z]{3,}(?=[ ,.]))"
