@@ -121,9 +121,17 @@ def _next_word(clause: Clause, context: Context) -> list[str]:
     return context.lows(clause.event.j, clause.event.j + 1)
 
 
+def _here(words: Iterable[str]) -> Iterable[str]:
+    """The words up to the end of a sentence."""
+    return takewhile(lambda word: word not in _MARKS, words)
+
+
 def _lately(clause: Clause, context: Context) -> Iterable[str]:
-    before = context.lows(clause.event.i - _SOON, clause.event.i)
-    return takewhile(lambda word: word not in _MARKS, reversed(before))
+    return _here(reversed(context.lows(clause.event.i - _SOON, clause.event.i)))
+
+
+def _soon(clause: Clause, context: Context) -> Iterable[str]:
+    return _here(context.lows(clause.event.j, clause.event.j + _SOON))
 
 
 def _opened(clause: Clause, context: Context) -> list[str]:
@@ -141,7 +149,7 @@ def _tells(rest: str) -> Test:
 
     def test(clause: Clause, context: Context) -> bool:
         after = context.lows(clause.event.i, clause.event.i + _SENTENCE)
-        words = f" {' '.join(takewhile(lambda word: word not in _MARKS, after))} "
+        words = f" {' '.join(_here(after))} "
         return any(f" {phrase} " in words for phrase in phrases)
 
     return test
@@ -196,7 +204,7 @@ _KINDS: dict[str, Kind] = {
     "ends": _among(lambda clause, c: [c.tokens[clause.event.j - 1].low]),
     "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),
     "next": _among(_next_word),
-    "soon": _among(lambda clause, c: c.lows(clause.event.j, clause.event.j + _SOON)),
+    "soon": _among(_soon),
     "opened": _among(_opened),
     "lately": _among(_lately),
     "tells": _tells,

@@ -10,7 +10,8 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``puts`` (of `PUTS`) those of ``of`` where each phrase of ``where``, its ``object`` or its
   ``subject`` says;
 * ``lanes``, ``crossing``: why the road has lanes, a junction; ``implies``: what else is there;
-* ``act`` of ``of``: what they do; ``always``: also where nothing sets it off;
+* ``act`` of ``of``: what they do, letting ``into`` go first; ``always``: also where nothing sets it
+  off;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
 * ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
 * ``then``: further families; ``words``, ``reason``: what it rests on.
@@ -39,7 +40,7 @@ _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
                    "also", "puts", "where",
                    "as", "targets", "actors", "rewrite", "rules_out", "implies",
-                   "unsaid", "act", "always"})  # fmt: skip
+                   "unsaid", "act", "always", "into"})  # fmt: skip
 
 Effects: TypeAlias = Callable[[dict[str, Any]], Iterable[Effect]]
 

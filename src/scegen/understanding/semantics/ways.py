@@ -212,6 +212,7 @@ WORDS: dict[str, Callable[[Clause, Context], Basis | None]] = {
     "goal": lambda clause, _: _upto(clause.event, lanes.into_lane(clause.event)),
     "object": lambda clause, _: _upto(clause.event, clause.event.object),
     "child": _child,
+    "next": lambda clause, _: Basis(clause.event.i, clause.event.j + 1),
     "onward": _onward,
     "through": lambda clause, context: through(clause.event, context),
 }
