@@ -140,8 +140,7 @@ def _remember_goal(goal: Chunk, before: list[Chunk], last: dict[str, Place]) -> 
     sides = [m for m in ways if m.value in {"left", "right"}]
     aside = not isinstance(goal, Place) or goal.kind == "side"
     if isinstance(who, Mention) and who.is_ego and moves and aside and sides:
-        beside = Term("dir", "adjacent", goal.i, goal.i)
-        last["lane"] = Place(goal.i, goal.j, [beside, *sides], None, kind="lane")
+        last["lane"] = Place(goal.i, goal.j, sides, None, kind="lane")
 
 
 def _taken(mention: Mention, before: Chunk | None) -> bool:
