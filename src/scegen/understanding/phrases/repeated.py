@@ -134,12 +134,13 @@ def _remember_beside(lane: Place, k: int, chunks: list[Chunk], last: dict[str, P
 def _remember_goal(goal: Chunk, before: list[Chunk], last: dict[str, Place]) -> None:
     """``the ego changes lanes to the left``, ``moves left``: for "that lane", said later on."""
     at = len(before) - (3 if value_at(before, len(before) - 2) == "to" else 2)
-    who, verb = chunk_at(before, at - 1), chunk_at(before, at)
+    verb = chunk_at(before, at)
+    who = next((c for c in reversed(before[: max(at, 0)]) if isinstance(c, Mention)), None)
     moves = isinstance(verb, Event) and verb.name in MOVING | {"lane_change"}
     ways = [goal.term] if isinstance(goal, Word) else goal.ways if isinstance(goal, Place) else []
     sides = [m for m in ways if m.value in {"left", "right"}]
     aside = not isinstance(goal, Place) or goal.kind == "side"
-    if isinstance(who, Mention) and who.is_ego and moves and aside and sides:
+    if who is not None and who.is_ego and moves and aside and sides:
         last["lane"] = Place(goal.i, goal.j, sides, None, kind="lane")
 
 
