@@ -7,9 +7,8 @@ from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.meaning import placing
 from scegen.understanding.semantics.conditions import condition
-from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.context import Clause, Context, clause_of
 from scegen.understanding.semantics.marks import comes_to_rest, in_the_lane
-from scegen.understanding.semantics.roles import clause_of
 from scegen.understanding.words.terms import Term
 
 

@@ -14,15 +14,16 @@ from scegen.understanding.meaning.manner import Manners, jam, note_braking
 from scegen.understanding.meaning.reactions import mark_answers, mark_late
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.phrases.on_sides import each_side, from_everywhere
-from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.met import driven_up_to
-from scegen.understanding.semantics.roles import (
+from scegen.understanding.semantics.context import (
+    Clause,
+    Context,
     clause_of,
     clause_of_everybody,
     clause_of_noun,
     stray_clauses,
     without_nouns,
 )
+from scegen.understanding.semantics.met import driven_up_to
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import ends_a_quantity
 

@@ -19,7 +19,6 @@ from scegen.understanding.reference.egos import (
     the_teller,
     with_the_ranked,
 )
-from scegen.understanding.reference.groups import Group, opened, vehicle_around
 from scegen.understanding.reference.known import known
 from scegen.understanding.reference.mention_words import (
     Reading,
@@ -33,7 +32,7 @@ from scegen.understanding.reference.mention_words import (
     tells,
 )
 from scegen.understanding.reference.pronouns import of_pronoun, picked
-from scegen.understanding.reference.roster import Roster
+from scegen.understanding.reference.roster import Group, Roster, opened, vehicle_around
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 

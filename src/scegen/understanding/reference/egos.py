@@ -7,9 +7,8 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.reference.groups import Group
 from scegen.understanding.reference.mention_words import Reading
-from scegen.understanding.reference.roster import Roster, claimed
+from scegen.understanding.reference.roster import Group, Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.tokens import Token
 

@@ -11,7 +11,7 @@ from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.egos import rank
 from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.mention_words import is_pronoun
-from scegen.understanding.reference.tellers import is_apart, teller_goes_by
+from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
 
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 
