@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
-from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Event, NounPhrase, Place
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
@@ -20,7 +20,6 @@ _BRANCHES = frozenset({"leg", "junction", "access"})
 _GOALS = frozenset({"side", "leg", "access", "road"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
-_THROUGH = frozenset({"through", "across"})
 SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
 _WITHIN_LANE_M = 2.0
 
@@ -83,24 +82,6 @@ def _came_from(event: Event) -> set[str]:
     return {d for side in sides for d in side.dirs}
 
 
-def through(event: Event, context: Context) -> Basis | None:
-    """``drives through the intersection``; a roundabout is left by one of its exits."""
-    if context.junction.kind is JunctionKind.ROUNDABOUT:
-        return None
-    own = not _THROUGH.isdisjoint(context.lows(event.i, event.j))
-    if own and isinstance(event.object, Place) and event.object.kind == "junction":
-        return Basis(event.i, event.object.j)
-    for prep in event.pps:
-        place, word = prep.target, context.tokens[prep.word.i].low
-        if isinstance(place, Place) and (
-            (word in _THROUGH and place.kind in {"junction", "signal"})
-            or (word == "against" and place.kind == "signal")
-            or (word == "along" and place.kind == "road")
-        ):
-            return span(event, prep.word.i, place.j)
-    return None
-
-
 def _without_arrow(_: Clause, context: Context) -> bool:
     """``a plain green, no arrow``: nothing holds the oncoming traffic back."""
     words = context.lows(0, len(context.tokens))
@@ -139,7 +120,6 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     ),
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),
     "leads_aside": lambda clause, c: bool(SIDEWAYS & set(directions(clause.event, c.tokens))),
-    "leads_through": lambda clause, c: through(clause.event, c) is not None,
     "onward": lambda clause, _: any(d.value == "straight" for d in clause.event.dirs),
     "denies_a_way": lambda clause, _: bool(clause.event.denied_ways & set(DIRECTIONS)),
 }
@@ -214,6 +194,5 @@ WORDS: dict[str, Callable[[Clause, Context], Basis | None]] = {
     "child": _child,
     "next": lambda clause, _: Basis(clause.event.i, clause.event.j + 1),
     "onward": _onward,
-    "through": lambda clause, context: through(clause.event, context),
 }
 """Words that a row may rest on, by what they are in the clause."""
