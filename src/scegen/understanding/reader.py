@@ -32,10 +32,9 @@ from scegen.understanding.meaning.manner import Manners
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, read_entries, silence
-from scegen.understanding.phrases.identity import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
-from scegen.understanding.phrases.listed import list_them
-from scegen.understanding.phrases.on_sides import each_of
+from scegen.understanding.phrases.listed import each_of, list_them
+from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat, which_is_it
 from scegen.understanding.phrases.road_turned_into import name_turned_into
@@ -44,10 +43,9 @@ from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import deny_of_everybody
 from scegen.understanding.reference.resolving import resolve_mentions
-from scegen.understanding.road.bends import whole_bends
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
-from scegen.understanding.road.lengthwise import read_lengthwise
+from scegen.understanding.road.lengthwise import read_lengthwise, whole_bends
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context

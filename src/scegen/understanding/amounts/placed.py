@@ -9,8 +9,7 @@ from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.moments import moment, since
-from scegen.understanding.amounts.pairs import pair_of, row_of, tell_order
+from scegen.understanding.amounts.pairs import moment, pair_of, row_of, since, tell_order
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing

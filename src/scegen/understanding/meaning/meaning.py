@@ -13,7 +13,7 @@ from scegen.understanding.meaning.lights import read_lights
 from scegen.understanding.meaning.manner import Manners, jam, note_braking
 from scegen.understanding.meaning.reactions import mark_answers, mark_late
 from scegen.understanding.meaning.roadside import read_thing
-from scegen.understanding.phrases.on_sides import each_side, from_everywhere
+from scegen.understanding.phrases.listed import each_side, from_everywhere
 from scegen.understanding.semantics.context import (
     Clause,
     Context,

@@ -1,16 +1,20 @@
-"""Those who were counted, one by one: "two pedestrians cross, a woman … and a man …"."""
+"""One by one: those who were counted (``two people, a woman and a man``), one from each side."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention
+from dataclasses import replace
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     cat_at,
+    chunk_at,
     ends,
     sentence_end,
     value_at,
 )
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _MARKS = {",": ",", ":": ",", "(": ")"}
@@ -102,3 +106,87 @@ def _alike(one: Mention, counted: Mention, tokens: list[Token]) -> bool:
     vehicles = tokens[counted.j - 1].base in word_list("generic_words")
     vehicles = (vehicles or counted.noun == "adversary") and one.noun != "pedestrian"
     return vehicles or counted.noun in {one.noun, "driver"}
+
+
+_EVERYWHERE = frozenset({"direction", "side", "exit", "leg", "road"})
+_A_PAIR = 2
+"""Of two sides named, there may still be any number of vehicles."""
+
+
+def from_everywhere(prep: Prep) -> bool:
+    """``from all directions``, ``from every side``."""
+    target = prep.target
+    if prep.value not in {"from", "in"} or not isinstance(target, Place):
+        return False
+    return target.has("quant", "all") and target.kind in _EVERYWHERE
+
+
+def each_side(prep: Prep) -> bool:
+    """``from each side``: one from the left, one from the right."""
+    target = prep.target
+    if not isinstance(target, Place):
+        return False
+    if target.kind == "lane" and prep.value == "in":
+        return target.has("quant", "all") and "adjacent" in target.dirs  # "in each adjacent lane"
+    single = target.head is not None and target.head.form != "s"
+    return from_everywhere(prep) and single and target.kind == "side"
+
+
+def each_of(chunks: list[Chunk]) -> list[Chunk]:
+    """``in one of the lanes``, ``in each of them``, ``one from each side``: in it, from each."""
+    found: list[Chunk] = []
+    first: Place | None = None
+    for chunk in chunks:
+        on = value_at(found, len(found) - 1) == "in"
+        if on and isinstance(chunk, Place) and {m.value for m in chunk.mods} == {"one"}:
+            first = chunk  # "a bus on one side, a truck on the other": beside who is between them
+        if on and first is not None and isinstance(chunk, Mention) and chunk.pronoun == "other":
+            chunk = Place(chunk.i, chunk.j, list(chunk.mods), None, kind="side")  # noqa: PLW2901
+            for place in (first, chunk):
+                place.mods = [*place.mods, Term("dir", "adjacent", place.i, place.j)]
+        roads = [c for c in found if isinstance(c, Place) and c.plural and c.kind in _EVERYWHERE]
+        there = value_at(found, len(found) - 3) in {"in", "from"}
+        if roads and there and isinstance(chunk, Mention) and chunk.pronoun == "they":
+            kind, head = roads[-1].kind, roads[-1].head  # "five arms, cars wait on each of them"
+            chunk = Place(chunk.i, chunk.j, [], head, kind=kind)  # noqa: PLW2901
+        part, word = chunk_at(found, len(found) - 2), value_at(found, len(found) - 1)
+        if isinstance(chunk, Place) and isinstance(part, Mention):
+            every = chunk.has("quant", "all") and chunk.kind == "side"
+            if part.pronoun in {"one", "all", "both"} and word == "of":
+                del found[-2:]
+                mods = [m for m in chunk.mods if m.cat not in {"det", "num"}]
+                opens = ("det", "indef") if part.pronoun == "one" else ("quant", "all")
+                chunk.mods = [Term(*opens, chunk.i, chunk.i), *mods]
+                if part.pronoun == "one" and chunk.head is not None:
+                    chunk.head = replace(chunk.head, form="base")  # "one of the lanes"
+            elif part.pronoun == "one" and word == "from" and every:
+                del found[-2]
+        found.append(chunk)
+    return found
+
+
+def sides_of(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
+    """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
+    found: dict[int, int] = {}
+    for event in events:
+        compass = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
+        count = _sides(event.pps)
+        if count is None and len(compass) > _A_PAIR:
+            count = len(compass)
+        found |= {} if count is None else {id(m): count for m in event.subject}
+    for chunk in chunks:
+        count = _sides(chunk.pps) if isinstance(chunk, Mention) else None
+        found |= {} if count is None else {id(chunk): count}
+    return found
+
+
+def _sides(pps: list[Prep]) -> int | None:
+    """How many sides phrases of place tell of, 0 for all; None if they tell of none."""
+    if any(each_side(p) for p in pps):
+        return _A_PAIR
+    return 0 if any(from_everywhere(p) for p in pps) else None
+
+
+def _compass(prep: Prep) -> list[Term]:
+    target = prep.target
+    return [m for m in target.mods if m.cat == "compass"] if isinstance(target, Place) else []

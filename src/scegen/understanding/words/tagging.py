@@ -8,6 +8,7 @@ from functools import lru_cache
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.collectives import gather
+from scegen.understanding.words.contexts import retag
 from scegen.understanding.words.labels import name_letters, named_at, street_name, with_articles
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
@@ -20,7 +21,6 @@ from scegen.understanding.words.particles import (
     then_a_noun,
 )
 from scegen.understanding.words.quantities import OPENS, quantity_at
-from scegen.understanding.words.retagging import retag
 from scegen.understanding.words.somebodys import GENITIVES, around_somebody
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
