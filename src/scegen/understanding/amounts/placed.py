@@ -16,7 +16,6 @@ from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 
 _SOON = 14
-_PASSING = frozenset({"pass", "bypass", "overtake"})
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _TWO_LANES = 7
@@ -103,7 +102,7 @@ def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}
     overtaking = [a.entity for a in figure.text.found.acts if a.kind is ActKind.OVERTAKE]
     for event, targets in ((s.event, s.targets) for s in figure.text.scenes):
-        overtaking += targets if event.name in _PASSING else []
+        overtaking += targets if event.name in _PASSED else []
     past = figure.does in by and (one.parked or other.parked)
     past = past or (far <= _ARMS_LENGTH and (one in overtaking or other in overtaking))
     stand = [at for _, at in figure.text.stand(one, other)]

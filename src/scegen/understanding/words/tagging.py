@@ -13,7 +13,9 @@ from scegen.understanding.words.labels import name_letters, named_at, street_nam
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
+    GENITIVES,
     after_a_phrase,
+    around_somebody,
     just_right,
     nothing_shed,
     over_a_place,
@@ -21,7 +23,6 @@ from scegen.understanding.words.particles import (
     then_a_noun,
 )
 from scegen.understanding.words.quantities import OPENS, quantity_at
-from scegen.understanding.words.somebodys import GENITIVES, around_somebody
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 from scegen.understanding.words.unknown_drivers import who_drive
