@@ -29,7 +29,6 @@ from scegen.understanding.words.quantities import ends_a_quantity
 
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
-_ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -161,8 +160,7 @@ class Interpreter:
         self._places(clause)
         say("positions.access", clause, context)
         failed = event.parent is not None and event.parent.name == "fail"
-        if event.name in _ANSWERS:
-            say("dangers.answered", clause, context)
+        say("dangers.answered", clause, context)
         if event.negated or failed or event.name == "overlook":
             say("omissions.any", clause, context)
             return
