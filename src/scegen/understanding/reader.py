@@ -33,7 +33,7 @@ from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, read_entries, silence
 from scegen.understanding.phrases.lanes_meant import lanes_meant
-from scegen.understanding.phrases.listed import each_of, list_them
+from scegen.understanding.phrases.listed import each_of, in_between, list_them
 from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat, which_is_it
@@ -73,6 +73,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"("}, lambda chunks, _: in_brackets(chunks)),
     ({":"}, lambda chunks, _: read_entries(chunks)),
     ({"one", "all", "both"}, lambda chunks, _: each_of(chunks)),
+    ({"between"}, lambda chunks, _: in_between(chunks)),
     ({"num"}, list_them),
     ({":"}, lambda chunks, _: announce(chunks)),
 )

@@ -111,7 +111,8 @@ def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
     door = door_before(story, act.participant)
     if act.kind is ActKind.SWERVE and door is not None:
         return door.appears_s + _SHIES_S
-    first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in story.merging else 0.0)
+    by_ramp = story.merging - story.joined
+    first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in by_ramp else 0.0)
     told = [a for a in story.acts[: story.acts.index(act)] if a.id in story.begins_s]
     # Who goes aside for one that comes into its lane does so when that one is there.
     gives_way = act.kind in ASIDE

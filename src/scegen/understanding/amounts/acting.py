@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import product
 
 from scegen.scenario.acts import SLOWING, ActKind
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 from scegen.understanding.amounts.aside import OTHER, to_the_side
 from scegen.understanding.amounts.letting_by import let_by
 from scegen.understanding.amounts.telling import CHANGING, Telling
@@ -113,6 +113,7 @@ def _past_and_back(found: list[Doing], text: Telling) -> None:
     for doing in found:
         if doing.kind is ActKind.CHANGE_LANE and (doing.entity, doing.into) in passed:
             doing.into = None
+            doing.side = doing.side or OTHER[Side(text.context.across)]
     dangers[:] = [
         d
         for d in dangers

@@ -8,7 +8,7 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Place
+from scegen.understanding.chunks import Place, Prep
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
@@ -16,6 +16,7 @@ from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import noun, people
 
 _REACH, _SIDE_REACH = 8, 14
+_ALONG, _BESIDE = frozenset({"ahead", "behind"}), {Approach.ADJACENT}
 SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
 _BRINK = noun(["side", "+brink", "+of_road", "+kerb"])
 _TOWARDS_THE_EDGE_M = (0.3, 0.9)
@@ -90,7 +91,7 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         return
     event, entity = scene.event, doing.entity
     turns = doing.kind is ActKind.TURN
-    for value, basis in _sides(doing.kind, event, text):
+    for value, basis in _sides(doing.kind, scene, text):
         if value in _BACK and doing.side is None:
             doing.side, doing.side_basis = Side(value), basis
     if turns:
@@ -115,8 +116,9 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         doing.side_basis = words.because("into the lane beside its own")
 
 
-def _sides(kind: ActKind, event: Event, text: Telling) -> list[tuple[str, Basis]]:
+def _sides(kind: ActKind, scene: Clause, text: Telling) -> list[tuple[str, Basis]]:
     """The sides that words name to which a movement leads; the other of the lane that it leaves."""
+    event = scene.event
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
     # "merges out of the right lane", "pulls out of our lane"
@@ -126,9 +128,14 @@ def _sides(kind: ActKind, event: Event, text: Telling) -> list[tuple[str, Basis]
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
     # "in the left lane, a car wanders towards ours": where it is, but "on the left, it overtakes"
     starts = [p.target for p in event.pps if p.fronted and kind is not ActKind.OVERTAKE]
+    # "the ego in the left lane overtakes a van in the right lane": there is the van
+    theirs = {
+        e.start_lane[1].i for e in scene.targets if e.start_lane and scene.actors[0].start_lane
+    }
     goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
     for goal in (g for g in goals if all(g is not place for place in (*sources, *starts))):
-        if not any(c is not goal and c.i < goal.i <= c.j + 1 for c in within):
+        beside = any(c is not goal and c.i < goal.i <= c.j + 1 for c in within)
+        if not beside and theirs.isdisjoint(range(goal.i - 1, goal.j)):
             # "from the lane to its right": from there
             sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]
     # Who drifts out of the right lane may do so to either side.
@@ -151,15 +158,15 @@ def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
 def _homewards(doing: Doing, returns: bool, context: Context) -> None:
     """Who comes from the front goes over the middle; who has overtaken comes back."""
     entity, words = doing.entity, doing.basis
-    returns = returns and Maneuver.OVERTAKE in entity.maneuvers and context.oncoming(entity)
+    passes = Maneuver.OVERTAKE in entity.maneuvers
+    back = passes and (returns or (doing.into is not None and doing.into.ego))
     across = Side(context.across)
-    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not returns:
+    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not (passes and returns):
         doing.into, doing.into_basis = doing.into or context.draft.ego, doing.into_basis or words
         if doing.side is None:
             reason = "who comes from the front crosses the middle of the road"
             doing.side, doing.side_basis = across, words.because(reason)
-    back = doing.into is not None and doing.into.ego and Maneuver.OVERTAKE in entity.maneuvers
-    if (returns or back) and doing.side is None and entity.beside is None:
+    if back and doing.side is None and entity.beside is None:
         reason = "who has overtaken comes back to its lane"
         doing.side, doing.side_basis = OTHER[across], words.because(reason)
 
@@ -172,19 +179,34 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     lanes = [g for g in lanes if g.kind in {"lane", "path"}]
     owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
     out = "out" in context.lows(event.i, event.j)  # "cuts out in front of"
-    fronts = [p for p in event.pps if (p.word.cat, p.value) == ("locus", "ahead") and not out]
-    ahead = people(fronts)
+    near = [p for p in event.pps if p.word.cat == "locus" and p.value in _ALONG and not out]
+    # "boxed in behind a van, it …", "so does the car behind it": where one is at first
+    near = [p for p in near if not p.fronted and all(m.j != p.word.i for m in event.subject)]
     cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN)
     egos = [e for e in context.draft.entities if e.ego]
     cut = [e for d in cuts if doing.entity in d.by for e in d.to or egos]
-    named = [e for e in (*owners, *scene.targets, *ahead, *cut) if e is not doing.entity]
+    named = [e for e in (*owners, *scene.targets, *people(near), *cut) if e is not doing.entity]
     if named:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
-    known = any(p.entity is doing.into or p.reference is doing.into
-                for p in context.draft.placements)  # fmt: skip
-    if ahead and named and doing.entity.ego and not known and not context.junction.crossing:
-        # "changes to the right lane in front of a truck": that one is there
-        basis = Basis(fronts[0].word.i, named[0].basis.j)
-        context.draft.place(named[0], None, {Approach.ADJACENT}, basis)
-        if doing.side is not None:
-            named[0].beside = named[0].beside or (doing.side.value, basis)
+    if near and named and not context.junction.crossing and named[0].moving_vehicle:
+        _beside_whom(doing, named[0], near[0], context)
+
+
+def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) -> None:
+    """``changes to the right lane in front of a truck``, ``behind it``: that one is there.
+
+    Who comes in behind another is so from the start, unless it lets that one by.
+    """
+    draft, behind = context.draft, phrase.value == "behind"
+    who, seen = (other, Approach.AHEAD) if doing.entity.ego else (doing.entity, Approach.BEHIND)
+    told = [p for p in draft.placements if other in (p.entity, p.reference) or who is p.entity]
+    said = [p.approaches for p in told if not behind or p.basis.i != phrase.word.i]
+    if not (doing.entity.ego or (behind and other.ego)) or any(a != _BESIDE for a in said):
+        return
+    basis = Basis(phrase.word.i, other.basis.j)
+    if not said:
+        draft.place(who, None, _BESIDE, basis)
+        if doing.entity.ego and doing.side is not None:
+            other.beside = other.beside or (doing.side.value, basis)
+    if behind and doing.entity not in context.letting:
+        draft.place(who, None, {seen}, basis)

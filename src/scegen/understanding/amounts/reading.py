@@ -62,11 +62,13 @@ def _kept(found: Happenings) -> list[Doing]:
     """Acts that are ones by themselves, or that a number or another act makes ones."""
     named = [d.when.act for d in found.acts if d.when is not None and d.when.act is not None]
     named += [s.at for s in found.spacings if isinstance(s.at, Doing)]
+    home = [(d.entity, d.i) for d in found.acts if d.kind is ActKind.CHANGE_LANE]
     kept = [
         d
         for d in found.acts
         if d.always or d.amounts or d.when is not None or d in named
-        or (d.kind is ActKind.OVERTAKE and d.side is not None)  # "overtakes it on the right"
+        or (d.kind is ActKind.OVERTAKE  # "overtakes it on the right", "overtakes it and cuts in"
+            and (d.side is not None or any(e is d.entity and i > d.i for e, i in home)))
     ]  # fmt: skip
     counts: dict[ActKind, int] = {}
     for doing in kept:

@@ -101,7 +101,7 @@ class Builder:
             if junction.auxiliary is not None:
                 named = lanes_of(ego, junction)
                 beside = not named or junction.through_lanes in named
-                settle_ramp(self.draft, ego, junction.auxiliary, beside_ego=beside)
+                settle_ramp(self.draft, ego, junction.auxiliary, self.along, beside_ego=beside)
         else:
             alongside(self.draft, ego)
             settle_roads(self.draft, junction)

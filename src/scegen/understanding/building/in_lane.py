@@ -24,6 +24,8 @@ from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
 from scegen.understanding.semantics.lanes import EITHER
 
+JOINING = "joining"
+"""The lane beside the others into which a ramp leads."""
 _FEWEST_WITH_A_MIDDLE = 3
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 _BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
@@ -90,9 +92,11 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
 def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
     """The lane that the text names, counted from 1 at the centre line outwards."""
     count = min(junction.lanes, default=1)
-    if entity.start_lane is None or count < 2:
+    name = entity.start_lane[0] if entity.start_lane is not None else ""
+    if name == JOINING:
+        return frozenset({junction.through_lanes + 1})
+    if not name or count < 2:
         return frozenset()
-    name = entity.start_lane[0]
     if name == "middle":
         return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
     if name in {"fast", "slow"}:

@@ -13,6 +13,7 @@ from scegen.scenario.roadway import (
     Strip,
 )
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
+from scegen.understanding.building.in_lane import JOINING
 from scegen.understanding.building.leftovers import ONE_RAMP
 from scegen.understanding.building.proving import Proofs
 from scegen.understanding.draft import Draft
@@ -116,7 +117,9 @@ def auxiliary_lane(draft: Draft, *, drops: bool) -> Used:
     return next(((AuxiliaryLane.OFF_RAMP, e.exits) for e in driven if e.exits is not None), None)
 
 
-def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_ego: bool) -> None:
+def settle_ramp(
+    draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, along: Lengthwise, *, beside_ego: bool
+) -> None:
     """Who uses the auxiliary lane merges or exits, from or to the side of the kerb."""
     kerb = Approach(draft.kerb)
     leaves = auxiliary is AuxiliaryLane.OFF_RAMP
@@ -129,7 +132,7 @@ def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_e
         entity.maneuver_basis = basis
         if leaves:
             continue
-        entity.start_lane = None
+        entity.start_lane = (JOINING, basis) if along.alongside else None
         if not entity.ego and ego.by_ramp is None:
             beside = {Approach.ADJACENT, kerb} if beside_ego else set[Approach]()
             entity.comes_from(beside, entity.approach_basis or basis)
@@ -141,4 +144,7 @@ def settle_ramp(draft: Draft, ego: Entity, auxiliary: AuxiliaryLane, *, beside_e
         # "In front of a truck" is where it gets to: until then the truck drives beside the ramp.
         there = there or entity.approaches in ({Approach.AHEAD}, {Approach.BEHIND})
         if entity.by_ramp is None and there:
-            entity.approaches, entity.beside = {Approach.ADJACENT, INVERSE[kerb]}, None
+            entity.approaches = {Approach.ADJACENT}
+            entity.beside = INVERSE[kerb].value, entity.approach_basis or ego.by_ramp
+            if entity.in_next_lane is not None and entity.in_next_lane[0] == {Approach.BEHIND}:
+                entity.in_next_lane = None

@@ -136,9 +136,11 @@ def opens_relative(mention: Mention, state: State) -> bool:
     """
     that = state.at(-1)
     marked = isinstance(that, Word) and that.cat == "rel"
-    about = state.at(-1 - marked)
-    if marked and is_word(about, ","):
-        about = state.at(-3)
+    between = -1 - marked
+    between -= marked and is_word(state.at(between), ",")
+    placed = state.at(between)  # "the car ahead, which the ego follows"
+    between -= marked and isinstance(placed, Word) and placed.cat == "locus"
+    about = state.at(between)
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.waiting and not state.between
@@ -176,6 +178,11 @@ def close_relative(event: Event, state: State) -> bool:
     state.events.append(event)
     state.stand_at(about)
     return True
+
+
+def closed(state: State) -> bool:
+    """``drives ahead of the ego, which is as fast, and brakes``: who drives, not the ego."""
+    return "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
 
 
 def aside(event: Event, events: list[Event]) -> bool:

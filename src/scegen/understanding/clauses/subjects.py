@@ -12,14 +12,14 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
+from scegen.understanding.clauses.phrases import closed
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
-     "undertake",
-     "enter", "use", "door", "chase", "harm", "send"}
+     "undertake", "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
@@ -114,7 +114,7 @@ def _blocked(event: Event, state: State) -> bool:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
-    event.embedded = "rel" in between or state.where
+    event.embedded = ("rel" in between and not closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
     noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:
@@ -128,7 +128,7 @@ def _clause(event: Event, state: State) -> None:
         event.subject, state.resumed = _goes_on(event, state), []
     elif state.waiting is not None and _past_being(event, state):
         event.subject, event.embedded = chain(state.waiting), False
-    elif "rel" in between and state.mentions:
+    elif "rel" in between and state.mentions and event.embedded:
         which = _antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)
@@ -165,10 +165,7 @@ def _past_being(event: Event, state: State) -> bool:
 
 
 def _antecedent(state: State) -> Mention:
-    """The noun before "which": the last one that does not merely own something.
-
-    In "the car ahead of us, which" it is the car.
-    """
+    """The last noun before "which" that owns nothing: the car, in "the car ahead of us, which"."""
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
     return next((m for m in nouns if not ((_told(m) and m.is_landmark) or m.aside)), nouns[0])
 

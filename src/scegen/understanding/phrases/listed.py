@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
+    BOUNDARIES,
     GOVERNING,
     cat_at,
     chunk_at,
@@ -21,6 +22,7 @@ _MARKS = {",": ",", ":": ",", "(": ")"}
 """What opens a list, and what closes it before the end of the sentence."""
 _KNOWN = frozenset({"det", "possessive"})
 _COUNTS = frozenset({"det", "num", "quant"})
+_IN_LINE = "ahead", "behind"
 
 
 def list_them(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -130,6 +132,25 @@ def each_side(prep: Prep) -> bool:
         return target.has("quant", "all") and "adjacent" in target.dirs  # "in each adjacent lane"
     single = target.head is not None and target.head.form != "s"
     return from_everywhere(prep) and single and target.kind == "side"
+
+
+def in_between(chunks: list[Chunk]) -> list[Chunk]:
+    """``rides between the ego and a truck``: ahead of the one and behind the other, in line."""
+    found, second = list(chunks), dict[int, Chunk]()
+    for k in [k for k, c in enumerate(chunks) if (c.cat, c.value) == ("locus", "between")]:
+        ego, other = chunk_at(chunks, k + 1), chunk_at(chunks, k + 3)
+        if not (isinstance(ego, Mention) and isinstance(other, Mention) and other.heads):
+            continue
+        before = (c for c in chunks[k::-1] if isinstance(c, Event) or c.value in BOUNDARIES)
+        verb = next(before, None)
+        stays = not isinstance(verb, Event) or verb.name in word_list("steady")
+        stays = stays and cat_at(chunks, k - 1) != "inert"  # "the collision between us and a van"
+        mine = (ego.is_ego or ego.is_me) and value_at(chunks, k + 2) == "and"
+        if stays and mine and not other.has("state", "parked"):
+            one, two = ("behind", "ahead") if value_at(chunks, k + 4) == "behind" else _IN_LINE
+            found[k] = Word(Term("locus", one, chunks[k].i, chunks[k].j))
+            second[k + 3] = Word(Term("locus", two, other.i, other.i))
+    return [c for k, chunk in enumerate(found) for c in (second.get(k), chunk) if c is not None]
 
 
 def each_of(chunks: list[Chunk]) -> list[Chunk]:

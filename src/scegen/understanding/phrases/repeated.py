@@ -7,7 +7,7 @@ from dataclasses import replace
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lanes_meant import MOVING
-from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, value_at
+from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING, cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -17,6 +17,7 @@ _CROSSED = frozenset({"crosswalk", "road", "junction"})
 _STILL = frozenset({"parked", "stationary", "stop", "park"})
 _SAID_OF_IT = 4
 _WHICH = frozenset({"which", "whom"})
+_ROADS, _OUT_OF = frozenset({"access", "road", "leg"}), frozenset({"of", "from"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
 
 
@@ -45,6 +46,10 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
         if "crossed" in last and _across_it(chunk, before):
             chunk = replace(last["crossed"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
+        if value_at(chunks, k) in BOUNDARIES | {","}:
+            _remember_road(found, last)
+        if "road" in last and _is_it(chunk) and value_at(found, len(found) - 1) in _OUT_OF:
+            chunk = replace(last["road"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
         found.append(chunk)
         _remember_goal(chunk, found, last)
         if isinstance(chunk, Place):
@@ -144,6 +149,16 @@ def _remember_goal(goal: Chunk, before: list[Chunk], last: dict[str, Place]) -> 
         last["lane"] = Place(goal.i, goal.j, sides, None, kind="lane")
 
 
+def _remember_road(before: list[Chunk], last: dict[str, Place]) -> None:
+    """``there is a side road on the left``, where nobody is yet: for "comes out of it"."""
+    ends = [n for n, c in enumerate(before) if c.value in BOUNDARIES | {","}]
+    part = before[ends[-1] + 1 if ends else 0 :]
+    roads = [c for c in part if isinstance(c, Place) and c.kind in _ROADS]
+    sides = [m for c in part if isinstance(c, Place) for m in c.ways if m.value in _SIDES]
+    if len(roads) == len(sides) == 1 and not any(isinstance(c, Mention) for c in part):
+        last["road"] = replace(roads[0], mods=[*roads[0].mods, *sides])
+
+
 def _taken(mention: Mention, before: Chunk | None) -> bool:
     """``takes the first exit, the bus takes the second``: an exit, too."""
     goal = before is not None and before.cat == "prep"
@@ -153,8 +168,11 @@ def _taken(mention: Mention, before: Chunk | None) -> bool:
 
 def _across_it(chunk: Chunk, verb: Chunk | None) -> bool:
     """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody."""
-    it = isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
-    return it and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
+    return _is_it(chunk) and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
+
+
+def _is_it(chunk: Chunk) -> bool:
+    return isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
 
 
 def _there(word: Word, before: Chunk | None, tokens: list[Token]) -> bool:

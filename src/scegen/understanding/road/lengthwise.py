@@ -160,6 +160,7 @@ class Lengthwise:
         without: strips that the text says are not there, with the words for it.
         bend: the bend that is driven, with the words for it.
         auxiliary: a ramp, or a lane that ends, with the words for it.
+        alongside: those words name the lane into which a ramp leads, beside the others.
         crosswalk_basis: the words for a marked crosswalk.
     """
 
@@ -171,6 +172,7 @@ class Lengthwise:
     without: dict[Strip, Basis] = field(default_factory=dict)
     bend: tuple[Bend, Basis] | None = None
     auxiliary: tuple[AuxiliaryLane, Basis] | None = None
+    alongside: bool = False
     crosswalk_basis: Basis | None = None
 
 
@@ -194,6 +196,7 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
             found.median = "median" in term.data
         if "auxiliary" in term.data and found.auxiliary is None:
             found.auxiliary = AuxiliaryLane(term.data["auxiliary"]), basis
+            found.alongside = "alongside" in term.data
         if term.value == "bend" and found.bend is None:
             found.bend = _bend(term), basis
         if "marked" in term.data and not absent.away_from(terms, k):

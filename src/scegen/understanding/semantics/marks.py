@@ -71,7 +71,8 @@ def comes_to_rest(entity: Entity, basis: Basis) -> None:
 def _stands_aside(entity: Entity, basis: Basis) -> None:
     """``stands on the shoulder``, ``… and pulls out``: parked, all the time or at first."""
     if entity.sets_off < (basis.i or 0):
-        _parked(entity, basis)
+        if not entity.ego:
+            _parked(entity, basis)
     else:
         entity.was_parked, entity.pulls_out = entity.was_parked or basis, True
 
