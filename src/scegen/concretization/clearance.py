@@ -106,7 +106,7 @@ def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
 
 
 def _when_s(course: Course, place_m: float) -> float:
-    return course.time_at(place_m) if place_m < float(course.s_m[-1]) + _NEAR_M else inf
+    return course.time_at(place_m) if place_m < course.ends_m + _NEAR_M else inf
 
 
 def _index(places_m: Array, place_m: float) -> int:

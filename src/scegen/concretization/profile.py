@@ -54,6 +54,7 @@ class SpeedChange:
 
 
 NEVER_S = 1e6
+_STANDS_MPS = 1e-9
 
 
 class Profile:
@@ -122,6 +123,14 @@ class Profile:
             root = speed * speed + 2 * rate * left
             return begins + (sqrt(max(root, 0.0)) - speed) / rate
         return NEVER_S
+
+    def times_at(self, ways_m: Array) -> Array:
+        """When ways have been travelled for the first time; all of them are travelled."""
+        begins, ways, speeds, rates = np.array(self._phases).T
+        n = np.maximum(np.searchsorted(ways, ways_m) - 1, 0)
+        left = ways_m - ways[n]
+        then = np.sqrt(np.maximum(speeds[n] ** 2 + 2 * rates[n] * left, 0.0))
+        return begins[n] + 2 * left / np.maximum(speeds[n] + then, _STANDS_MPS)
 
     def rests_s(self, after_s: float) -> float:
         """When it first stands from a time on; ``NEVER_S`` if it never does."""
