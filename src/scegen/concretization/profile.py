@@ -5,7 +5,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from dataclasses import dataclass
 from enum import Enum
-from math import sqrt
 
 import numpy as np
 
@@ -112,17 +111,9 @@ class Profile:
 
     def time_s(self, way_m: float) -> float:
         """When that way has been travelled; ``NEVER_S`` if it never is."""
-        for n, phase in enumerate(self._phases):
-            begins, way, speed, rate = phase
-            later = self._phases[n + 1] if n + 1 < len(self._phases) else None
-            if later is not None and later[1] < way_m:
-                continue
-            left = way_m - way
-            if abs(rate) < 1e-9:
-                return begins + left / speed if speed > 1e-9 else NEVER_S
-            root = speed * speed + 2 * rate * left
-            return begins + (sqrt(max(root, 0.0)) - speed) / rate
-        return NEVER_S
+        _, way, speed, _ = self._phases[-1]
+        reached = way_m <= way or speed > _STANDS_MPS
+        return float(self.times_at(np.array(way_m))) if reached else NEVER_S
 
     def times_at(self, ways_m: Array) -> Array:
         """When ways have been travelled for the first time; all of them are travelled."""
