@@ -21,7 +21,7 @@ _KEPT = 256
 """Courses that are kept: the same are driven for every place in line that is tried."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Course:
     """When a lone vehicle that starts at the outer end of its path is where, at which speed."""
 
