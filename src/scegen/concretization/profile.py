@@ -121,7 +121,8 @@ class Profile:
         n = np.maximum(np.searchsorted(ways, ways_m) - 1, 0)
         left = ways_m - ways[n]
         then = np.sqrt(np.maximum(speeds[n] ** 2 + 2 * rates[n] * left, 0.0))
-        return begins[n] + 2 * left / np.maximum(speeds[n] + then, _STANDS_MPS)
+        times: Array = begins[n] + 2 * left / np.maximum(speeds[n] + then, _STANDS_MPS)
+        return times
 
     def rests_s(self, after_s: float) -> float:
         """When it first stands from a time on; ``NEVER_S`` if it never does."""
