@@ -47,14 +47,13 @@ class Course:
 
     def time_at(self, s_m: float) -> float:
         """When it first reaches ``s_m``; before its start and behind its end at steady speed."""
-        return float(self.times_at(np.array(s_m)))
+        beyond = max(s_m - self.ends_m, 0.0) / max(self.speed_then(self.ends_s), _LEAST_MPS)
+        return float(self.times_at(np.array(s_m))) + beyond
 
     def times_at(self, s_m: Array) -> Array:
-        """The same for many places."""
-        before, beyond = np.minimum(s_m, 0.0), np.maximum(s_m - self.ends_m, 0.0)
-        first, last = (max(self.speed_then(time_s), _LEAST_MPS) for time_s in (0.0, self.ends_s))
-        own = self.profile.times_at(np.clip(s_m, 0.0, self.ends_m))
-        return own + before / first + beyond / last
+        """The same for many places up to its end."""
+        before = np.minimum(s_m, 0.0) / max(self.speed_then(0.0), _LEAST_MPS)
+        return self.profile.times_at(np.clip(s_m, 0.0, self.ends_m)) + before
 
     def s_at(self, time_s: float) -> float:
         """Where it is at a time; before the start it approaches at its first speed."""
