@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, Prep, Word
-from scegen.understanding.clauses.fronted import opens_clause
-from scegen.understanding.clauses.located import is_it
+from scegen.understanding.clauses.located import is_it, opens_clause
 from scegen.understanding.clauses.state import State
 
 _PASSING = frozenset({"overtake", "pass", "undertake"})

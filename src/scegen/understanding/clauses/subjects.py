@@ -12,7 +12,7 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
-from scegen.understanding.clauses.relatives import closed
+from scegen.understanding.clauses.phrases import closed
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 

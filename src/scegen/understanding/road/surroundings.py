@@ -10,7 +10,7 @@ from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.vocabulary import DrivingSide
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.road.measures import last_of, role_of, value_of
+from scegen.understanding.road.lengthwise import last_of, role_of, value_of
 from scegen.understanding.words.lane_widths import size_of_lanes
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
