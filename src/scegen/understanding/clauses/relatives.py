@@ -1,4 +1,4 @@
-"""Relative clauses about their object: "the van that the ego is following brakes"."""
+"""Relative clauses: whom "which" is; "the van that the ego is following brakes"."""
 
 from __future__ import annotations
 
@@ -8,7 +8,37 @@ from scegen.understanding.phrases.lookahead import is_word
 
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
+_ITS = frozenset({"it", "him", "they"})
 _REACH = 4
+
+
+def antecedent(state: State) -> Mention:
+    """The noun before "which": the last one that does not merely own something.
+
+    In "the car ahead of us, which" and "there is a car ahead of the ego, which" it is the car.
+    """
+    nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
+    other = _about_another(state)
+    beside = [m for m in nouns if m.is_landmark and (told(m) or (other and m.is_ego))]
+    return next((m for m in nouns if not (m in beside or m.aside)), nouns[0])
+
+
+def _about_another(state: State) -> bool:
+    """``a car ahead of the ego that …``, ``ahead of the ego, in its lane, which …``: of the car.
+
+    "A car ahead of the ego, which …" is so where "there is" introduces the car.
+    """
+    begin = max(0, state.chunks.index(state.mentions[0]) - 1)
+    k = next(k for k in range(state.k, 0, -1) if state.chunks[k].cat == "rel")
+    comma, opened = is_word(state.chunks[k - 1], ","), [c.value for c in state.chunks[begin:k]]
+    apart = not isinstance(state.chunks[k - 1 - comma], Mention)
+    alone = not comma and state.waiting is not None and "be" not in opened
+    return alone or apart or opened[0] == "thereis"
+
+
+def told(mention: Mention) -> bool:
+    """Whether one knows already who that is: "it", "them", "me"."""
+    return mention.pronoun in _ITS or mention.is_me
 
 
 def opens(mention: Mention, state: State) -> bool:
@@ -24,8 +54,8 @@ def opens(mention: Mention, state: State) -> bool:
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.waiting and not state.between
-    told = mention.pronoun is not None or any("speaks" in h.data for h in mention.heads)
-    if not (marked or waits or told) or not _acts(state):
+    known = mention.pronoun is not None or any("speaks" in h.data for h in mention.heads)
+    if not (marked or waits or known) or not _acts(state):
         return False
     state.relative = (mention, about)
     return True
