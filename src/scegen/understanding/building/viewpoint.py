@@ -16,6 +16,8 @@ _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
 _SEEN_BACK = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE, Approach.ADJACENT})
+_SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
+_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
 Placed = tuple[Entity, Entity, set[Approach], Basis]
 """Who is where, seen from whom, by which words."""
 
@@ -37,6 +39,9 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
         if reference is ego:
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
+            if _in_a_lane_there(placement, ego, draft):
+                entity.beside = entity.beside or (next(iter(approaches)).value, placement.basis)
+                approaches = {Approach.ADJACENT}
             allow(entity, approaches, placement.basis)
         elif _hidden_there(entity, reference) or _hidden_there(reference, entity):
             continue  # "hidden behind two parked cars": no place along the road
@@ -60,6 +65,17 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
     _in_file(relations)
     ego.approaches = set()
     return relations
+
+
+def _in_a_lane_there(placement: Placement, ego: Entity, draft: Draft) -> bool:
+    """``behind us on the left``, ``ahead on the right``: in the lane there, not out of a road."""
+    entity, i = placement.entity, placement.basis.i
+    crosses = Maneuver.CROSS in entity.maneuvers
+    if i is None or crosses or entity.still or not placement.approaches < _SIDES:
+        return False
+    told = [p for p in draft.placements_of(entity) if p.reference in (None, ego)]
+    along = any(p.approaches <= _ALONG and not p.basis.reason for p in told)
+    return along and entity.is_vehicle and draft.tokens[i].low != "from"
 
 
 def _hidden_there(entity: Entity, other: Entity) -> bool:

@@ -12,7 +12,7 @@ _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
 def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     """Two statements narrow each other down; where they differ, both are allowed."""
     if approaches and approaches <= _ALONG and entity.approaches == {Approach.ADJACENT}:
-        entity.in_next_lane = approaches, basis
+        entity.in_next_lane = entity.in_next_lane or (approaches, basis)
         return
     if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
         return  # "… from the left and stops in front of the ego": where it gets to
