@@ -39,10 +39,7 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
         if reference is ego:
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
-            if _in_a_lane_there(placement, ego, draft):
-                entity.beside = entity.beside or (next(iter(approaches)).value, placement.basis)
-                approaches = {Approach.ADJACENT}
-            allow(entity, approaches, placement.basis)
+            allow(entity, _in_a_lane_there(placement, approaches, ego, draft), placement.basis)
         elif _hidden_there(entity, reference) or _hidden_there(reference, entity):
             continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
@@ -67,15 +64,20 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
     return relations
 
 
-def _in_a_lane_there(placement: Placement, ego: Entity, draft: Draft) -> bool:
+def _in_a_lane_there(
+    placement: Placement, seen: set[Approach], ego: Entity, draft: Draft
+) -> set[Approach]:
     """``behind us on the left``, ``ahead on the right``: in the lane there, not out of a road."""
     entity, i = placement.entity, placement.basis.i
     crosses = Maneuver.CROSS in entity.maneuvers
-    if i is None or crosses or entity.still or not placement.approaches < _SIDES:
-        return False
+    if i is None or crosses or entity.still or not entity.is_vehicle or not seen < _SIDES:
+        return seen
     told = [p for p in draft.placements_of(entity) if p.reference in (None, ego)]
     along = any(p.approaches <= _ALONG and not p.basis.reason for p in told)
-    return along and entity.is_vehicle and draft.tokens[i].low != "from"
+    if not along or draft.tokens[i].low == "from":
+        return seen
+    entity.beside = entity.beside or (next(iter(seen)).value, placement.basis)
+    return {Approach.ADJACENT}
 
 
 def _hidden_there(entity: Entity, other: Entity) -> bool:
