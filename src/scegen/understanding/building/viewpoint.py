@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.understanding.building.hooks import RIDERS
 from scegen.understanding.draft import Draft, Placement
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.meaning.mutual import allow, face_each_other
@@ -67,10 +68,14 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
 def _in_a_lane_there(
     placement: Placement, seen: set[Approach], ego: Entity, draft: Draft
 ) -> set[Approach]:
-    """``behind us on the left``, ``ahead on the right``: in the lane there, not out of a road."""
+    """``behind us on the left``, ``ahead on the right``: in the lane there, not out of a road.
+
+    Where the ego turns, only riders are beside it.
+    """
     entity, i = placement.entity, placement.basis.i
+    turns = ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} and entity.kind not in RIDERS
     crosses = Maneuver.CROSS in entity.maneuvers
-    if i is None or crosses or entity.still or not entity.is_vehicle or not seen < _SIDES:
+    if i is None or crosses or turns or entity.still or not entity.is_vehicle or not seen < _SIDES:
         return seen
     told = [p for p in draft.placements_of(entity) if p.reference in (None, ego)]
     along = any(p.approaches <= _ALONG and not p.basis.reason for p in told)
