@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Participa
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Entity
 
-RIDERS = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
+_RIDERS = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _TURNS = {Approach.RIGHT: Maneuver.RIGHT, Approach.LEFT: Maneuver.LEFT}
 
 
@@ -18,7 +18,7 @@ def alongside(draft: Draft, ego: Entity) -> None:
     crossing = draft.causing(HazardKind.CROSSING_CYCLIST)
     for entity in draft.entities:
         basis = entity.approach_basis
-        if entity is ego or entity.kind not in RIDERS or basis is None or basis.i is None:
+        if entity is ego or entity.kind not in _RIDERS or basis is None or basis.i is None:
             continue
         seen = entity.approaches - {Approach.BEHIND}  # "from behind on its right"
         side = next(iter(seen)) if len(seen) == 1 else None

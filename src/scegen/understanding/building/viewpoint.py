@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
-from scegen.understanding.building.hooks import RIDERS
 from scegen.understanding.draft import Draft, Placement
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.meaning.mutual import allow, face_each_other
@@ -70,19 +69,26 @@ def _in_a_lane_there(
 ) -> set[Approach]:
     """``behind us on the left``, ``ahead on the right``: in the lane there, not out of a road.
 
-    Where the ego turns, only riders are beside it.
+    Where the ego turns that depends on whither.
     """
-    entity, i = placement.entity, placement.basis.i
-    turns = ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT} and entity.kind not in RIDERS
+    entity, words = placement.entity, placement.basis
+    turns = bool(ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT})
     crosses = Maneuver.CROSS in entity.maneuvers
-    if i is None or crosses or turns or entity.still or not entity.is_vehicle or not seen < _SIDES:
+    if turns or crosses or entity.still or not entity.is_vehicle or not seen < _SIDES:
         return seen
-    told = [p for p in draft.placements_of(entity) if p.reference in (None, ego)]
-    along = any(p.approaches <= _ALONG and not p.basis.reason for p in told)
-    if not along or draft.tokens[i].low == "from":
+    told = (p for p in draft.placements_of(entity) if p.reference in (None, ego))
+    said = (p for p in told if p.approaches <= _ALONG and not p.basis.reason)
+    along = any(_side_by_side(p.basis, words) for p in said)
+    if words.i is None or not along or draft.tokens[words.i].low == "from":
         return seen
-    entity.beside = entity.beside or (next(iter(seen)).value, placement.basis)
+    entity.beside = entity.beside or (next(iter(seen)).value, words)
     return {Approach.ADJACENT}
+
+
+def _side_by_side(first: Basis, second: Basis) -> bool:
+    """Whether one stands right behind the other, but for a comma."""
+    pairs = ((first.j, second.i), (second.j, first.i))
+    return any(a is not None and b is not None and 0 <= b - a <= 1 for a, b in pairs)
 
 
 def _hidden_there(entity: Entity, other: Entity) -> bool:
