@@ -74,7 +74,8 @@ def _in_a_lane_there(
     entity, words = placement.entity, placement.basis
     turns = bool(ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT})
     crosses = Maneuver.CROSS in entity.maneuvers
-    if turns or crosses or entity.still or not entity.is_vehicle or not seen < _SIDES:
+    stands = entity.still or draft.from_kerb
+    if turns or crosses or stands or not entity.is_vehicle or not seen < _SIDES:
         return seen
     told = (p for p in draft.placements_of(entity) if p.reference in (None, ego))
     said = (p for p in told if p.approaches <= _ALONG and not p.basis.reason)
