@@ -29,7 +29,9 @@ def _about_another(state: State) -> bool:
     "A car ahead of the ego, which …" is so where "there is" introduces the car.
     """
     begin = max(0, state.chunks.index(state.mentions[0]) - 1)
-    k = next(k for k in range(state.k, 0, -1) if state.chunks[k].cat == "rel")
+    k = next((k for k in range(state.k, 0, -1) if state.chunks[k].cat == "rel"), begin)
+    if k <= begin:
+        return False  # nothing stands before "which"
     comma, opened = is_word(state.chunks[k - 1], ","), [c.value for c in state.chunks[begin:k]]
     apart = not isinstance(state.chunks[k - 1 - comma], Mention)
     alone = not comma and state.waiting is not None and "be" not in opened
