@@ -3,7 +3,7 @@ import pytest
 from scegen.scenario.evidence import EvidenceSource
 from scegen.understanding import read
 from scegen.understanding.lexicon import load, word_lists
-from scegen.understanding.words.spelling import meant, one_slip
+from scegen.understanding.words.lemmas import meant, one_slip
 
 
 @pytest.mark.parametrize(

@@ -9,28 +9,22 @@ import numpy as np
 
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes, gap_m, same_way
-from scegen.claims.lateral import lateral_m
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.series import at, first
+from scegen.claims.sideways import sideways_begin
 from scegen.claims.told import Told
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import SPEED, Bools, Floats, Ints
+from scegen.motion.batch.arrays import SPEED, Bools, Ints
 from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.concrete import door_of
 from scegen.scenario.logical import Drive
-from scegen.scenario.vocabulary import Approach, HazardKind, Side
 
 CHANGES_MPS2 = 0.3
 """Speed that changes faster than this is braking or accelerating."""
 _OTHERS = 3
 """Changes of speed that are looked at where the text tells of one, and by how much."""
 STANDS_MPS = 0.05
-LEAVES_M, HELD_M = 0.01, 0.001
-"""Who is so far from its line has left it; the moment is when it was last so near."""
 TURNS_RAD = 0.1
-ASIDE_MPS = 0.05
-"""Who goes sideways faster than this is on its way to there."""
-_GOES_ON_S = 0.4
 
 
 def speed_runs(view: View, name: str, sense: int, count: int = 1) -> list[Run]:
@@ -43,93 +37,6 @@ def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
     # A body that is taken off its feet where its way ends does not brake.
     most = 3.0 * view.body(name).max_deceleration_mps2 * view.dt_s + 1.0
     return greatest_runs(view.speed_mps(name), sense, least, most, count)
-
-
-def sideways_begin(told: Told, act: Act, view: View) -> Ints:
-    """When a move to the side begins; one after another of the same, as it turns to its side."""
-    drive, acts = told.drive(act.participant), told.functional.acts
-    beside = _starts_beside(told, drive)
-    earlier = [
-        a
-        for a in acts[: acts.index(act)]
-        if a.participant == act.participant
-        and a.kind in LEAVING
-        and not (beside and a.kind is ActKind.OVERTAKE)
-    ]
-    if earlier:
-        before = sideways_begin(told, earlier[-1], view)
-    else:
-        key = "leaves line", act.participant
-        before = view.once(key, lambda: _leaves_line(view, act.participant, drive))
-        if beside or not _comes_back_by(told, act):
-            return before
-    moved = lateral_m(view, act.participant, drive)
-    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    sense = _sense(act) or (-_sense(earlier[-1]) if earlier else 0.0)
-    # A body that straightens up swings back for a step: what is a move goes on for a moment.
-    soon = max(1, round(_GOES_ON_S / view.dt_s))
-    ahead = np.minimum(np.arange(view.steps) + soon, view.steps - 1)
-    goes_on = (moved[:, ahead] - moved) / _GOES_ON_S
-    there = np.abs(speed) if sense == 0.0 else sense * speed
-    under_way = (np.abs(goes_on) if sense == 0.0 else sense * goes_on) > ASIDE_MPS
-    steps = np.arange(view.steps)
-    since = first((np.abs(speed) > ASIDE_MPS) & (steps >= before[:, None]))
-    if earlier and earlier[-1].kind is ActKind.CHANGE_LANE:
-        over = aside_over(told, earlier[-1], before, view)[-1]
-        since = straightened(view, act.participant, over)
-    # Between two moves to one side it rests for a moment.
-    rests = (there <= ASIDE_MPS) & (steps > since[:, None])
-    return first(np.maximum.accumulate(rests, axis=1) & (there > ASIDE_MPS) & under_way)
-
-
-def aside_over(
-    told: Told, act: Act, begins: Ints, view: View
-) -> tuple[Floats, Floats, Floats, Ints]:
-    """Way and speed to the left (c, t), to which side it goes, and when it no longer does so."""
-    moved = lateral_m(view, act.participant, told.drive(act.participant))
-    steps = np.arange(view.steps)
-    speed = np.diff(moved, axis=1, append=moved[:, -1:]) / view.dt_s
-    goes = first((np.abs(speed) > ASIDE_MPS) & (steps >= begins[:, None]))
-    sense = np.sign(at(speed, goes))[:, None]
-    return moved, speed, sense, first((steps > goes[:, None]) & (sense * speed <= ASIDE_MPS))
-
-
-def straightened(view: View, name: str, over: Ints) -> Ints:
-    """When the rear has come as far aside as the middle had when it went no farther (c,)."""
-    speed = np.maximum(at(view.speed_mps(name), over), 1.0)
-    later = np.ceil(view.body(name).centre_ahead_m / speed / view.dt_s)
-    return over + later.astype(np.int64)
-
-
-def _starts_beside(told: Told, drive: Drive | None) -> bool:
-    """Whether it drives in the lane beside at first, so that it leaves no lane to pass."""
-    if drive is None:
-        return True
-    return Approach.ADJACENT in told.functional.participant(drive.participant).approaches
-
-
-def _comes_back_by(told: Told, act: Act) -> bool:
-    """Whether one who overtakes comes back by it, before the one it has passed."""
-    return any(
-        hazard.kind is HazardKind.OVERTAKING
-        and act.participant in hazard.by
-        and act.into in hazard.to
-        for hazard in told.functional.hazards
-    )
-
-
-def _sense(act: Act) -> float:
-    """1 to its own left, -1 to its right, 0 where that is not said."""
-    return 0.0 if act.side is None else 1.0 if act.side is Side.LEFT else -1.0
-
-
-def _leaves_line(view: View, name: str, drive: Drive | None) -> Ints:
-    """The step in which somebody was last on its line before it left it; all steps if never."""
-    moved = np.abs(lateral_m(view, name, drive))
-    gone = first(moved > LEAVES_M)
-    before = np.arange(view.steps) < gone[:, None]
-    held = np.where(before & (moved < HELD_M), np.arange(view.steps), 0).max(axis=1)
-    return np.where(gone < view.steps, held, view.steps).astype(np.int64)
 
 
 def sets_off(view: View, name: str, number: int = 0) -> Ints:

@@ -203,7 +203,7 @@ def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
 def brakes_from(draft: DriveDraft, until_s: float, rate_mps2: float, to_mps: float) -> float:
     """Where it has to begin to brake to be that slow at a place; below 0 if it is too late."""
     s = np.arange(0.0, until_s, _SAMPLE_M)
-    speed = np.interp(draft.course.times_at(s), draft.course.time_s, draft.course.speed_mps)
+    _, speed = draft.course.profile.at_times(draft.course.times_at(s))
     spare = until_s - s - np.maximum(speed**2 - to_mps**2, 0.0) / (2 * rate_mps2)
     in_time = np.flatnonzero(spare >= 0.0)
     return float(s[in_time[-1]]) if in_time.size else float(spare.max())

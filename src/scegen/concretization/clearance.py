@@ -6,10 +6,10 @@ keeps two apart is a range of differences that is taken: no contact, a headway, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass
 from math import inf
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,14 +18,13 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.measures.grounds import Ground, grounds
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
+from scegen.scenario.bodies import Body
 
 _STEP_M, _ASIDE_M, _NEAR_M = 2.0, 2.0, 1.0
 _BEYOND_M = 100.0
 """Farther behind the junction whoever comes up with another brakes for it."""
 
-T = TypeVar("T")
 Placed = tuple[DriveDraft, float]
-Known = dict[tuple[str, str], tuple[Course, Course, list[T]]]
 
 
 class Line(NamedTuple):
@@ -49,25 +48,19 @@ class Differences:
     """
 
     begins_s: float
-    _grounds: Known[Ground] = field(default_factory=dict)
-    _lines: Known[Line] = field(default_factory=dict)
-
-    def grounds_s(self, one: DriveDraft, other: DriveDraft) -> list[Ground]:
-        """The grounds of two in times, each on its own clock; inf where one never gets."""
-        return _found(self._grounds, _in_time, (one, other), (one.course, other.course))
 
     def touch(self, one: Placed, two: Placed, room_s: float) -> bool:
         """Whether two so late ever touch, or come so near in time."""
         # What is known of two is kept in one order only.
         (first, first_s), (second, second_s) = (one, two) if one[0].id < two[0].id else (two, one)
-        both, courses = (first, second), (first.course, second.course)
+        courses = first.course, second.course
         if any(
             first_s + shared.enter_m < second_s + shared.other_leaves_m + room_s
             and second_s + shared.other_enters_m < first_s + shared.leave_m + room_s
-            for shared in _found(self._grounds, _in_time, both, courses)
+            for shared in grounds_s(first, second)
         ):
             return True
-        for line in _found(self._lines, _along, both, courses):
+        for line in _lines(first, second):
             # The one behind starts somewhere on the line; what lies before that is nothing to it.
             here = _index(line.one_m, courses[0].s_at(self.begins_s - first_s))
             there = _index(line.other_m, courses[1].s_at(self.begins_s - second_s))
@@ -81,21 +74,6 @@ class Differences:
         return any(self.touch(one, two, room_s) for two in others if two[0] is not one[0])
 
 
-def _found(
-    known: Known[T],
-    find: Callable[[DriveDraft, DriveDraft], Iterator[T]],
-    both: tuple[DriveDraft, DriveDraft],
-    courses: tuple[Course, Course],
-) -> list[T]:
-    """What was found of two, as long as their courses are the same."""
-    pair = both[0].id, both[1].id
-    first, second, found = known.get(pair, (None, None, []))
-    if first is not courses[0] or second is not courses[1]:
-        found = list(find(*both))
-        known[pair] = *courses, found
-    return found
-
-
 def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
     """Whether two drives start on the same arm in the same lane."""
     return (
@@ -106,7 +84,7 @@ def same_lane(first: DriveDraft, second: DriveDraft) -> bool:
 
 
 def _when_s(course: Course, place_m: float) -> float:
-    return course.time_at(place_m) if place_m < float(course.s_m[-1]) + _NEAR_M else inf
+    return course.time_at(place_m) if place_m < course.ends_m + _NEAR_M else inf
 
 
 def _index(places_m: Array, place_m: float) -> int:
@@ -114,13 +92,20 @@ def _index(places_m: Array, place_m: float) -> int:
     return min(int(np.searchsorted(places_m, place_m)), len(places_m) - 1)
 
 
-def _in_time(one: DriveDraft, other: DriveDraft) -> Iterator[Ground]:
-    a, b = one.course, other.course
-    for ground in grounds(one.laid.path, one.body, other.laid.path, other.body):
-        yield Ground(*map(_when_s, (a, a, b, b), ground))
+def grounds_s(one: DriveDraft, other: DriveDraft) -> tuple[Ground, ...]:
+    """The grounds of two in times, each on its own clock; inf where one never gets."""
+    return _in_time(one.laid.path, one.body, one.course, other.laid.path, other.body, other.course)
 
 
-def _along(one: DriveDraft, other: DriveDraft) -> Iterator[Line]:
+@remembered
+def _in_time(
+    one: Path, body: Body, a: Course, other: Path, other_body: Body, b: Course
+) -> tuple[Ground, ...]:
+    shared = grounds(one, body, other, other_body)
+    return tuple(Ground(*map(_when_s, (a, a, b, b), ground)) for ground in shared)
+
+
+def _lines(one: DriveDraft, other: DriveDraft) -> tuple[Line, ...]:
     """From where they merge, or their arm begins, until they part or are well past the junction."""
     a, b = one.body, other.body
     begins = [(0.0, 0.0)] if one.drive.entry == other.drive.entry else []
@@ -128,15 +113,26 @@ def _along(one: DriveDraft, other: DriveDraft) -> Iterator[Line]:
         (ground.enter_m + a.front_m, ground.other_enters_m + b.front_m)
         for ground in grounds(one.laid.path, a, other.laid.path, b)
     ]
-    for one_m, other_m in begins:
-        length = _along_m(one.laid.path, one_m, other.laid.path, other_m)
-        length = min(length, one.exit_s_m + _BEYOND_M - one_m)
+    ends_m = one.exit_s_m + _BEYOND_M
+    driven = one.laid.path, a, one.course, other.laid.path, b, other.course
+    return _along(*driven, tuple(begins), ends_m)
+
+
+@remembered
+def _along(
+    one: Path, body: Body, a: Course, other: Path, other_body: Body, b: Course,
+    begins_m: tuple[tuple[float, float], ...], ends_m: float,
+) -> tuple[Line, ...]:  # fmt: skip
+    found = []
+    for one_m, other_m in begins_m:
+        length = min(_along_m(one, one_m, other, other_m), ends_m - one_m)
         if length > 0.0:
             s = np.append(np.arange(0.0, length, _STEP_M), length)
             mine, its = one_m + s, other_m + s
-            later = one.course.times_at(mine + a.rear_m) - other.course.times_at(its - b.front_m)
-            earlier = other.course.times_at(its + b.rear_m) - one.course.times_at(mine - a.front_m)
-            yield Line(mine, its, _most_from(later), _most_from(earlier))
+            later = a.times_at(mine + body.rear_m) - b.times_at(its - other_body.front_m)
+            earlier = b.times_at(its + other_body.rear_m) - a.times_at(mine - body.front_m)
+            found.append(Line(mine, its, _most_from(later), _most_from(earlier)))
+    return tuple(found)
 
 
 def _most_from(values: Array) -> Array:

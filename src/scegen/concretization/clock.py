@@ -44,7 +44,7 @@ def arrange(
     duties = must_give_way(scene.functional, scene.logical)
     patient = patient_ones(scene, ordered, duties)
     by_pair = {frozenset((duty.yields, duty.other)): duty for duty in duties}
-    manners = Manners(lights_of(scene, offsets), differences, by_pair, patient)
+    manners = Manners(lights_of(scene, offsets), by_pair, patient)
     while len(offsets) < len(scene.drives):
         place = _met(scene, ordered, offsets) or _in_line(scene, offsets) or _free(scene, offsets)
         offsets[place.draft.id] = clear_offset(place, offsets, differences, manners)

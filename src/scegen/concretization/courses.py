@@ -15,14 +15,13 @@ import numpy as np
 from scegen.concretization.profile import NEVER_S, Profile, Sort, SpeedChange
 from scegen.motion.model import Array
 
-STEP_S = 0.05
-_LONGEST_S = 240.0
+_LONGEST_S, _LEAST_MPS = 240.0, 0.5
 _SAME_MPS = 1e-3
 _KEPT = 256
 """Courses that are kept: the same are driven for every place in line that is tried."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Course:
     """When a lone vehicle that starts at the outer end of its path is where, at which speed."""
 
@@ -30,79 +29,45 @@ class Course:
     profile: Profile
     length_m: float
 
-    @property
-    def time_s(self) -> Array:
-        """Times, about as far apart as a step."""
-        return self._sampled[0]
+    @cached_property
+    def ends_s(self) -> float:
+        """When it is at the end of its path, or at rest for good."""
+        there_s = self.profile.time_s(self.length_m)
+        return min(there_s if there_s < NEVER_S else self.profile.times_s[-1], _LONGEST_S)
 
-    @property
-    def s_m(self) -> Array:
+    @cached_property
+    def ends_m(self) -> float:
         """Where it is then."""
-        return self._sampled[1]
-
-    @property
-    def speed_mps(self) -> Array:
-        """How fast it is then."""
-        return self._sampled[2]
+        return self.profile.way_m(self.ends_s)
 
     @cached_property
     def fastest_mps(self) -> float:
-        """The greatest of its speeds."""
-        return float(self.speed_mps.max())
-
-    @cached_property
-    def _sampled(self) -> tuple[Array, Array, Array]:
-        """Worked out where it is asked for: many a course is only tried by its phases."""
-        profile = self.profile
-        ends = min(profile.time_s(self.length_m), _LONGEST_S)
-        if profile.time_s(self.length_m) >= NEVER_S:
-            ends = min(profile.times_s[-1], _LONGEST_S)
-        count = max(2, int(np.ceil(ends / STEP_S)) + 1)
-        edges = [time for time in profile.times_s if time < ends]
-        steps = np.linspace(0.0, max(ends, STEP_S), count)
-        times = np.sort(np.concatenate([steps, edges]), kind="stable")
-        places, speeds = profile.at_times(times)
-        # Strictly rising places, so that the time at a place is the first one.
-        first = np.concatenate(([True], np.diff(places) > 1e-9))
-        return times[first], places[first], speeds[first]
+        """The greatest of its speeds: those at which its phases begin and end."""
+        return max(map(self.speed_then, (*self.profile.times_s, self.ends_s)))
 
     def time_at(self, s_m: float) -> float:
         """When it first reaches ``s_m``; before its start and behind its end at steady speed."""
-        if s_m not in self._reached_s:
-            self._reached_s[s_m] = self._reaches_s(s_m)
-        return self._reached_s[s_m]
-
-    @cached_property
-    def _reached_s(self) -> dict[float, float]:
-        """When it reaches the places asked for: the same are asked for again and again."""
-        return {}
-
-    def _reaches_s(self, s_m: float) -> float:
-        last = float(self.s_m[-1])
-        if s_m > last:
-            return float(self.time_s[-1]) + (s_m - last) / max(float(self.speed_mps[-1]), 0.5)
-        if s_m < 0:
-            return s_m / max(float(self.speed_mps[0]), 0.5)
-        return float(np.interp(s_m, self.s_m, self.time_s))
+        beyond = max(s_m - self.ends_m, 0.0) / max(self.speed_then(self.ends_s), _LEAST_MPS)
+        return float(self.times_at(np.array(s_m))) + beyond
 
     def times_at(self, s_m: Array) -> Array:
-        """The same for places up to its end."""
-        before = np.minimum(s_m, 0.0) / max(float(self.speed_mps[0]), 0.5)
-        return np.interp(s_m, self.s_m, self.time_s) + before
+        """The same for many places up to its end."""
+        before = np.minimum(s_m, 0.0) / max(self.speed_then(0.0), _LEAST_MPS)
+        return self.profile.times_at(np.clip(s_m, 0.0, self.ends_m)) + before
 
     def s_at(self, time_s: float) -> float:
         """Where it is at a time; before the start it approaches at its first speed."""
         if time_s < 0:
-            return time_s * float(self.speed_mps[0])
-        return min(self.profile.way_m(time_s), float(self.s_m[-1]))
+            return time_s * self.speed_then(0.0)
+        return min(self.profile.way_m(time_s), self.ends_m)
 
     def speed_at(self, s_m: float) -> float:
         """Its speed where it first reaches ``s_m``."""
-        return float(np.interp(self.time_at(s_m), self.time_s, self.speed_mps))
+        return self.speed_then(self.time_at(s_m))
 
     def speed_then(self, time_s: float) -> float:
         """Its speed at a time."""
-        return self.profile.speed_mps(max(time_s, 0.0))
+        return self.profile.speed_mps(min(max(time_s, 0.0), self.ends_s))
 
     def from_then(self, time_s: float) -> list[SpeedChange]:
         """The change of speed under way at a time, and those to come."""

@@ -91,7 +91,7 @@ def stand_in_line(scene: Setup) -> None:
         for other in [o for o in ahead if o.entry_lane == draft.entry_lane][-1:]:
             behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
             if other.stands:
-                place = float(other.course.s_m[-1]) - behind
+                place = other.course.ends_m - behind
             elif isinstance(back := other.reversal, BacksUp):
                 comes_to = draft.laid.path_s_m(back.from_m - back.length_m) - behind
                 touches = scene.contact_wanted(other.id, draft.id)

@@ -76,9 +76,6 @@ class DriveDraft:
     line_back_m: float = 0.0
     waits_s: float | None = None
     lets_by: str | None = None
-    _told: tuple[LaidDrive, tuple[object, ...], Course] | None = field(
-        default=None, init=False, repr=False, compare=False
-    )
 
     def braking_mps2(self, wanted_mps2: float) -> float:
         """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""
@@ -115,17 +112,8 @@ class DriveDraft:
     @property
     def course(self) -> Course:
         """When it is where if it starts at the outer end of its entry arm."""
-        told = (
-            self.cruise_mps, self.lateral_mps2, self.alone_s_m, self.stops_at_line, self.waits_s,
-            tuple(self.marks), tuple(self.steps),
-        )  # fmt: skip
-        known = self._told
-        if known is None or known[0] is not self.laid_ or known[1] != told:
-            first_mps = CREEP_MPS if self.backs_out else self.cruise_mps
-            changes = tuple(self.speed_changes())
-            known = (self.laid, told, course_of(changes, first_mps, self.laid.path.length_m))
-            self._told = known
-        return known[2]
+        first_mps = CREEP_MPS if self.backs_out else self.cruise_mps
+        return course_of(tuple(self.speed_changes()), first_mps, self.laid.path.length_m)
 
     @property
     def junction_s_m(self) -> float:

@@ -7,12 +7,14 @@ outweighs staying as it was.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from scegen.concretization.deeds import is_open
+from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.moments import during_s, too_long_m
 from scegen.concretization.setup import Setup
 from scegen.motion.model import Array
@@ -41,13 +43,12 @@ def fit(scene: Setup) -> None:
     said = len(list(_missed(scene)))
     if not said:
         return
-    unknowns = list(_unknowns(scene))
-    first = np.array([_read(scene, *unknown) for unknown in unknowns])
-    steps = np.array([_STEP_S if place is None else _STEP_M for _, place in unknowns])
+    values, sizes, give = zip(*_unknowns(scene), strict=True)
+    first, steps = np.array(values), np.array(sizes)
 
     def missed(x: Array) -> Array:
-        for unknown, value in zip(unknowns, x, strict=True):
-            _give(scene, *unknown, float(value))
+        for give_it, value in zip(give, x.tolist(), strict=True):
+            give_it(value)
         kept = _AS_IT_WAS * _STEP_S / steps * (x - first)
         return np.concatenate([list(_missed(scene)), kept])
 
@@ -69,36 +70,24 @@ def fit(scene: Setup) -> None:
     missed(x)
 
 
-def _unknowns(scene: Setup) -> Iterator[tuple[str, int | None]]:
-    """Whose lateness (or setting off) is to be found; with a number, where that act of it is."""
-    for name, draft in scene.drives.items():
-        yield name, None
+def _unknowns(scene: Setup) -> Iterator[tuple[float, float, Callable[[float], None]]]:
+    """How late everybody is, where acts are that are open, and when walkers set off.
+
+    As it is, the step in which it is tried, and what sets it.
+    """
+    for draft in scene.drives.values():
+        yield draft.offset_s, _STEP_S, partial(setattr, draft, "offset_s")
         for n, mark in enumerate(draft.steps):
             stood = n == 0 and mark.act is None and draft.parked_s_m is None
             if is_open(scene, mark) or stood:
-                yield name, n
-    timed = (name for name, walk in scene.walks.items() if walk.sets_off_s is not None)
-    yield from ((name, None) for name in timed)
+                yield mark.s_m, _STEP_M, partial(_put, draft, n)
+    for walk in scene.walks.values():
+        if walk.sets_off_s is not None:
+            yield walk.sets_off_s, _STEP_S, partial(setattr, walk, "sets_off_s")
 
 
-def _read(scene: Setup, name: str, place: int | None) -> float:
-    if place is not None:
-        return scene.drives[name].steps[place].s_m
-    if name in scene.drives:
-        return scene.drives[name].offset_s
-    return scene.walks[name].sets_off_s or 0.0
-
-
-def _give(scene: Setup, name: str, place: int | None, value: float) -> None:
-    if name in scene.walks:
-        scene.walks[name].sets_off_s = value
-    elif place is None:
-        scene.drives[name].offset_s = value
-    if place is None:
-        return
-    steps = scene.drives[name].steps
-    if steps[place].s_m != value:
-        steps[place] = replace(steps[place], s_m=value)
+def _put(draft: DriveDraft, number: int, s_m: float) -> None:
+    draft.steps[number] = replace(draft.steps[number], s_m=s_m)
 
 
 def _missed(scene: Setup) -> Iterator[float]:

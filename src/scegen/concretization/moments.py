@@ -103,7 +103,7 @@ def traffic_of(scene: Setup) -> Traffic:
             walk.sets_off_s = leaves_s(scene, name)
     timed = (name for name, walk in scene.walks.items() if walk.sets_off_s is not None)
     backs = frozenset(n for n, draft in drives.items() if draft.reversal is not None)
-    ends = max(d.offset_s + float(d.course.time_s[-1]) for d in drives.values())
+    ends = max(d.offset_s + d.course.ends_s for d in drives.values())
     things = (thing.id for thing in scene.objects)
     return Traffic(
         tale=scene,

@@ -9,6 +9,7 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes
 from scegen.concretization.limits import WALKING_START_MPS2
+from scegen.concretization.profile import Profile
 from scegen.concretization.written import Comes, as_they_come
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import crossing_path
@@ -28,14 +29,6 @@ _CROSSES = {
     ParticipantKind.ANIMAL: HazardKind.CROSSING_ANIMAL,
     ParticipantKind.LARGE_ANIMAL: HazardKind.CROSSING_ANIMAL,
 }
-
-
-def gained(speed_mps: float, rate_mps2: float, since_s: Array) -> tuple[Array, Array]:
-    """(way, speed) of one who gains speed from rest, by the time since it was to go."""
-    since = np.maximum(since_s, 0.0)
-    gaining = np.minimum(since, speed_mps / rate_mps2)
-    way = rate_mps2 * gaining**2 / 2 + speed_mps * (since - gaining)
-    return way, rate_mps2 * gaining
 
 
 def abreast_m(number: int) -> float:
@@ -92,14 +85,16 @@ class Walker:
 
     def gone(self, since_s: Array) -> tuple[Array, Array]:
         """(way, speed) by the time since setting off, up to where it comes to rest on its way."""
-        way, speed = gained(self.speed_mps, self.rate_mps2, since_s)
-        if self.stops_after_m is None:
-            return way, speed
-        lost = np.clip(since_s - self.slows_s(), 0.0, self.speed_mps / self.rate_mps2)
-        slower = np.minimum(speed, self.speed_mps - self.rate_mps2 * lost)
-        rests = max(0.0, self.stops_after_m - STOPS_SHORT_M)
-        left = slower**2 / (2 * self.rate_mps2)
-        return np.where(lost > 0.0, rests - left, np.minimum(way, rests)), slower
+        return self.profile.at_times(np.maximum(since_s, 0.0))
+
+    @property
+    def profile(self) -> Profile:
+        """Its way over time from when it sets off."""
+        profile = Profile(0.0)
+        profile.change(0.0, self.speed_mps, self.rate_mps2)
+        if self.stops_after_m is not None:
+            profile.change(max(0.0, self.slows_s()), 0.0, self.rate_mps2)
+        return profile
 
     def motion_at(self, from_junction_m: float) -> CrossingMotion:
         """Its way across, so far from the inner end of its arm."""

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
-from scegen.concretization.clearance import Differences, Placed
+from scegen.concretization.clearance import Placed, grounds_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
@@ -66,7 +66,6 @@ class Manners:
     """
 
     lights: Lights | None
-    differences: Differences
     duties: Mapping[frozenset[str], Duty]
     patient: frozenset[str]
 
@@ -112,7 +111,7 @@ class Manners:
         return any(
             name_s + own.enter_m < other_s + own.other_leaves_m + _ROOM_S
             and name_s + own.leave_m + CLEAR_S + _ROOM_S > other_s + own.other_enters_m
-            for own in self.differences.grounds_s(name, other)
+            for own in grounds_s(name, other)
         )
 
     def _lets_by(self, late: DriveDraft, late_s: float, other: DriveDraft, other_s: float) -> bool:
@@ -137,7 +136,7 @@ class Manners:
         If it does not go on at some time anyway, only as the other has left all that they share.
         """
         soonest = -inf
-        for shared in self.differences.grounds_s(late, other):
+        for shared in grounds_s(late, other):
             comes, gone = shared.other_enters_m, shared.other_leaves_m
             if gone == inf:  # where both go on along one way, where it is ahead
                 gone = comes + other.body.length_m / max(other.course.fastest_mps, 1.0)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from dataclasses import dataclass
 from enum import Enum
-from math import sqrt
 
 import numpy as np
 
@@ -54,6 +53,7 @@ class SpeedChange:
 
 
 NEVER_S = 1e6
+_STANDS_MPS = 1e-9
 
 
 class Profile:
@@ -111,17 +111,18 @@ class Profile:
 
     def time_s(self, way_m: float) -> float:
         """When that way has been travelled; ``NEVER_S`` if it never is."""
-        for n, phase in enumerate(self._phases):
-            begins, way, speed, rate = phase
-            later = self._phases[n + 1] if n + 1 < len(self._phases) else None
-            if later is not None and later[1] < way_m:
-                continue
-            left = way_m - way
-            if abs(rate) < 1e-9:
-                return begins + left / speed if speed > 1e-9 else NEVER_S
-            root = speed * speed + 2 * rate * left
-            return begins + (sqrt(max(root, 0.0)) - speed) / rate
-        return NEVER_S
+        _, way, speed, _ = self._phases[-1]
+        reached = way_m <= way or speed > _STANDS_MPS
+        return float(self.times_at(np.array(way_m))) if reached else NEVER_S
+
+    def times_at(self, ways_m: Array) -> Array:
+        """When ways have been travelled for the first time; all of them are travelled."""
+        begins, ways, speeds, rates = np.array(self._phases).T
+        n = np.maximum(np.searchsorted(ways, ways_m) - 1, 0)
+        left = ways_m - ways[n]
+        then = np.sqrt(np.maximum(speeds[n] ** 2 + 2 * rates[n] * left, 0.0))
+        times: Array = begins[n] + 2 * left / np.maximum(speeds[n] + then, _STANDS_MPS)
+        return times
 
     def rests_s(self, after_s: float) -> float:
         """When it first stands from a time on; ``NEVER_S`` if it never does."""

@@ -10,8 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import copysign, cos, hypot, sin
-from typing import NamedTuple
+from math import copysign, hypot, sin
 
 import numpy as np
 
@@ -28,7 +27,14 @@ from scegen.concretization.boxes import apart, box_at
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import culprits, same_arm, victims
 from scegen.concretization.limits import REVERSING_MPS2
-from scegen.concretization.meetings import DANGER, Meeting, sampled
+from scegen.concretization.meetings import (
+    DANGER,
+    Meeting,
+    MeetingPoint,
+    crossing_at,
+    nearest_s_m,
+    sampled,
+)
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
@@ -184,18 +190,6 @@ def go_back_as_they_come(scene: Setup, meetings: Sequence[Meeting]) -> None:
         ]
 
 
-class _Passage(NamedTuple):
-    """How another comes past behind one that stands square to the road.
-
-    ``depth_m`` is how far behind that one's place its line is, ``s_m`` where it is on its path just
-    behind it, and ``left`` how far it comes to the left by the metre.
-    """
-
-    depth_m: float
-    s_m: float
-    left: float
-
-
 def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Meeting | None:
     """Let it come straight back; tells when the other is there, None if that one is to brake.
 
@@ -203,25 +197,26 @@ def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Mee
         MotionInfeasibleError: the other does not come past behind it.
     """
     stand_square(scene, draft)
-    passage, body, half_m = _passage(draft, other), draft.body, other.body.width_m / 2
+    (depth_m, place_m, left), body = _passage(draft, other), draft.body
+    half_m = other.body.width_m / 2
     speed, stop = reversing_mps(scene, draft), _stop(scene, draft)
     braking_m, stops_s = speed**2 / (2 * stop.rate_mps2), speed / stop.rate_mps2
     wanted = scene.contact_wanted(draft.id, other.id)
     short = not wanted and (draft is scene.ego or stop.act is not None)
-    nearest_m = passage.depth_m - half_m - body.rear_m
-    across_m = passage.depth_m + half_m + _ACROSS_M - body.rear_m
-    comes_m = passage.s_m - body.width_m / 2 / abs(passage.left) - other.body.front_m
+    nearest_m = depth_m - half_m - body.rear_m
+    across_m = depth_m + half_m + _ACROSS_M - body.rear_m
+    comes_m = place_m - body.width_m / 2 / abs(left) - other.body.front_m
     lag_s = 0.0
     if short:
         event_m, lag_s = nearest_m - _SHORT_M - braking_m, stops_s + _STOOD_S
         rests_m = event_m + braking_m
     elif wanted and _strikes(scene, draft):
         share = scene.impact_share if draft is scene.ego else 0.5
-        comes_m = passage.s_m + (0.5 - share) * body.width_m / passage.left
+        comes_m = place_m + (0.5 - share) * body.width_m / left
         comes_m -= other.body.centre_ahead_m
         event_m, rests_m = nearest_m, across_m + braking_m
     else:
-        event_m = _struck_m(scene, passage, draft, other, across_m)
+        event_m = _struck_m(scene, (depth_m, left), draft, other, across_m)
         rests_m = event_m + _ACROSS_M + braking_m
     more_m = max(0.0, speed**2 / (2 * REVERSING_MPS2) + _HELD_S * speed - event_m)
     stand_square(scene, draft, more_m=more_m, straight_m=more_m + rests_m)
@@ -232,21 +227,20 @@ def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Mee
     return Meeting(DANGER, draft.id, other.id, at_m, comes_m, lag_s, "comes past behind")
 
 
-def _passage(draft: DriveDraft, other: DriveDraft) -> _Passage:
-    """Where the other's line lies behind it."""
-    stands = draft.laid.path.pose(draft.laid.path.backwards[0][0])
-    c, s = cos(stands.heading_rad), sin(stands.heading_rad)
-    place, x, y, heading = sampled(other.laid.path)
-    behind = -(x - stands.x_m) * c - (y - stands.y_m) * s
-    to_left = (y - stands.y_m) * c - (x - stands.x_m) * s
-    across = np.sin(heading - stands.heading_rad)
-    there = (behind > draft.body.rear_m) & (np.abs(across) > _LEAST_ACROSS)
-    if not there.any():
+def _passage(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, float]:
+    """How another comes past behind one that stands square to the road.
+
+    How far behind that one's place its line is, where on its path it is just behind it, and how far
+    it comes to the left by the metre.
+    """
+    path, way = draft.laid.path, other.laid.path
+    begins_s = path.backwards[0][0]
+    stands = path.pose(begins_s)
+    near_m, _ = nearest_s_m(way, stands.x_m, stands.y_m)
+    line_s, place_m, turn = crossing_at(path, way, MeetingPoint(begins_s, near_m))
+    if line_s > begins_s - draft.body.rear_m or abs(sin(turn)) < _LEAST_ACROSS:
         raise MotionInfeasibleError(f"{other.id} does not come past behind it", where=draft.id)
-    n = int(np.where(there, np.abs(to_left), np.inf).argmin())
-    further_m = -float(to_left[n] / across[n])
-    depth_m = float(behind[n]) - further_m * float(np.cos(heading[n] - stands.heading_rad))
-    return _Passage(depth_m, float(place[n]) + further_m, float(across[n]))
+    return begins_s - line_s, place_m, sin(turn)
 
 
 def _stop(scene: Setup, draft: DriveDraft) -> SpeedChange:
@@ -266,7 +260,7 @@ def _strikes(scene: Setup, draft: DriveDraft) -> bool:
 
 
 def _struck_m(
-    scene: Setup, passage: _Passage, draft: DriveDraft, other: DriveDraft, across_m: float
+    scene: Setup, line: tuple[float, float], draft: DriveDraft, other: DriveDraft, across_m: float
 ) -> float:
     """How far it has come as the other's front touches its side.
 
@@ -275,5 +269,6 @@ def _struck_m(
     outcome = scene.functional.outcome
     if other is not scene.ego or outcome is None or outcome.impact_percent is None:
         return across_m
+    depth_m, left = line
     left_m = (0.5 - scene.impact_share) * other.body.width_m
-    return passage.depth_m + left_m * copysign(1.0, passage.left) + draft.body.centre_ahead_m
+    return depth_m + left_m * copysign(1.0, left) + draft.body.centre_ahead_m

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise, product
 
 from scegen.enumeration import predicates as p
+from scegen.enumeration.directions import lanes_told
 from scegen.enumeration.on_foot import ALONG
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import Solution
@@ -149,7 +150,9 @@ def lanes_of(
     problem: Problem, solution: Solution, beside: Mapping[str, tuple[str, Side]]
 ) -> dict[str, int]:
     """The lanes that are said, and those that follow from them for others in line and beside."""
-    lanes = {v.id: min(v.lanes) for v in problem.functional.participants if len(v.lanes) == 1}
+    people = problem.functional.participants
+    told = {v.id: lanes_told(problem.functional, v) for v in people}
+    lanes = {name: min(those) for name, those in told.items() if len(those) == 1}
     if not lanes:
         return lanes
     kerb = problem.functional.junction.kerb

@@ -51,7 +51,7 @@ _LEADS = {
 
 
 def _beside_the_others(functional: FunctionalScenario) -> FunctionalScenario:
-    """The ego's direction has the auxiliary lane, and enters at arm 0; who merges is in it."""
+    """The ego's direction has the auxiliary lane, and enters at arm 0."""
     junction = functional.junction
     lane = junction.through_lanes + 1
     people = []
@@ -69,18 +69,24 @@ def _beside_the_others(functional: FunctionalScenario) -> FunctionalScenario:
                     hint="Let it enter at arm 0, or leave its entries open.",
                 )
             update["entries"] = _IN_AT
-        if Maneuver.MERGE in person.maneuvers:
-            if len(person.maneuvers) > 1 or (person.lanes and lane not in person.lanes):
-                raise InfeasibleError(
-                    f"{person.id} merges: it is in the lane that ends, and must leave it",
-                    where=f"participants.{person.id}",
-                    hint=f"Give it no other maneuver, and no lane or {lane}.",
-                )
-            update["lanes"] = frozenset({lane})
+        elsewhere = len(person.maneuvers) > 1 or (person.lanes and lane not in person.lanes)
+        if Maneuver.MERGE in person.maneuvers and elsewhere:
+            raise InfeasibleError(
+                f"{person.id} merges: it is in the lane that ends, and must leave it",
+                where=f"participants.{person.id}",
+                hint=f"Give it no other maneuver, and no lane or {lane}.",
+            )
         people.append(person.model_copy(update=update))
     lanes = junction.lanes or (junction.through_lanes,) * junction.arms
     road = junction.model_copy(update={"lanes": lanes})
     return functional.model_copy(update={"participants": tuple(people), "junction": road})
+
+
+def lanes_told(functional: FunctionalScenario, person: Participant) -> frozenset[int]:
+    """The lanes in which somebody starts: those that are said, that which ends if it merges."""
+    if functional.junction.auxiliary is not None and Maneuver.MERGE in person.maneuvers:
+        return frozenset({functional.junction.through_lanes + 1})
+    return person.lanes
 
 
 def _refuse_ramp(person: Participant, maneuver: Maneuver) -> None:

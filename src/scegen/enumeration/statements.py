@@ -11,6 +11,7 @@ from clorm import Predicate
 
 from scegen.enumeration import predicates as p
 from scegen.enumeration.backing import backs_square, passes_behind
+from scegen.enumeration.directions import lanes_told
 from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, ring_move, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Participant
@@ -104,10 +105,10 @@ def stated(functional: FunctionalScenario) -> Stated:
         if participant.entries:
             _entries(out, participant.id, tuple(sorted(participant.entries)))
     for vehicle in vehicles:
-        if vehicle.lanes:
-            number = out.number(f"{vehicle.id} is in lane {_either(tuple(sorted(vehicle.lanes)))}")
+        if lanes := sorted(lanes_told(functional, vehicle)):
+            number = out.number(f"{vehicle.id} is in lane {_either(tuple(lanes))}")
             out.facts.append(p.InLanes(number, vehicle.id))
-            out.facts += [p.Lane(vehicle.id, lane) for lane in sorted(vehicle.lanes)]
+            out.facts += [p.Lane(vehicle.id, lane) for lane in lanes]
     _approaches(out, functional)
     _groups(out, functional)
     if crossers:

@@ -11,39 +11,41 @@ from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
 from scegen.understanding.building.choosing_ego import choose_ego
-from scegen.understanding.building.coverage import unattached
+from scegen.understanding.building.coverage import unattached, undone
 from scegen.understanding.building.leftovers import report
-from scegen.understanding.building.undone import undone
 from scegen.understanding.chunks import Chunk
-from scegen.understanding.clauses.again import named_again, names_another, said_of_one, who_comes
 from scegen.understanding.clauses.clauses import ClauseReader
-from scegen.understanding.clauses.ellipsis import fill_in
+from scegen.understanding.clauses.ellipsis import (
+    fill_in,
+    named_again,
+    names_another,
+    said_of_one,
+    who_comes,
+)
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.breaches import too_fast
 from scegen.understanding.meaning.hiders import name_hiders
+from scegen.understanding.meaning.lights import read_calls
 from scegen.understanding.meaning.manner import Manners
 from scegen.understanding.meaning.meaning import Interpreter
-from scegen.understanding.meaning.on_call import read_calls
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, read_entries, silence
-from scegen.understanding.phrases.identity import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.lanes_meant import lanes_meant
-from scegen.understanding.phrases.listed import list_them
-from scegen.understanding.phrases.on_sides import each_of
+from scegen.understanding.phrases.listed import each_of, in_between, list_them
+from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat, which_is_it
 from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
-from scegen.understanding.reference.everybody import deny_of_everybody
+from scegen.understanding.reference.generic import deny_of_everybody
 from scegen.understanding.reference.resolving import resolve_mentions
-from scegen.understanding.road.bends import whole_bends
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
-from scegen.understanding.road.lengthwise import read_lengthwise
+from scegen.understanding.road.lengthwise import read_lengthwise, whole_bends
 from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
@@ -71,6 +73,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"("}, lambda chunks, _: in_brackets(chunks)),
     ({":"}, lambda chunks, _: read_entries(chunks)),
     ({"one", "all", "both"}, lambda chunks, _: each_of(chunks)),
+    ({"between"}, lambda chunks, _: in_between(chunks)),
     ({"num"}, list_them),
     ({":"}, lambda chunks, _: announce(chunks)),
 )

@@ -45,6 +45,13 @@ SITUATIONS = {
     "the_ego_merges_behind_a_truck": on(
         "on_ramp", road([ego(maneuvers=MERGE), one("truck", "truck", LEFT_LANE, speed=80)])
     ),
+    "merges_out_of_the_lane_beside": on(
+        "on_ramp",
+        road(
+            [ego(100), one("car", "car", RIGHT_LANE, MERGE, lanes=[3])],
+            [("merging_conflict", "car", "ego")],
+        ),
+    ),
     "leaves_ahead": on("off_ramp", road([ego(120), one("car", "car", AHEAD, EXIT)])),
     "the_ego_leaves": on(
         "off_ramp", road([ego(maneuvers=EXIT), one("car", "car", BEHIND)]), lanes=(3, 3)
@@ -152,3 +159,9 @@ def test_who_merges_two_lanes_away_is_not_in_line_with_the_ego():
     concrete, _ = first(functional)
     assert not missed(functional, concrete)
     assert "order.ego.car" not in {c.id for c in claims_of(functional, concrete.logical)}
+
+
+def test_who_is_said_to_be_in_the_lane_that_ends_starts_in_it_and_not_on_the_ramp():
+    concrete, _ = first(SITUATIONS["merges_out_of_the_lane_beside"])
+    car = next(p for p in concrete.participants if p.id == "car").motion
+    assert car.start_m > car.turning_ends_m

@@ -8,7 +8,7 @@ from roads import AHEAD, BEHIND, LEFT_LANE, SCENARIOS, ego, one, road
 from told import act, apart
 
 from scegen.concretization.along.compose import lay
-from scegen.concretization.along.moments import time_what_is_known
+from scegen.concretization.along.moments import perform_known
 from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
@@ -65,7 +65,7 @@ def test_distances_in_a_chain_hold_one_after_the_other():
             relations=[{"participant": "far", "reference": "near", "approaches": ["ahead"]}],
         )
     )
-    time_what_is_known(told)
+    perform_known(told, told.acts, placed=False)
     place_all(told)
     at = told.runners
     assert at["tail"].at_m < at["ego"].at_m < at["near"].at_m < at["far"].at_m
@@ -89,7 +89,7 @@ def test_who_cuts_in_is_ahead_by_then_wherever_it_comes_from():
     changes = act("changes", "fast", "change_lane", side="right", into="ego")
     gap = apart("fast", "ego", "gap_m", 10.0, "changes")
     told = story(road(people, acts=[changes], hazards=[("cut_in", "fast", "ego")], spacings=[gap]))
-    time_what_is_known(told)
+    perform_known(told, told.acts, placed=False)
     place_all(told)
     fast, moment = told.runners["fast"], told.begins_s["changes"]
     assert gap_m(fast, told.ego, moment) == pytest.approx(10.0)

@@ -13,12 +13,15 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding import read
 from scegen.understanding.amounts.fields import rows as figures
 from scegen.understanding.lexicon import load
+from scegen.understanding.semantics.conditions import condition
 from scegen.understanding.semantics.patterns import listed
 from scegen.understanding.semantics.rows import _row, families
 
 READER = Path(scegen.understanding.__file__).parent
 FRAMES = files("scegen.understanding.frames")
-KINDS = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
+KINDS = (
+    "acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions", "standing",
+)  # fmt: skip
 
 
 def rows():
@@ -40,6 +43,15 @@ def verbs(node):
 
 def test_families_that_rows_lead_to_exist():
     assert {f for _, row in rows() for f in row.get("then", ())} <= families().rows.keys()
+
+
+def test_every_fact_means_something_and_is_asked_for():
+    facts = yaml.safe_load((FRAMES / "facts.yaml").read_text(encoding="utf-8"))
+    sources = [p for p in READER.rglob("*") if p.suffix in {".py", ".yaml"}]
+    words = re.findall(r"\w+", "".join(path.read_text(encoding="utf-8") for path in sources))
+    for name in facts:
+        assert condition(name) is not None
+        assert words.count(name) > 1, name
 
 
 def test_every_measure_that_has_a_field_has_rows():

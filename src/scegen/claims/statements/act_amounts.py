@@ -10,8 +10,9 @@ import numpy as np
 from scegen.claims import tolerances
 from scegen.claims.claim import Claim, Judged, within
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import act_begins, act_run, aside_over, rest, straightened
+from scegen.claims.moments import act_begins, act_run, rest
 from scegen.claims.series import at, greatest
+from scegen.claims.sideways import aside_over, straightened
 from scegen.claims.statements.of_an_act import claim_of, to_its_side
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount

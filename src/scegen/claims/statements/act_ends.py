@@ -8,16 +8,14 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.moments import (
-    ASIDE_MPS,
     act_begins,
     act_run,
-    aside_over,
     is_level,
     passed,
     rest,
-    straightened,
 )
 from scegen.claims.series import at, first
+from scegen.claims.sideways import ASIDE_MPS, aside_over, straightened
 from scegen.claims.told import Told
 from scegen.claims.tolerances import STANDS_MPS
 from scegen.claims.view import View

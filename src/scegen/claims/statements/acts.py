@@ -9,8 +9,9 @@ import numpy as np
 from scegen.claims import tolerances
 from scegen.claims.boxes import boxes, gap_m, offset, to_side
 from scegen.claims.claim import NEVER, Claim, Judged, best_of
-from scegen.claims.moments import act_begins, passed, sideways_begin
+from scegen.claims.moments import act_begins, passed
 from scegen.claims.series import at, greatest, least
+from scegen.claims.sideways import sideways_begin
 from scegen.claims.statements import act_amounts, act_triggers, doors
 from scegen.claims.statements.act_ends import SWERVES_M
 from scegen.claims.statements.maneuvers import LANE_M

@@ -11,8 +11,9 @@ import numpy as np
 from scegen.claims import tolerances
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
 from scegen.claims.lateral import lateral_m
-from scegen.claims.moments import CHANGES_MPS2, LEAVES_M, STANDS_MPS
+from scegen.claims.moments import CHANGES_MPS2, STANDS_MPS
 from scegen.claims.series import first
+from scegen.claims.sideways import LEAVES_M
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.scenario.acts import ActKind, AfterDistance, AfterStart, WhenMeasure

@@ -26,7 +26,8 @@ def by_ramp(person: Participant, drive: Drive, field: str) -> Iterator[Claim]:
     name = person.id
     if person.maneuvers == {Maneuver.MERGE}:
         does = f"{name} leaves the lane that ends before its end, and is in it at first"
-        yield way_claim(f"merge.{name}", does, field, partial(_merges, drive))
+        test = partial(_merges, drive, in_lane=bool(person.lanes))
+        yield way_claim(f"merge.{name}", does, field, test)
     if person.maneuvers == {Maneuver.EXIT}:
         does = f"{name} changes into the exit lane and leaves by the ramp"
         yield way_claim(f"exit.{name}", does, field, partial(_exits, drive))
@@ -44,8 +45,8 @@ def _beyond(view: View, drive: Drive) -> tuple[Arm, Auxiliary, Floats, Floats] |
     return arm, auxiliary, along - arm.length_m, outside
 
 
-def _merges(drive: Drive, view: View) -> Judged:
-    """How far before the end of its lane it comes over, from the ramp if there is one."""
+def _merges(drive: Drive, view: View, *, in_lane: bool) -> Judged:
+    """How far before the end of its lane it comes over, from the ramp if that is not left yet."""
     found = _beyond(view, drive)
     if found is None or found[1].kind is AuxiliaryLane.OFF_RAMP:
         return always(view, holds=False)
@@ -56,7 +57,7 @@ def _merges(drive: Drive, view: View) -> Judged:
     over = (outside[:, 0] > 0.0) & (outside < 0.0).any(axis=1)
     if gore_m(view.concrete.road):
         # It has come down the ramp, or begins in the lane beside the others at the earliest.
-        over &= along[:, 0] < auxiliary.length_m
+        over &= (along[:, 0] < auxiliary.length_m) & ((along[:, 0] > 0.0) | (not in_lane))
     return Judged(np.where(over, margin, -NEVER), where, view.time_of(step))
 
 

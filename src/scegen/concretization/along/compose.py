@@ -12,7 +12,7 @@ import numpy as np
 from scegen.claims.boxes import gap_m
 from scegen.concretization.along.crossing import cross
 from scegen.concretization.along.frame import Frame, fitted, frame_of, road_of
-from scegen.concretization.along.moments import perform_waiting, time_what_is_known
+from scegen.concretization.along.moments import is_timed_last, perform_known
 from scegen.concretization.along.overtaking import come_back, overtake
 from scegen.concretization.along.parked import opens, park, passes_s, shift_to_pass
 from scegen.concretization.along.placing import place_all
@@ -66,7 +66,8 @@ def lay(story: Story) -> None:
     Raises:
         MotionInfeasibleError: an act never comes about, or there is nobody to overtake.
     """
-    waiting, following = time_what_is_known(story)
+    last = [act for act in story.acts if is_timed_last(story, act)]
+    waiting = perform_known(story, [a for a in story.acts if a not in last], placed=False)
     kept = {name: (list(r.steps), list(r.moves), r.offset_m) for name, r in story.runners.items()}
     begins, ends = dict(story.begins_s), dict(story.ends_s)
     for wider in _WIDER:
@@ -77,7 +78,7 @@ def lay(story: Story) -> None:
         offset_all(story)
         shift_to_pass(story)
         place_all(story, wider=wider)
-        never = perform_waiting(story, waiting)
+        never = perform_known(story, waiting, placed=True)
         if never:
             act = never[0]
             raise MotionInfeasibleError(
@@ -86,7 +87,7 @@ def lay(story: Story) -> None:
                 hint="Change the value of its trigger, or the speeds or distances of the two.",
             )
         overtake(story)
-        perform_waiting(story, [act for act in following if act.id not in story.begins_s])
+        perform_known(story, [a for a in last if a.id not in story.begins_s], placed=True)
         come_back(story)
         react(story)
         cross(story)

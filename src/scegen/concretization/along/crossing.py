@@ -7,13 +7,11 @@ from itertools import chain
 from math import ceil
 from typing import NamedTuple
 
-import numpy as np
-
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m, strip_m
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m, gained
+from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
     BEHIND_KERB_M,
@@ -87,7 +85,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip))
     soon_s = _until_met_s(story, walk, meets)
     if soon_s is not None:  # so near that the other does not come by first
-        way = float(gained(pace, walk.rate_mps2, np.array([soon_s]))[0][0]) - to_aim
+        way = walk.profile.way_m(soon_s) - to_aim
         nearest = max(strip, body.front_m + BEHIND_KERB_M)
         if way > nearest or story.contact_wanted(participant.id, meets.id):
             walk.setback_m = max(min(walk.setback_m, way), nearest)

@@ -213,7 +213,8 @@ def joint_m(story: Story, otherwise_m: float) -> float:
     if said is not None:
         settles = min(settles, max(said - (last - first), _LEAST_SETTLES_M))
     leaves = story.functional.junction.auxiliary is AuxiliaryLane.OFF_RAMP
-    return last + settles if leaves else first - settles
+    begun = [story.runners[n].ends_m(0.0)[0] - _JOINT_CLEAR_M for n in story.joined]
+    return last + settles if leaves else min([first - settles, *begun])
 
 
 def fitted(road: RoadParameters, story: Story, joint: float) -> RoadParameters:

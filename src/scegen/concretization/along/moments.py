@@ -32,36 +32,28 @@ _SHIES_S = 0.3
 """Who swerves for a door that opens does so sooner than one brakes: a simple reaction."""
 
 
-def time_what_is_known(story: Story) -> tuple[list[Act], list[Act]]:
-    """Give every act its moment that needs nobody's place.
+def perform_known(story: Story, acts: Sequence[Act], *, placed: bool) -> list[Act]:
+    """Perform the acts whose moment is known, in their order; returns those that wait for more.
 
-    Returns those that need one, and those that follow upon overtaking, which is timed last.
+    Some wait for distances, which are told where everybody has a place (``placed``).
     """
     waiting: list[Act] = []
-    following: list[Act] = []
-    for act in story.acts:
-        when = act.when
-        waits = isinstance(when, AfterDistance)
-        if isinstance(when, WhenMeasure):
-            waits = _is_placed_otherwise(story, act, when)
-        elif isinstance(when, AfterAct):
-            if _is_timed_last(story, when, following):
-                following.append(act)
-                continue
-            waits = when.act not in story.begins_s and not story.is_loose(act.id)
-        if waits:
-            waiting.append(act)
+    for act in acts:
+        moment_s = _moment_s(story, act, placed=placed)
+        if moment_s < NEVER_S:
+            perform(story, act, moment_s)
         else:
-            perform(story, act, _moment_s(story, act))
-    return waiting, following
+            waiting.append(act)
+    return waiting
 
 
-def _is_timed_last(story: Story, when: AfterAct, following: Sequence[Act]) -> bool:
-    before = next((a for a in story.acts if a.id == when.act), None)
+def is_timed_last(story: Story, act: Act) -> bool:
+    """Whether an act follows upon overtaking, at once or by others: that follows from places."""
+    name = act.when.act if isinstance(act.when, AfterAct) else None
+    before = next((a for a in story.acts if a.id == name), None)
     if before is None:
         return False
-    round_it = story.goes_round(before) or story.comes_back(before)
-    return before in following or round_it
+    return story.goes_round(before) or story.comes_back(before) or is_timed_last(story, before)
 
 
 def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:
@@ -79,16 +71,16 @@ def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:
     return when.reference in reached
 
 
-def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
+def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
     """When an act begins; ``placed``: everybody has a place, so that distances tell it, too."""
     when = act.when
-    if isinstance(when, WhenMeasure) and placed:
-        return _when_measured_s(story, when)
+    if isinstance(when, WhenMeasure) and (placed or _is_placed_otherwise(story, act, when)):
+        return _when_measured_s(story, when) if placed else NEVER_S
     if isinstance(when, AfterStart):
         return when.delay_s.middle
     if isinstance(when, AfterDistance):
         runner = story.runners.get(when.participant or act.participant)
-        if runner is None:
+        if runner is None or not placed:
             return NEVER_S
         return runner.profile.time_s(when.distance_m.middle)
     if isinstance(when, AfterAct) and not story.is_loose(act.id):
@@ -111,24 +103,13 @@ def _moment_s(story: Story, act: Act, *, placed: bool = False) -> float:
     door = door_before(story, act.participant)
     if act.kind is ActKind.SWERVE and door is not None:
         return door.appears_s + _SHIES_S
-    first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in story.merging else 0.0)
+    by_ramp = story.merging - story.joined
+    first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in by_ramp else 0.0)
     told = [a for a in story.acts[: story.acts.index(act)] if a.id in story.begins_s]
     # Who goes aside for one that comes into its lane does so when that one is there.
     gives_way = act.kind in ASIDE
     comes = [story.ends_s[a.id] for a in told if gives_way and a.into == act.participant]
     return max([first_s, *(story.begins_s[a.id] for a in told), *comes])
-
-
-def perform_waiting(story: Story, waiting: Sequence[Act]) -> list[Act]:
-    """Acts that wait for a measure, now that places are known; those that never come."""
-    never: list[Act] = []
-    for act in waiting:
-        moment = _moment_s(story, act, placed=True)
-        if moment < NEVER_S:
-            perform(story, act, moment)
-        else:
-            never.append(act)
-    return never
 
 
 def _when_measured_s(story: Story, when: WhenMeasure) -> float:

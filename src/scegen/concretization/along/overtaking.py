@@ -9,7 +9,7 @@ from math import pi, sqrt
 import numpy as np
 
 from scegen.claims.boxes import free, gap_m
-from scegen.concretization.along.moments import perform_waiting
+from scegen.concretization.along.moments import perform_known
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.sideways import standings_beside
 from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
@@ -48,7 +48,7 @@ def overtake(story: Story) -> None:
         if not story.goes_round(act):
             continue
         if act.id not in story.begins_s:  # it follows upon another such act
-            perform_waiting(story, [act])
+            perform_known(story, [act], placed=True)
         slow = passed_by(story, act)
         if slow:
             _pass(story, act, story.runners[act.participant], slow)

@@ -137,11 +137,8 @@ def _said_m(story: Story, row: list[Standing], bodies: list[Body]) -> tuple[int,
 
 def _ahead_m(story: Story, name: str) -> float | None:
     """How far ahead of the ego's front somebody is said to stand at first."""
-    for spacing in story.functional.spacings:
-        first = spacing.measure is Measure.GAP_M and spacing.at == START
-        if first and {spacing.participant, spacing.reference} == {name, story.ego.id}:
-            return spacing.value.middle
-    return None
+    said = story.between(name, story.ego.id, Measure.GAP_M)
+    return said.value.middle if said is not None and said.at == START else None
 
 
 def _hidden(story: Story, standing: Standing, hiding: set[str]) -> Walk | None:

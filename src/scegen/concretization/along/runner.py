@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from itertools import takewhile
 from math import pi
 
@@ -77,9 +78,6 @@ class Runner:
     strips_m: tuple[float, ...] = ()
     backs: bool = False
     appears_s: float = 0.0
-    _told: tuple[tuple[float, tuple[SpeedChange, ...]], Profile] | None = field(
-        default=None, init=False, repr=False, compare=False
-    )
 
     @property
     def sign(self) -> int:
@@ -130,13 +128,7 @@ class Runner:
     @property
     def profile(self) -> Profile:
         """Its way over time."""
-        key = (self.speed_mps, tuple(self.steps))
-        if self._told is None or self._told[0] != key:
-            profile = Profile(self.speed_mps)
-            for step in sorted(self.steps, key=lambda s: s.begins_s):
-                profile.change(step.begins_s, step.target_mps, step.rate_mps2)
-            self._told = key, profile
-        return self._told[1]
+        return _profile(self.speed_mps, tuple(sorted(self.steps, key=lambda s: s.begins_s)))
 
     def track(self, times_s: Array) -> tuple[Boxes, Array]:
         """Its boxes over time, turned as it moves to the side, and its speeds."""
@@ -212,6 +204,14 @@ class Runner:
         if beyond > 0 and self.strips_m:
             aside = self.lane_count * self.lane_width_m + self.strips_m[beyond - 1]
         return self.sign * (offset_m + outward * (aside + inner_m))
+
+
+@lru_cache(maxsize=256)
+def _profile(speed_mps: float, steps: tuple[SpeedChange, ...]) -> Profile:
+    profile = Profile(speed_mps)
+    for step in steps:
+        profile.change(step.begins_s, step.target_mps, step.rate_mps2)
+    return profile
 
 
 def gap_m(first: Runner, second: Runner, time_s: float) -> float:

@@ -118,7 +118,8 @@ def _sign(story: Story, spacing: Spacing, who: Runner, other: Runner, at_s: floa
     apart = (who.y_m(at_s) - other.y_m(at_s)) * other.sign
     if abs(apart) > 0.1:
         return 1 if apart > 0 else -1
-    return outward(story.functional, Side.LEFT) * (-1 if who is story.ego else 1)
+    turned = who is story.ego and who.forward == other.forward
+    return outward(story.functional, Side.LEFT) * (-1 if turned else 1)
 
 
 def _put_aside(who: Runner, other: Runner, left_m: float, *, in_the_end: bool) -> None:

@@ -78,6 +78,11 @@ class Story(Tale):
         return self._who_only(Maneuver.MERGE)
 
     @property
+    def joined(self) -> frozenset[str]:
+        """Those of them who are said to be in that lane from the start, no more on the ramp."""
+        return frozenset(n for n in self.merging if self.functional.participant(n).lanes)
+
+    @property
     def exiting(self) -> frozenset[str]:
         """Those who leave by the ramp."""
         return self._who_only(Maneuver.EXIT)

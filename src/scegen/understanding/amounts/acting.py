@@ -6,9 +6,9 @@ from dataclasses import replace
 from itertools import product
 
 from scegen.scenario.acts import SLOWING, ActKind
-from scegen.scenario.vocabulary import HazardKind, Maneuver
-from scegen.understanding.amounts.leading_aside import OTHER, to_the_side
-from scegen.understanding.amounts.letting_by import arrives_first, goes_first, let_by
+from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
+from scegen.understanding.amounts.aside import OTHER, to_the_side
+from scegen.understanding.amounts.letting_by import let_by
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Basis
@@ -28,8 +28,7 @@ def read_acts(text: Telling) -> None:
     described = [s for s in text.scenes if s.event.premod_of is not None]
     told = [s for s in text.scenes if s.event.premod_of is None]
     for scene in told:
-        first = [*goes_first(scene, text), *arrives_first(scene, text)]
-        for doing in [*_acts_of(scene, text), *first]:
+        for doing in _acts_of(scene, text):
             first_change = _moved(doing, scene, found)
             if first_change is not None:
                 _go_back(doing, first_change, scene, found)
@@ -114,6 +113,7 @@ def _past_and_back(found: list[Doing], text: Telling) -> None:
     for doing in found:
         if doing.kind is ActKind.CHANGE_LANE and (doing.entity, doing.into) in passed:
             doing.into = None
+            doing.side = doing.side or OTHER[Side(text.context.across)]
     dangers[:] = [
         d
         for d in dangers
@@ -126,11 +126,13 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
     event, context = scene.event, text.context
     whom = let_by(scene, text)
     context.acts = []
+    say("acts.first", scene, context)
+    first, context.acts = context.acts, []
     if whom and event.name not in {"stop", "wait"}:
         scene = replace(scene, event=replace(event, name="yield"))
     said = say("acts.done", scene, context) and context.acts
     if not said or say("acts.owed", scene, context):
-        return []
+        return first
     made = []
     for doing in [d for d in context.acts if whom or d.kind is not ActKind.GIVE_WAY]:
         to_the_side(doing, scene, text)
@@ -149,7 +151,7 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
         made += [doing] if again is None else [doing, again]
         further = whom[1:] if doing.kind is ActKind.GIVE_WAY else []
         made += [replace(doing, into=other) for other in further]
-    return made
+    return [*made, *first]
 
 
 def _then_again(doing: Doing, text: Telling) -> Doing | None:

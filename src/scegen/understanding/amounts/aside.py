@@ -1,19 +1,22 @@
-"""Distances to the side: to which side, and from whose line."""
+"""To which side, and how far: of who leaves its lane, and of distances from a line."""
 
 from __future__ import annotations
 
+from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Place
-from scegen.understanding.entity import Basis
-from scegen.understanding.happenings import Amount, Apart
+from scegen.understanding.chunks import Place, Prep
+from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.patterns import noun
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.patterns import noun, people
 
 _REACH, _SIDE_REACH = 8, 14
+_ALONG, _BESIDE = frozenset({"ahead", "behind"}), {Approach.ADJACENT}
 SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
 _BRINK = noun(["side", "+brink", "+of_road", "+kerb"])
 _TOWARDS_THE_EDGE_M = (0.3, 0.9)
@@ -75,3 +78,135 @@ def toward(figure: Figure) -> tuple[Side | None, int]:
     before = range(figure.i - 1, max(figure.start, figure.i - _SIDE_REACH) - 1, -1)
     said = (SIDE_WORDS[tokens[k].low] for k in before if tokens[k].low in SIDE_WORDS)
     return next(map(Side, said), None), j
+
+
+_BACK = {"left": "right", "right": "left"}
+OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
+
+
+def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
+    """Fill in to which side an act leads, and into whose lane."""
+    context = text.context
+    if doing.kind not in {ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.TURN, ActKind.OVERTAKE}:
+        return
+    event, entity = scene.event, doing.entity
+    turns = doing.kind is ActKind.TURN
+    for value, basis in _sides(doing.kind, scene, text):
+        if value in _BACK and doing.side is None:
+            doing.side, doing.side_basis = Side(value), basis
+    if turns:
+        return
+    joins = entity.by_ramp or (entity.strip and entity.strip[1])
+    if joins is not None and doing.kind is ActKind.CHANGE_LANE:
+        doing.side = OTHER[Side(context.draft.kerb)]  # "into the right lane", off the ramp
+        words = joins.because("who joins comes from the side of the kerb")
+        doing.side_basis = doing.side_basis or words
+    _into(doing, scene, context)
+    _homewards(doing, event.name == "return", context)
+    if entity.ego and doing.side is None and doing.into is not None and doing.into.beside:
+        side, words = doing.into.beside
+        doing.side, doing.side_basis = Side(side), words.because("into the lane of who is there")
+    homeward = doing.into is None or doing.into.ego
+    beside = entity.beside or _comes_from(entity, context)
+    towards = any(p.value in word_list("towards") for p in event.pps)
+    over = doing.kind is ActKind.CHANGE_LANE or towards
+    if homeward and over and doing.side is None and beside:
+        side, words = beside
+        doing.side = Side(_BACK[side])
+        doing.side_basis = words.because("into the lane beside its own")
+
+
+def _sides(kind: ActKind, scene: Clause, text: Telling) -> list[tuple[str, Basis]]:
+    """The sides that words name to which a movement leads; the other of the lane that it leaves."""
+    event = scene.event
+    sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
+    lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
+    # "merges out of the right lane", "pulls out of our lane"
+    out = {"from", "out"} | ({"of"} if text.tokens[event.j - 1].low == "out" else set())
+    sources = [p.target for p in event.pps if out & {p.value, p.outer, text.tokens[p.word.i].low}]
+    # "moves one lane to the left", "leaves the lane to the left"
+    within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
+    # "in the left lane, a car wanders towards ours": where it is, but "on the left, it overtakes"
+    starts = [p.target for p in event.pps if p.fronted and kind is not ActKind.OVERTAKE]
+    # "the ego in the left lane overtakes a van in the right lane": there is the van
+    theirs = {
+        e.start_lane[1].i for e in scene.targets if e.start_lane and scene.actors[0].start_lane
+    }
+    goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
+    for goal in (g for g in goals if all(g is not place for place in (*sources, *starts))):
+        beside = any(c is not goal and c.i < goal.i <= c.j + 1 for c in within)
+        if not beside and theirs.isdisjoint(range(goal.i - 1, goal.j)):
+            # "from the lane to its right": from there
+            sides += [(d, Basis(goal.i, goal.j)) for d in goal.dirs]
+    # Who drifts out of the right lane may do so to either side.
+    for place in sources if kind is not ActKind.TURN and event.name != "swerve" else []:
+        if isinstance(place, Place):
+            basis = Basis(place.i, place.j)
+            sides += [(_BACK[d], basis) for d in place.dirs if d in _BACK]
+    return sides
+
+
+def _comes_from(entity: Entity, context: Context) -> tuple[str, Basis] | None:
+    """``target from the left``: along a road, from the lane on that side."""
+    for placement in context.draft.placements_of(entity) if not context.junction.crossing else []:
+        side = next(iter(placement.approaches)).value
+        if len(placement.approaches) == 1 and side in _BACK:
+            return side, placement.basis
+    return None
+
+
+def _homewards(doing: Doing, returns: bool, context: Context) -> None:
+    """Who comes from the front goes over the middle; who has overtaken comes back."""
+    entity, words = doing.entity, doing.basis
+    passes = Maneuver.OVERTAKE in entity.maneuvers
+    back = passes and (returns or (doing.into is not None and doing.into.ego))
+    across = Side(context.across)
+    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not (passes and returns):
+        doing.into, doing.into_basis = doing.into or context.draft.ego, doing.into_basis or words
+        if doing.side is None:
+            reason = "who comes from the front crosses the middle of the road"
+            doing.side, doing.side_basis = across, words.because(reason)
+    if back and doing.side is None and entity.beside is None:
+        reason = "who has overtaken comes back to its lane"
+        doing.side, doing.side_basis = OTHER[across], words.because(reason)
+
+
+def _into(doing: Doing, scene: Clause, context: Context) -> None:
+    if doing.kind is not ActKind.CHANGE_LANE:
+        return
+    event = scene.event
+    lanes = [g for g in event.nouns("into", "to", "for") if isinstance(g, Place)]
+    lanes = [g for g in lanes if g.kind in {"lane", "path"}]
+    owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
+    out = "out" in context.lows(event.i, event.j)  # "cuts out in front of"
+    near = [p for p in event.pps if p.word.cat == "locus" and p.value in _ALONG and not out]
+    # "boxed in behind a van, it …", "so does the car behind it": where one is at first
+    near = [p for p in near if not p.fronted and all(m.j != p.word.i for m in event.subject)]
+    cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN)
+    egos = [e for e in context.draft.entities if e.ego]
+    cut = [e for d in cuts if doing.entity in d.by for e in d.to or egos]
+    named = [e for e in (*owners, *scene.targets, *people(near), *cut) if e is not doing.entity]
+    if named:
+        doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
+    if near and named and not context.junction.crossing and named[0].moving_vehicle:
+        _beside_whom(doing, named[0], near[0], context)
+
+
+def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) -> None:
+    """``changes to the right lane in front of a truck``, ``behind it``: that one is there.
+
+    Who comes in behind another is so from the start, unless it lets that one by.
+    """
+    draft, behind = context.draft, phrase.value == "behind"
+    who, seen = (other, Approach.AHEAD) if doing.entity.ego else (doing.entity, Approach.BEHIND)
+    told = [p for p in draft.placements if other in (p.entity, p.reference) or who is p.entity]
+    said = [p.approaches for p in told if not behind or p.basis.i != phrase.word.i]
+    if not (doing.entity.ego or (behind and other.ego)) or any(a != _BESIDE for a in said):
+        return
+    basis = Basis(phrase.word.i, other.basis.j)
+    if not said:
+        draft.place(who, None, _BESIDE, basis)
+        if doing.entity.ego and doing.side is not None:
+            other.beside = other.beside or (doing.side.value, basis)
+    if behind and doing.entity not in context.letting:
+        draft.place(who, None, {seen}, basis)

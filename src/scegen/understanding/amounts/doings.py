@@ -5,10 +5,9 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
-from scegen.understanding.amounts.aside import SIDE_WORDS
+from scegen.understanding.amounts.aside import OTHER, SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.joined import likewise
-from scegen.understanding.amounts.leading_aside import OTHER
+from scegen.understanding.amounts.timing import likewise
 from scegen.understanding.entity import Basis
 from scegen.understanding.frames import acts as frames
 from scegen.understanding.happenings import STILL, Amount, Doing, Trigger

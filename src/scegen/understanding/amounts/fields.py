@@ -11,10 +11,10 @@ from scegen.scenario.acts import FAR, LASTING, ActKind
 from scegen.understanding.amounts.aside import off_its_lane
 from scegen.understanding.amounts.doings import comes_to, fill, made, rests, until_the_next
 from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.amounts.items import sized
 from scegen.understanding.amounts.outcomes import impact
 from scegen.understanding.amounts.placed import apart, at_rest, to_a_thing
 from scegen.understanding.amounts.releasing import driven, sets_off
-from scegen.understanding.amounts.sizes import sized
 from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.timing import at_green, delayed, earlier
 from scegen.understanding.semantics.context import Context

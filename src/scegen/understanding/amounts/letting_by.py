@@ -1,18 +1,16 @@
-"""Who lets others go first, and who goes on after a stop."""
+"""Whom somebody lets go first, and who goes on after a stop."""
 
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Thing
-from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Doing
+from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
-_SOON, _ORDERS = 4, ("first", "before", "after")
 _ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
 _HOLDING = frozenset({"wait", "stop"})
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
@@ -37,47 +35,6 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if not named and event.name == "wait":
         return _passing_meanwhile(clause, scenes) or _coming_across(clause, text)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
-
-
-def goes_first(clause: Clause, text: Telling) -> list[Doing]:
-    """``the car goes first``: where roads meet, all others let it go."""
-    event, tokens = clause.event, text.tokens
-    goes = event.name in _GOING and event.lemma in word_list("going") and not event.negated
-    after = text.context.lows(event.j, event.j + 2)
-    ends = after[1:] == [] or tokens[event.j + 1].kind == "punct" or after[1] in {"and", "while"}
-    told = goes and after[:1] == ["first"] and ends
-    if not told or len(clause.drivers) != 1 or event.parent or not text.context.junction.crossing:
-        return []
-    first, basis = clause.drivers[0], Basis(event.i, event.j + 1)
-    others = [e for e in text.draft.entities if e.moving_vehicle and e is not first]
-    return [
-        Doing(ActKind.GIVE_WAY, e, basis, event.i, into=first, into_basis=basis) for e in others
-    ]
-
-
-def arrives_first(clause: Clause, text: Telling) -> list[Doing]:
-    """``arrives before the ego``, ``after a truck``: at an all-way stop, who is later gives way."""
-    event, context = clause.event, text.context
-    comes = event.lemma in word_list("arriving") and event.finite and not event.negated
-    if not comes or context.junction.control is not Control.ALL_WAY_STOP:
-        return []
-    after = [(k, t.low) for k, t in enumerate(text.tokens) if event.j <= k < event.j + _SOON]
-    k, word = next(((k, w) for k, w in after if w in _ORDERS), (event.j, ""))
-    named = next((m.entities for m in text.mentions if m.i == k + 1), [])
-    others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.drivers]
-    later, first = {
-        "first": (others, clause.drivers),
-        "before": (named, clause.drivers),
-        "after": (clause.drivers, named),
-    }.get(word, ([], []))
-    owes = context.draft.causing(HazardKind.FAILURE_TO_YIELD)
-    basis = Basis(event.i, k + 1)
-    return [
-        Doing(ActKind.GIVE_WAY, e, basis, event.i, into=one, into_basis=basis)
-        for e in later
-        for one in first
-        if e.moving_vehicle and e not in owes
-    ]
 
 
 def _until_gone(clause: Clause, text: Telling) -> list[Entity]:

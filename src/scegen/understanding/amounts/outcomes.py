@@ -22,8 +22,9 @@ from scegen.understanding.chunks import Event, Mention, Place, Thing, Word
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.contact import goal_of_contact, lies_there, touched
+from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause
+from scegen.understanding.semantics.met import goal_of_contact, lies_there, touched
 from scegen.understanding.words.quantities import ends_a_quantity
 
 _BEFORE, _PAIR = 4, 2
@@ -67,7 +68,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     stops = _in_time(scene, text)
     if stops is not None:
         return stops
-    clear = _gets_clear(scene, text) or _stops_first(scene, text)
+    clear = holds("kept_clear", scene, text.context) or _stops_first(scene, text)
     if event.premod_of is not None or noun or not (clear or _meets(scene, text)):
         return None
     if _only_things(scene, text):
@@ -88,7 +89,7 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         basis = Basis(min(said[0], event.i), max(said[1], event.j))
     elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
-    elif not _aimed(event, text) and (
+    elif not holds("aimed", scene, text.context) and (
         _open(event, text) or (not vain and _supposed(_of_it(event, start, text)))
     ):
         return None
@@ -113,23 +114,12 @@ def _only_things(scene: Clause, text: Telling) -> bool:
 
 
 def _meets(scene: Clause, text: Telling) -> bool:
-    """Verbs of contact; "meets head-on"; "just misses"; "slides into it"."""
-    event, lemma = scene.event, scene.event.lemma
-    if event.name == "overlook" and lemma == "miss":
+    """Verbs of contact; "just misses"; "slides into it"; "its front catches him"."""
+    event = scene.event
+    if event.name == "overlook" and event.lemma == "miss":
         return _narrowly(event, max(0, event.i - _BEFORE), text) is not None
-    facing = any(p.value == "opposite" and _bodies([p.target]) for p in event.pps)
-    meets = event.how("head_on") is not None or facing or _bodies([event.object])
-    meets &= lemma == "meet"
-    away = any(isinstance(n, Place) and n.kind in {"lane", "road"} for n in event.nouns())
-    shoved = event.name == "send" and isinstance(event.object, Mention) and not away
-    shoved = shoved and any(e.is_vehicle for e in scene.actors)
-    meets |= shoved and lemma in word_list("shoving")  # "pushes the ego into a van"
-    own = (p.target for p in event.pps if p.value in {"with", "in", "against"})
-    gets = isinstance(event.object, Mention) or _bodies([event.object])
-    gets &= lemma in word_list("getting")  # "catches him with its front"
-    meets |= gets and _bodies(own)
-    meets |= lemma in {"catch", "meet"} and _by_a_part(event, text)
-    return event.name == "collide" or meets or goal_of_contact(scene, text.context) is not None
+    part = event.lemma in {"catch", "meet"} and _by_a_part(event, text)
+    return part or holds("contact", scene, text.context)
 
 
 def _narrowly(event: Event, start: int, text: Telling) -> tuple[int, int] | None:
@@ -169,17 +159,10 @@ def _in_time(scene: Clause, text: Telling) -> Ending | None:
 
 
 def _stops_first(scene: Clause, text: Telling) -> bool:
-    """``stops in front of him``, ``stops before it touches him``: nobody is touched."""
+    """``stops before it touches him``, unlike "stops before a truck hits it"."""
     event = scene.event
-    egos = [e for e in scene.actors if e.ego and Maneuver.OVERTAKE not in e.maneuvers]
-    if event.name == "stop" and egos and not event.negated:
-        whom = [p.target for p in event.pps if p.value == "ahead"]
-        met = [e for noun in whom if isinstance(noun, Mention) for e in noun.entities]
-        thing = any(lies_there(noun, text.context) for noun in whom)
-        return thing or any(not text.context.placed(e, Approach.BEHIND) for e in met)
     for last in text.within(0, event.i)[-1:]:
         before = "before" in text.context.lows(last.event.j, event.i) and bool(scene.targets)
-        # Not so "the ego stops before a truck hits it".
         own = all(e in (*last.actors, *last.targets) for e in scene.actors)
         stops = last.event.name == "stop" and event.name == "collide" and own
         brakes = last.event.name in {"stop", "brake"} and event.lemma == "reach"
@@ -187,25 +170,10 @@ def _stops_first(scene: Clause, text: Telling) -> bool:
     return False
 
 
-def _gets_clear(scene: Clause, text: Telling) -> bool:
-    """``changes lanes and avoids it``; what somebody does "to avoid it" may be in vain."""
-    event = scene.event
-    told = event.form in {"s", "ed"} and not (event.negated or event.modal)
-    own = any(e.ego for e in (*scene.actors, *scene.targets))  # others may dodge a thing
-    whom = bool(scene.targets) or lies_there(event.object, text.context)
-    return event.name == "avoid" and told and whom and own
-
-
 def _open(event: Event, text: Telling) -> bool:
     """``should it hit the van``; what "shall be hit" is hit."""
     said = text.find("required", text.bounds(event.i)[0], event.i)
     return event.modal and said is None
-
-
-def _aimed(event: Event, text: Telling) -> bool:
-    """``would be struck at the middle of its front``: where, if nobody does anything about it."""
-    would = "would" in text.context.lows(event.i - _BEFORE, event.i)
-    return would and _bodies(p.target for p in event.pps)
 
 
 def _of_it(event: Event, start: int, text: Telling) -> str:

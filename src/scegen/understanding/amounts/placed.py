@@ -9,15 +9,13 @@ from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.moments import moment, since
-from scegen.understanding.amounts.pairs import pair_of, row_of, tell_order
+from scegen.understanding.amounts.pairs import moment, pair_of, row_of, since, tell_order
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 
 _SOON = 14
-_PASSING = frozenset({"pass", "bypass", "overtake"})
 _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _TWO_LANES = 7
@@ -104,7 +102,7 @@ def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     by = {"pass", "bypass", *(["move"] if far <= _ARMS_LENGTH else [])}
     overtaking = [a.entity for a in figure.text.found.acts if a.kind is ActKind.OVERTAKE]
     for event, targets in ((s.event, s.targets) for s in figure.text.scenes):
-        overtaking += targets if event.name in _PASSING else []
+        overtaking += targets if event.name in _PASSED else []
     past = figure.does in by and (one.parked or other.parked)
     past = past or (far <= _ARMS_LENGTH and (one in overtaking or other in overtaking))
     stand = [at for _, at in figure.text.stand(one, other)]

@@ -1,12 +1,15 @@
-"""Reads all numbers of a text, what is done, when, and how it ends."""
+"""Reads all numbers of a text, what is done, when, and how it ends; then asks what that means."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.scenario.acts import ActKind
+from scegen.scenario.model import Interval
+from scegen.scenario.spacings import Measure
 from scegen.understanding.amounts import aside, struck
 from scegen.understanding.amounts.acting import read_acts
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart
-from scegen.understanding.amounts.clauses import clauses_of
 from scegen.understanding.amounts.fields import place, says_how
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.items import read_items
@@ -14,10 +17,10 @@ from scegen.understanding.amounts.letting_by import go_on
 from scegen.understanding.amounts.ordering import order
 from scegen.understanding.amounts.outcomes import read_outcome
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Chunk
-from scegen.understanding.entity import Entity
+from scegen.understanding.chunks import Chunk, Event
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import Numbers
-from scegen.understanding.happenings import Doing, Happenings
+from scegen.understanding.happenings import Apart, Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 
@@ -59,14 +62,70 @@ def _kept(found: Happenings) -> list[Doing]:
     """Acts that are ones by themselves, or that a number or another act makes ones."""
     named = [d.when.act for d in found.acts if d.when is not None and d.when.act is not None]
     named += [s.at for s in found.spacings if isinstance(s.at, Doing)]
+    home = [(d.entity, d.i) for d in found.acts if d.kind is ActKind.CHANGE_LANE]
     kept = [
         d
         for d in found.acts
         if d.always or d.amounts or d.when is not None or d in named
-        or (d.kind is ActKind.OVERTAKE and d.side is not None)  # "overtakes it on the right"
+        or (d.kind is ActKind.OVERTAKE  # "overtakes it on the right", "overtakes it and cuts in"
+            and (d.side is not None or any(e is d.entity and i > d.i for e, i in home)))
     ]  # fmt: skip
     counts: dict[ActKind, int] = {}
     for doing in kept:
         counts[doing.kind] = counts.get(doing.kind, 0) + 1
         doing.name = f"{doing.kind.value}_{counts[doing.kind]}"
     return kept
+
+
+_VERBS = {ActKind.CHANGE_LANE: "lane_change", ActKind.SET_OFF: "leave"}
+"""What rows call an act, where that is not its own name."""
+
+
+def clauses_of(found: Happenings) -> Iterator[Clause]:
+    """Acts, what some do, however often, as one; then spacings, named after what is done then.
+
+    A gap at a lane change is a headway as well, by the speed of the one who keeps its lane.
+    """
+    own: dict[tuple[str, int], list[Doing]] = {}
+    for doing in found.acts:
+        own.setdefault((doing.kind.value, doing.entity.index), []).append(doing)
+    alike: dict[tuple[str, ...], list[Doing]] = {}
+    for (kind, _), acts in own.items():
+        alike.setdefault((kind, *(str(act.i) for act in acts)), []).extend(acts)
+    yield from map(_clause_of_acts, alike.values())
+    yield from map(_clause_of_spacing, found.spacings)
+
+
+def _clause_of_acts(acts: list[Doing]) -> Clause:
+    fields = dict.fromkeys(name for act in acts for name in act.amounts)
+    told = {name: [act.amounts.get(name) for act in acts] for name in fields}
+    first = next((a.basis for found in told.values() for a in found if a), acts[0].basis)
+    amounts = {n: [a.value if a else None for a in found] for n, found in told.items()}
+    whose = list(dict.fromkeys(act.entity for act in acts))
+    triggers = (act.when for act in acts if act.when is not None and act.when.since == "end")
+    befores = (t.act for t in triggers if t.act is not None)
+    passed_by = [other.entity for other in befores if other.kind is ActKind.OVERTAKE]
+    kind = acts[0].kind
+    return Clause(_event(_VERBS.get(kind, kind.value), first), whose, passed_by, amounts)
+
+
+def _clause_of_spacing(apart: Apart) -> Clause:
+    doing = apart.at if isinstance(apart.at, Doing) else None
+    pair = [[e] if isinstance(e, Entity) else [] for e in (apart.entity, apart.reference)]
+    amounts: dict[str, list[Interval | None]] = {apart.measure.value: [apart.amount.value]}
+    mover = doing.entity if doing is not None and doing.kind is ActKind.CHANGE_LANE else None
+    others = [e.speed for e in (*pair[0], *pair[1]) if mover is not None and e is not mover]
+    if apart.measure is Measure.GAP_M and others and others[0] is not None:
+        amounts["headway_s"] = [_as_time(apart.amount.value, others[0])]
+    name = "follow" if doing is None else _VERBS.get(doing.kind, doing.kind.value)
+    return Clause(_event(name, apart.amount.basis), pair[0], pair[1], amounts)
+
+
+def _as_time(gap_m: Interval, speed_mps: Interval) -> Interval | None:
+    if speed_mps.low <= 0:
+        return None
+    return Interval(low=gap_m.low / speed_mps.high, high=gap_m.high / speed_mps.low)
+
+
+def _event(name: str, basis: Basis) -> Event:
+    return Event(name, basis.i or 0, basis.j or 0, "")

@@ -110,14 +110,14 @@ def _hit(place: Place, ending: Ending, text: Telling) -> bool:
     here = [s for s in text.scenes if s.event.i == i]
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
     told = place.owner is not None or place.possessed
-    direct = any(s.event.object is place for s in here)
+    direct = any(s.event.object is place or s.event.i == place.j for s in here)
     met = direct or (prep in {"in", "into", "against"} and told)
     return met or prep in {"by", "with"} or (prep == "in" and is_hit)
 
 
 def _portion(place: Place, text: Telling) -> NounPhrase | None:
     """``the left half`` of its front, the bonnet ``in the middle``, ``on the left``."""
-    of = (place.i if place.owner is None else place.owner.i) - 1
+    of = min([place.i, *([place.owner.i] if place.owner is not None else [])]) - 1
     for part in text.chunks:
         if not (isinstance(part, Place | Thing) and (_SIDES & set(part.dirs) or _is_middle(part))):
             continue

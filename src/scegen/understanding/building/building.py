@@ -14,7 +14,6 @@ from scegen.scenario.roadway import Strip
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, JunctionKind, Maneuver, Role
 from scegen.understanding.building.happening import Writer
-from scegen.understanding.building.hooks import alongside
 from scegen.understanding.building.in_lane import (
     lanes_of,
     past_people,
@@ -25,6 +24,7 @@ from scegen.understanding.building.in_lane import (
 from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.open_road import (
     abreast,
+    alongside,
     at_the_edge,
     both_change_lanes,
     from_the_strip,
@@ -32,14 +32,12 @@ from scegen.understanding.building.open_road import (
     in_the_way,
 )
 from scegen.understanding.building.proving import Proofs
-from scegen.understanding.building.ramps import settle_ramp
-from scegen.understanding.building.some_of import some_of
-from scegen.understanding.building.unsaid import maneuvers_of
-from scegen.understanding.building.viewpoint import settle_positions
+from scegen.understanding.building.strips import settle_ramp
+from scegen.understanding.building.unsaid import maneuvers_of, some_of
+from scegen.understanding.building.viewpoint import settle_arms, settle_positions, settle_roads
 from scegen.understanding.draft import Danger, Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings
-from scegen.understanding.meaning.arms import settle_arms, settle_roads
 from scegen.understanding.meaning.breaches import onto_the_road
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
@@ -103,7 +101,7 @@ class Builder:
             if junction.auxiliary is not None:
                 named = lanes_of(ego, junction)
                 beside = not named or junction.through_lanes in named
-                settle_ramp(self.draft, ego, junction.auxiliary, beside_ego=beside)
+                settle_ramp(self.draft, ego, junction.auxiliary, self.along, beside_ego=beside)
         else:
             alongside(self.draft, ego)
             settle_roads(self.draft, junction)

@@ -1,16 +1,31 @@
-"""Where in the road somebody is: ahead in the lane, in which of several lanes, in the ring."""
+"""How many lanes the road has, and in which somebody is: ahead in the lane, in one of several."""
 
 from __future__ import annotations
 
+from itertools import pairwise
+
+from scegen.errors import InfeasibleError
 from scegen.scenario.acts import ActKind
-from scegen.scenario.junction import Junction
-from scegen.scenario.vocabulary import Approach, DrivingSide, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.junction import MAX_LANES, Junction
+from scegen.scenario.vocabulary import (
+    Approach,
+    DrivingSide,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+)
 from scegen.understanding.building.viewpoint import Placed
 from scegen.understanding.draft import Draft
-from scegen.understanding.entity import Entity
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings
-from scegen.understanding.semantics.numbered_lanes import EITHER
+from scegen.understanding.lexicon import word_list
+from scegen.understanding.road.lengthwise import Lengthwise
+from scegen.understanding.road.surroundings import Surroundings
+from scegen.understanding.semantics.lanes import EITHER
 
+JOINING = "joining"
+"""The lane beside the others into which a ramp leads."""
 _FEWEST_WITH_A_MIDDLE = 3
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 _BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
@@ -77,9 +92,11 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
 def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
     """The lane that the text names, counted from 1 at the centre line outwards."""
     count = min(junction.lanes, default=1)
-    if entity.start_lane is None or count < 2:
+    name = entity.start_lane[0] if entity.start_lane is not None else ""
+    if name == JOINING:
+        return frozenset({junction.through_lanes + 1})
+    if not name or count < 2:
         return frozenset()
-    name = entity.start_lane[0]
     if name == "middle":
         return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
     if name in {"fast", "slow"}:
@@ -149,3 +166,87 @@ def side_by_side(relations: list[Placed], draft: Draft) -> list[Placed]:
             entity.approaches = set()
         kept.append((entity, reference, approaches, basis))
     return kept
+
+
+_MOST_LANES = 3
+_RING_LANES = 2
+_RING_OF_TWO = "a roundabout's ring has 2 lanes at most, and has 2 here"
+_FEWER_LANES = "at junctions at most 3 lanes a direction are built; as many as it takes"
+_FEWEST_TO_NAME = 2
+"""There is a left and a right lane only where there are two."""
+
+
+def lanes_of_road(
+    draft: Draft, around: Surroundings, along: Lengthwise, kind: JunctionKind, arms: int
+) -> tuple[tuple[int, ...], int | None, Basis | None]:
+    """Lanes per arm and direction, those of a ring, and why; none: as many as it takes.
+
+    Args:
+        draft: participants and what they do, positions settled.
+        around: what the text says about lanes.
+        along: what it says about the road along its length.
+        kind: the shape of the road.
+        arms: how many arms it has.
+
+    Raises:
+        InfeasibleError: it names a lane beyond those that are built.
+    """
+    ring, plain = kind is JunctionKind.ROUNDABOUT, kind is JunctionKind.STRAIGHT
+    implied = draft.lanes_implied
+    adjacent = next((e for e in draft.entities if Approach.ADJACENT in e.approaches), None)
+    if implied is None and adjacent is not None:
+        basis = adjacent.approach_basis or adjacent.basis
+        implied = basis.because("vehicles side by side need a second lane")
+    most = MAX_LANES if plain else _MOST_LANES
+    if around.lanes == 1 and around.lanes_in_all is not None and implied is not None:
+        count = min(around.lanes_in_all, most)  # "on a two-lane road, a car in the next lane"
+        reason = f"{count} lanes in one direction: {implied.reason or 'a second one is meant'}"
+        counted = around.lanes_basis or implied
+        return (count,) * arms, None, counted.because(reason)
+    if around.lanes_basis is not None and (around.lanes or 0) > (_RING_LANES if ring else most):
+        draft.note_at(around.lanes_basis, _RING_OF_TWO if ring else _FEWER_LANES)
+    if around.lanes is not None and around.lanes <= most:
+        doubled = _RING_LANES if ring and around.lanes > 1 else None
+        return (around.lanes,) * arms, doubled, around.lanes_basis
+    if ring and around.two_lane is not None:
+        return (2,) * arms, 2, around.two_lane
+    passing = draft.passing_implied
+    if implied is None and passing is not None:
+        if not ring and not _parted(along) and _against_oncoming(draft, around):
+            reason = "who overtakes uses the oncoming lane"
+            return (1,) * arms, None, passing.because(reason)
+        implied = passing.because("overtaking needs a second lane")
+    if implied is None and plain and around.two_lane is not None and not _parted(along):
+        counted = around.two_lane
+        return (1,) * arms, None, counted.because("two lanes, one each way")
+    if implied is None and around.highway is not None:
+        reason = "highways have two lanes per direction unless said otherwise"
+        implied = around.highway.because(reason)
+    lanes = [e.start_lane for e in draft.entities if e.start_lane is not None]
+    named = [name for name, _ in lanes]
+    if implied is None or not (ring or named or around.highway is not None):
+        return (), None, None  # as many as it takes
+    count = _MOST_LANES if "middle" in named or _middle_lane(draft) else _FEWEST_TO_NAME
+    count = max(count, *(int(name.split()[0]) for name in named if name[0].isdigit()), 0)
+    if count > most:
+        msg = f"lane {count} is named; at most {most} lanes a direction are built here"
+        raise InfeasibleError(msg, where="junction.lanes", hint="Name a lower number.")
+    return (count,) * arms, (2 if ring else None), implied
+
+
+def _middle_lane(draft: Draft) -> bool:
+    """``changes from the left to the middle lane``."""
+    words = [token.low for token in draft.tokens]
+    pairs = pairwise(words)
+    return any(one in word_list("middle") and other == "lane" for one, other in pairs)
+
+
+def _parted(along: Lengthwise) -> bool:
+    """Whether the words part the directions for sure."""
+    return along.carriageway is not None and not along.presumed
+
+
+def _against_oncoming(draft: Draft, around: Surroundings) -> bool:
+    """Whether somebody overtakes on a road where others come towards them."""
+    facing = any(Approach.OPPOSITE in e.approaches for e in draft.entities)
+    return facing or (around.two_lane is not None and around.highway is None)

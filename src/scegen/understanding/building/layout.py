@@ -15,10 +15,9 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
-from scegen.understanding.building.lanes import lanes_of_road
+from scegen.understanding.building.in_lane import lanes_of_road
 from scegen.understanding.building.proving import Proofs
-from scegen.understanding.building.ramps import Used, auxiliary_lane
-from scegen.understanding.building.strips import AT_JUNCTIONS, strips_beside
+from scegen.understanding.building.strips import AT_JUNCTIONS, Used, auxiliary_lane, strips_beside
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list

@@ -7,7 +7,7 @@ from itertools import groupby
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term
 
 _QUALITIES = frozenset({"colour", "quality"})
@@ -23,7 +23,6 @@ _NOT_DRIVEN_OVER = "nobody is driven over one; who comes over it is on this side
 _NOBODY_THERE = "nobody is put on a median; where they are is left open"
 _ONE_LANE = "nobody is shared out among lanes: those told of together are in one"
 _PLACE_IN_A_ROW = "which place in a row it has is not read from that"
-_STAYS_IN_ITS_LANE = "nobody who drives leaves the lanes to stop; it stays in its lane"
 _NOT_UNDERSTOOD = "not understood, ignored"
 _MOST_NOTES = 200
 
@@ -58,20 +57,8 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bo
     del draft.notes[_MOST_NOTES:]
 
 
-def _beside_the_lanes(draft: Draft, event: Event) -> None:
-    """``a taxi stops at the kerb``, ``the car ahead pulls over``: from the lane it drives in."""
-    drivers = [e for m in event.subject for e in m.entities if e.moving_vehicle and not e.stands]
-    to_the_kerb = any(getattr(p.target, "kind", "") == "sidewalk" for p in event.pps)
-    told = event.finite and not (event.negated or event.modal)
-    aside = event.name == "pull_over" or (event.name == "stop" and to_the_kerb)
-    if told and drivers and aside:
-        draft.note(event.i, event.j, _STAYS_IN_ITS_LANE)
-
-
 def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
     """``two lanes of stopped cars``, ``in both lanes``; ``drives fifth in a row of eight``."""
-    for event in (c for c in chunks if isinstance(c, Event)):
-        _beside_the_lanes(draft, event)
     for k, place in enumerate(chunks):
         if place.cat == "label" and draft.tokens[place.i].low in POSITIONS:
             row = [*chunks[k + 2 : k + 3], None][0]

@@ -1,13 +1,21 @@
-"""Restates every position as seen from the ego."""
+"""Restates every position as seen from the ego; what is said of one place goes together."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.scenario.control import controlled_arms
+from scegen.scenario.junction import Junction
+from scegen.scenario.vocabulary import (
+    Approach,
+    Control,
+    CrossedArm,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+)
 from scegen.understanding.draft import Draft, Placement
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.meaning.mutual import allow, face_each_other
 from scegen.understanding.semantics.approaches import INVERSE
 
 _COMPASS = ("north", "east", "south", "west")
@@ -16,7 +24,7 @@ _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
 _SEEN_BACK = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE, Approach.ADJACENT})
-_SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
+_ASIDE = frozenset({Approach.LEFT, Approach.RIGHT})
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
 Placed = tuple[Entity, Entity, set[Approach], Basis]
 """Who is where, seen from whom, by which words."""
@@ -75,7 +83,7 @@ def _in_a_lane_there(
     turns = bool(ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT})
     crosses = Maneuver.CROSS in entity.maneuvers
     stands = entity.still or draft.from_kerb
-    if turns or crosses or stands or not entity.is_vehicle or not seen < _SIDES:
+    if turns or crosses or stands or not entity.is_vehicle or not seen < _ASIDE:
         return seen
     told = (p for p in draft.placements_of(entity) if p.reference in (None, ego))
     said = (p for p in told if p.approaches <= _ALONG and not p.basis.reason)
@@ -160,3 +168,70 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
     if placement.entity is ego and reference is not ego:
         return reference, ego, {INVERSE[a] for a in placement.approaches}
     return placement.entity, reference, set(placement.approaches)
+
+
+def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
+    """Two statements narrow each other down; where they differ, both are allowed."""
+    if approaches and approaches <= _ALONG and entity.approaches == {Approach.ADJACENT}:
+        entity.in_next_lane = entity.in_next_lane or (approaches, basis)
+        return
+    if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
+        return  # "… from the left and stops in front of the ego": where it gets to
+    if approaches == {Approach.ADJACENT} and entity.approaches and entity.approaches <= _ALONG:
+        entity.in_next_lane = entity.approaches, entity.approach_basis or entity.basis
+        entity.approaches = set()  # "30 m ahead in the next lane": beside, so far ahead
+    common = entity.approaches & approaches
+    entity.approaches = common or (entity.approaches | approaches)
+    if entity.approach_basis is None or common:
+        entity.approach_basis = basis
+
+
+def face_each_other(draft: Draft, ego: Entity) -> None:
+    """``from opposite directions``: each comes towards the others, the ego among them."""
+    for entity in draft.entities:
+        if entity is not ego and ego.index in entity.opposed:
+            allow(entity, {Approach.OPPOSITE}, entity.approach_basis or entity.basis)
+
+
+_SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
+_OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
+_ALL_ALIKE = frozenset({Control.SIGNALS, Control.ALL_WAY_STOP})
+
+
+def settle_arms(draft: Draft, ego: Entity) -> None:
+    """From which side they come who walk as the ego drove before it turned, or against it.
+
+    That leads over the road into which it turns. What is said of the side itself comes first.
+    """
+    for entity in draft.entities:
+        alone = len(ego.maneuvers & set(_SIDES)) == 1
+        if entity.course is None or entity.crosses is None or not alone:
+            continue
+        along, basis = entity.course
+        side = _SIDES[next(iter(ego.maneuvers & set(_SIDES)))]
+        side = side if along else _OTHER[side]
+        said = [p.approaches & set(_OTHER) for p in draft.placements if p.entity is entity]
+        if entity.crosses[0] is CrossedArm.EXIT and all(side in sides for sides in said if sides):
+            draft.place(entity, ego, {side}, basis)
+
+
+def settle_roads(draft: Draft, junction: Junction) -> None:
+    """Lets who has the sign enter where it stands, and who has priority elsewhere.
+
+    A T without signs has a side road, too.
+    """
+    signed = junction.control in {Control.YIELD, Control.STOP}
+    stem = junction.kind is JunctionKind.T and junction.control not in _ALL_ALIKE
+    if not (signed or stem):
+        return
+    minor = controlled_arms(
+        junction if signed else junction.model_copy(update={"control": Control.YIELD})
+    )
+    for entity in draft.entities:
+        if entity.on_minor is None or entity.entries or not entity.moving_vehicle:
+            continue
+        if Maneuver.CROSS in entity.maneuvers:
+            continue  # a cyclist who crosses a road has none of its arms to come in by
+        on_minor, basis = entity.on_minor
+        arms = minor if on_minor else frozenset(range(junction.arms)) - minor
+        entity.entries, entity.entry_basis = set(arms), basis

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, Prep, Word
-from scegen.understanding.clauses.fronted import opens_clause
-from scegen.understanding.clauses.located import is_it
+from scegen.understanding.clauses.located import is_it, opens_clause
 from scegen.understanding.clauses.state import State
 
 _PASSING = frozenset({"overtake", "pass", "undertake"})
@@ -152,6 +151,9 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
         if verb is None or prep.value != "in":
             return False
         past = (p for p in verb.pps if p.leads_past)
+        if not verb.subject and (whom.is_me or whom.is_ego or is_it(whom)):
+            # "driving next to us in the right lane, a lorry …"
+            return any(p.target is whom and p.word.cat == "locus" for p in verb.pps)
         stands = any(m.cat == "state" for m in whom.mods)
         if place.kind == "side" and not stands and any(p.target is whom for p in past):
             return True  # "moves past a van on the left", but "past a parked van on the left"

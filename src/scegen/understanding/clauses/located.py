@@ -1,10 +1,18 @@
-"""Where the words after a noun put it, and which of them do not."""
+"""Where words put a noun: those after it, or before its clause; on which side a place lies."""
 
 from __future__ import annotations
 
 from typing import TypeGuard
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.lookahead import (
+    GOVERNING,
+    behind_insertion,
+    chunk_at,
+    is_word,
+    value_at,
+)
 
 _LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
 
@@ -57,3 +65,153 @@ def from_the_wrong_lane(prep: Prep, event: Event | None) -> bool:
     place = prep.place
     wrong = place is not None and place.head is not None and "dir" in place.head.data
     return wrong and prep.value == "from" and event is not None and event.name in _LEAVING
+
+
+_BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
+_ARMS = frozenset({"leg", "road"})
+_BY_ROAD = frozenset({"from", "into"})
+_LEADING = frozenset({"in", "into", "to", "for"})
+_ASIDE = frozenset({"in", "to"})
+
+
+def side_of_place(noun: NounPhrase, state: State) -> bool:
+    """``a driveway on the right``, ``the lane to its right``: the side at which it lies.
+
+    Returns:
+        Whether it is the side of the place before it.
+    """
+    place = state.at(-2)
+    if not isinstance(noun, Place) or noun.kind != "side":
+        return False
+    if isinstance(place, Thing) and set(noun.dirs) & {"left", "right"}:
+        if place.prep is None or place.prep.cat != "locus":
+            return place.has("quantity")  # "with 50 % overlap on the left side"
+    elif isinstance(place, Place):
+        arm = place.kind in _ARMS and place.stands_after(*_BY_ROAD) and place.owner is None
+        arm = arm and bool({"left", "right"} & set(noun.dirs)) and noun.stands_after("in", "to")
+        beside = arm or place.kind in _BESIDE_THE_ROAD or _lane_beside(place, noun, state)
+        if not beside:
+            return False
+        place.j = noun.j
+    else:
+        return False
+    place.mods = [*place.mods, *(m for m in noun.mods if m.cat == "dir")]
+    return True  # "a driveway on the right", "from behind a hedge on the right"
+
+
+def _lane_beside(lane: Place, side: Place, state: State) -> bool:
+    """``in the lane to the right of the bus``: no movement to the right."""
+    along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
+    ways = _LEADING | ({"from"} if lane.kind == "lane" else set())
+    within = along and (lane.prep is None or lane.prep.value in ways)
+    if not within or not set(side.dirs) & {"left", "right"}:
+        return False
+    whose, who = state.at(1), state.at(2)
+    owned = is_word(whose, "of") and isinstance(who, Mention)
+    if owned and isinstance(who, Mention):
+        lane.beside = who
+    verb = state.at(-3)  # "enters the lane to the left"
+    gone_to = isinstance(verb, Event) and verb.name != "leave"
+    there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
+    there = there and side.stands_after(*_ASIDE)
+    there = there and lane.owner is None and not lane.possessed
+    return owned or there or side.possessed
+
+
+_SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",
+                    "parking", "bus_stop"})  # fmt: skip
+_ROADS = frozenset({"leg", "road"})
+"""Roads, if it is said which one: "from the right arm", "on the road that it turns into"."""
+_MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
+                      "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
+"""Verbs that may stand before their subject ("from the left comes a bus")."""
+
+
+def opens_clause(state: State) -> bool:
+    """Whether the phrase that begins here says where the participant after it is.
+
+    "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
+    """
+    begins = not state.events and state.candidate is None and not state.mentions
+    road = isinstance(state.anchor, Place) and state.anchor.kind == "highway"
+    begins = begins and (state.anchor is None or road)  # "a kiosk on the left hides a child"
+    opened = bool(state.fronted) and not state.events and state.candidate is None
+    lane = state.at(1)
+    named = isinstance(lane, Place) and lane.kind == "lane" and bool(lane.dirs)
+    begins |= opened and named and "," in state.between  # "behind the ego, in the left lane, a …"
+    joins = {"conj", "sub", ","} & state.between and "or" not in state.between
+    inserted = {"conj", ","} <= state.between  # "a child and, behind the child, a bus"
+    listed = "conj" in state.between
+    complete = state.candidate_done or bool(state.events) or state.being is not None
+    if not begins and not (joins and (inserted or complete)):
+        return False
+    chunks = state.chunks
+    m = _phrase_end(state.k, chunks)
+    if m is None:
+        return False
+    while _word_of(chunks, m, GOVERNING) and (further := _phrase_end(m, chunks)) is not None:
+        m = further  # "in the left lane beside the ego a van drives"
+    if value_at(chunks, m) == "(":  # "ahead of the ego (40 km/h) a van drives"
+        closed = (n + 1 for n, c in enumerate(chunks[m:], start=m) if c.value == ")")
+        m = next(closed, m)
+    if value_at(chunks, m) == ",":
+        if not (begins or listed or "sub" in state.between):
+            return False
+        m = behind_insertion(chunks, m + 1)
+    inverted = _stands_before_subject(chunks, m)
+    m += _word_of(chunks, m, frozenset({"aux", "copy"})) or inverted
+    # "50 m ahead of the ego lies a pedestrian crossing"
+    return isinstance(chunk_at(chunks, m), NounPhrase if inverted else Mention)
+
+
+def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:
+    verb = chunk_at(chunks, m)
+    finite = isinstance(verb, Event) and not verb.nominal and verb.form != "ing"
+    return finite and isinstance(verb, Event) and verb.name in _MEETING
+
+
+def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
+    chunk = chunk_at(chunks, m)
+    return isinstance(chunk, Word) and chunk.cat in classes
+
+
+def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
+    """Index after a phrase of place that begins at chunk ``k``; None if none does."""
+    first = chunks[k]
+    m = k + 1
+    locus = isinstance(first, Word) and first.cat == "locus"
+    while _word_of(chunks, m, GOVERNING):
+        locus |= _word_of(chunks, m, frozenset({"locus"}))
+        m += 1
+    target = chunk_at(chunks, m)
+    placed = isinstance(target, Place) and (
+        target.kind in _SIDES
+        or (target.kind in _ROADS and (target.arm or target.dirs or _side_after(chunks, m + 1)))
+    )
+    if locus and _stands_before_subject(chunks, m):
+        return m  # "from ahead comes a van"
+    owned = chunk_at(chunks, m + 1)
+    sided = isinstance(target, Mention) and target.possessor and isinstance(owned, Place)
+    if not placed and not (locus and isinstance(target, Mention | Thing)) and not sided:
+        return None  # "from the ego's left a van comes"
+    m += 1
+    if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
+        m += 1  # "behind the ego's bumper"
+    parked = chunk_at(chunks, m)
+    m += isinstance(parked, Event) and (parked.name, parked.form) == ("park", "ed")
+    if _side_after(chunks, m):
+        m += 2  # "behind a van (parked) on the right a man …", "from the road on the left a van …"
+    while value_at(chunks, m) == "of" and isinstance(chunk_at(chunks, m + 1), Mention | Place):
+        m += 2
+    return m
+
+
+def _side_after(chunks: list[Chunk], m: int) -> bool:
+    side = chunk_at(chunks, m + 1)
+    sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
+    return sided and value_at(chunks, m) in {"in", "to"}
+
+
+def place_in_front(mention: Mention, state: State) -> None:
+    """Gives the phrases that opened the clause to the participant that they place."""
+    mention.pps += [p for p in state.fronted if p.outer != "from" and p.value != "due"]

@@ -12,6 +12,7 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
+from scegen.understanding.clauses.phrases import closed
 from scegen.understanding.clauses.relatives import antecedent, told
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
@@ -19,8 +20,7 @@ from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
-     "undertake",
-     "enter", "use", "door", "chase", "harm", "send"}
+     "undertake", "enter", "use", "door", "chase", "harm", "send"}
 )  # fmt: skip
 
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
@@ -115,7 +115,7 @@ def _blocked(event: Event, state: State) -> bool:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
-    event.embedded = "rel" in between or state.where
+    event.embedded = ("rel" in between and not closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
     noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:
@@ -129,7 +129,12 @@ def _clause(event: Event, state: State) -> None:
         event.subject, state.resumed = _goes_on(event, state), []
     elif state.waiting is not None and _past_being(event, state):
         event.subject, event.embedded = chain(state.waiting), False
-    elif "rel" in between and state.mentions and not _passed_by_another(event, state):
+    elif (
+        "rel" in between
+        and state.mentions
+        and event.embedded
+        and not (_passed_by_another(event, state))
+    ):
         which = antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)

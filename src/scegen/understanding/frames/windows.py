@@ -1,13 +1,15 @@
-"""The words around a number, and which frame they make."""
+"""What each number of a text is: the words around it, and which frame they make."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from functools import cache
 
 from scegen.understanding.frames.loader import AmountFrame, amounts
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.terms import longest_match
+from scegen.understanding.words.quantities import Quantity
+from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 
 _REACH = 13
@@ -195,3 +197,54 @@ def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]
         if near and (frame.most is None or value <= frame.most) and around.fits(frame, verbs):
             return frame
     return AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """The words around a number, and what they make of it."""
+
+    around: Window
+    frame: AmountFrame
+
+
+class Numbers:
+    """The numbers of a text.
+
+    Args:
+        terms: its terms.
+        tokens: its tokens.
+        of_the_road: numbers that are said of the road (a speed limit).
+    """
+
+    def __init__(
+        self, terms: list[Term], tokens: list[Token], of_the_road: Collection[Term]
+    ) -> None:
+        self._tokens = tokens
+        found: list[Quantity] = [
+            t.data["quantity"]
+            for t in terms
+            if t.data.get("quantity") is not None and all(t is not r for r in of_the_road)
+        ]
+        self.quantities = sorted(found, key=lambda q: q.i)
+        self._ends = {q.j: q.i for q in found}
+        self._around: dict[int, Window] = {}
+        self._behind = {t.i: t.j - t.i for t in terms if (t.cat, t.value) == ("locus", "behind")}
+
+    def measured(self, quantity: Quantity, verb: str = "", at: int | None = None) -> Measured:
+        """A number with its role.
+
+        Args:
+            quantity: the number.
+            verb: what happens in its clause; empty if nothing does.
+            at: the word for it, unless it is told as over ("has covered").
+        """
+        lemma = [f"to {self._tokens[at].forms[-1][0]}"] if at is not None else []
+        around = self._around.get(quantity.i)
+        if around is None:
+            around = window(self._tokens, quantity.i, quantity.j, self._ends)
+            self._around[quantity.i] = around
+        if quantity.j in self._behind:  # "20 m after the lead", "1.9 s astern"
+            rest = around.after.split()[self._behind[quantity.j] :]
+            around = replace(around, after=f" {' '.join(['behind', *rest])} ")
+        low, verbs = quantity.value.low, frozenset([verb, *lemma])
+        return Measured(around, frame_of(quantity.dimension, low, around, verbs))

@@ -1,4 +1,4 @@
-"""What lights show: whose they are, what they turn to, who goes by them and who against them."""
+"""What lights show: whose they are, what they turn to, who goes by them; blue ones and sirens."""
 
 from __future__ import annotations
 
@@ -6,13 +6,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from scegen.scenario.signals import AtLight
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, value_at
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
+from scegen.understanding.words import absent
+from scegen.understanding.words.terms import Term
 
 _TURNS = "nothing says what anybody does as the light changes; it changes by its plan"
 _NOBODYS = "nothing says who goes or waits by it"
@@ -229,3 +232,14 @@ def _report(
             draft.note_at(_joined(event, place), _TURNS)
         elif _colour(place, context) is AtLight.AMBER and clause.actors:
             draft.note(place.i, place.j, _AMBER)
+
+
+def read_calls(terms: list[Term], draft: Draft) -> None:
+    """Put on call whose siren or blue lights are on: the emergency vehicle named last before."""
+    able = [e for e in draft.entities if e.kind is ParticipantKind.EMERGENCY_VEHICLE]
+    for k, term in enumerate(terms):
+        if "on_call" not in term.data or absent.negated(terms, k) or not able:
+            continue
+        before = [e for e in able if e.basis.i is not None and e.basis.i <= term.i]
+        whose = max(before, key=lambda e: e.basis.i or 0, default=able[0])
+        whose.on_call = whose.on_call or Basis(term.i, term.j)

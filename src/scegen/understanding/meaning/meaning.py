@@ -7,28 +7,28 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thin
 from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.meaning import placing, rows, standing
+from scegen.understanding.meaning import placing, rows
+from scegen.understanding.meaning.breaches import out_of_turn
 from scegen.understanding.meaning.lights import read_lights
-from scegen.understanding.meaning.manner import Manners
-from scegen.understanding.meaning.out_of_turn import out_of_turn
+from scegen.understanding.meaning.manner import Manners, jam, note_braking
 from scegen.understanding.meaning.reactions import mark_answers, mark_late
 from scegen.understanding.meaning.roadside import read_thing
-from scegen.understanding.phrases.on_sides import each_side, from_everywhere
-from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.met import driven_up_to
-from scegen.understanding.semantics.roles import (
+from scegen.understanding.phrases.listed import each_side, from_everywhere
+from scegen.understanding.semantics.context import (
+    Clause,
+    Context,
     clause_of,
     clause_of_everybody,
     clause_of_noun,
     stray_clauses,
     without_nouns,
 )
+from scegen.understanding.semantics.met import driven_up_to
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.quantities import ends_a_quantity
 
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
-_ANSWERS = frozenset({"brake", "hard_brake", "stop", "slow", "yield", "wait"})
 _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
@@ -48,6 +48,7 @@ _ALL_TOLD = (
     ("nouns.text", "everybody"),
     ("nouns.stray", "strays"),
     ("nouns.ways", "verbs"),
+    ("movements.to_the_kerb", "verbs"),
     ("nouns.crossed", "verbs nouns"),
 )
 """Families asked once everything that happens is known, each of which clauses."""
@@ -83,7 +84,7 @@ class Interpreter:
         nouns = list(of_nouns.values())
         for clause in told:
             say("movements.sets_off", clause, self._context)
-        standing.note_braking(events, self._context)
+        note_braking(events, self._context)
         for clause in (*nouns, *map(without_nouns, told)):
             say("nouns.numbered", clause, self._context)
         self._named(chunks, events, of_nouns)
@@ -127,7 +128,7 @@ class Interpreter:
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk, of_nouns[id(chunk)])
                 if id(chunk) not in acting:
-                    standing.jam(chunk, self._context)
+                    jam(chunk, self._context)
                     say("nouns.idle", of_nouns[id(chunk)], self._context)
             elif isinstance(chunk, Thing) and id(chunk) not in handled:
                 read_thing(chunk, k, chunks, self._draft)
@@ -156,12 +157,11 @@ class Interpreter:
         say("dangers.move_off", clause, context)
         say("constructions.any", clause, context)
         self._clauses.append(clause)
-        standing.stand(clause, context)
+        say("standing.any", clause, context)
         self._places(clause)
         say("positions.access", clause, context)
         failed = event.parent is not None and event.parent.name == "fail"
-        if event.name in _ANSWERS:
-            say("dangers.answered", clause, context)
+        say("dangers.answered", clause, context)
         if event.negated or failed or event.name == "overlook":
             say("omissions.any", clause, context)
             return

@@ -9,39 +9,11 @@ from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import INVERSE, SIDES, adjective_approaches
+from scegen.understanding.semantics.approaches import INVERSE, adjective_approaches
+from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.terms import Term
-
-
-def _in_line(prep: Prep, entities: list[Entity], event: Event) -> bool:
-    """``enters the roundabout behind a car``: as it follows that one, which is not in it yet."""
-    after = event.name in {"enter", "turn"} and prep.value == "behind"
-    led = prep.who.entities if prep.who is not None else []
-    comes = any("opposite" in e.dirs for e in (*entities, *led))
-    return after and not comes and not any(e.circulates for e in led)
-
-
-def _ends_there(event: Event, prep: Prep, entities: list[Entity]) -> bool:
-    """``sweeps left in front of the bus``: where it gets to."""
-    turns = any(d.value in SIDES for d in event.dirs)
-    places = [(p.value, p.place.kind) for p in event.pps if p.place is not None]
-    onto = any(word in {"to", "into"} and kind == "lane" for word, kind in places)
-    # "a car comes the other way; the ego backs out in front of it"
-    out = event.name == "reverse" and any(kind in {"parking", "access"} for _, kind in places)
-    afoot = prep.who is not None and not any(e.is_vehicle for e in prep.who.entities)
-    egos = any(e.ego for e in entities)  # "the ego stops in front of the van": it came up to it
-    halts = (afoot or egos) and event.name == "stop"  # "stops 1 m in front of her"
-    # "passes behind the ego", "passes just in front of it"
-    past = prep.value in {"behind", "ahead"} and event.name in {"pass", "cross"}
-    return past or ((turns or onto or out or halts) and prep.value == "ahead")
-
-
-def _same_way(prep: Prep) -> bool:
-    """``in the same direction as the ego``."""
-    place = prep.place
-    return place is not None and place.kind == "direction" and "same" in place.dirs
 
 
 def adjectives(mention: Mention, context: Context) -> None:
@@ -77,13 +49,18 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
         for entity in entities if len(by) == 1 and by[0].ego else []:
             context.draft.place(entity, None, {Approach.ADJACENT}, basis)
         return  # "between the ego and the kerb"
-    follows = event is not None and _in_line(prep, entities, event)
+    clause = Clause(event or Event("", prep.word.i, prep.word.j, ""), entities, [])
+    led = prep.who.entities if prep.who is not None else []
+    circulate = any(e.circulates for e in led)
+    follows = prep.value == "behind" and not circulate and holds("gets_in_line", clause, context)
     moves = event is not None and event.name not in word_list("steady")
     if moves and prep.outer != "from" and not follows:
         _behind_the_ego(prep, entities, basis, context)
         return
     out_of = prep.outer == "from" and isinstance(target, Mention)
-    if event is not None and target and (out_of or _ends_there(event, prep, entities)):
+    aside = prep.value in {"behind", "ahead"} and holds("goes_past", clause, context)
+    leads = prep.value == "ahead" and holds("leads_there", clause, context)
+    if event is not None and target and (out_of or aside or leads):
         return
     comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
     approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
@@ -93,7 +70,7 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
         return
     if approaches == {Approach.ADJACENT} and any(e.parked for e in (*entities, *seen_from[:1])):
         return  # "1 m beside the parked cars": they have no lane of their own
-    same = event is not None and any(_same_way(p) for p in event.pps)
+    same = holds("the_same_way", clause, context)
     for entity in entities:
         if entity.is_vehicle or prep.value != "ahead" or same:
             context.draft.place(entity, reference, approaches, basis)

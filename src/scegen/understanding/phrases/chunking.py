@@ -9,8 +9,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Wor
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lanes_meant import count_lanes
 from scegen.understanding.phrases.naming import Namer
-from scegen.understanding.phrases.renamed import between_lanes, with_particles
-from scegen.understanding.words.adjectives import loose_modifier
+from scegen.understanding.phrases.predicates import between_lanes, with_particles
 from scegen.understanding.words.nominal import (
     OPENERS,
     WAYS,
@@ -19,8 +18,9 @@ from scegen.understanding.words.nominal import (
     governed,
     has_dir,
     is_nominal,
+    loose_modifier,
 )
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token
 

@@ -15,7 +15,7 @@ _SIDES = frozenset({"left", "right", "adjacent"})
 _JOINTS = frozenset({("from", "to"), ("from", "into"), ("in", "and")})
 _OF_A_LANE = 3
 """Phrases: the side, "of", the lane."""
-_MOVING = frozenset({"move", "swerve", "try", "dash", "enter", "cross", "sharp_turn", "pull_out"})
+MOVING = frozenset({"move", "swerve", "try", "dash", "enter", "cross", "sharp_turn", "pull_out"})
 _BESIDE = _SIDES | {"opposite"}
 
 
@@ -24,14 +24,8 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     found: list[Chunk] = []
     named: Place | None = None
     short: Place | None = None
-    goal: list[Term] = []
     chunks = _within_a_lane(chunks, tokens)
     for k, chunk in enumerate(chunks):
-        goal = _led_to(k, chunks) or goal
-        if isinstance(chunk, Place) and chunk.kind == "lane" and not chunk.dirs:
-            pointed = tokens[chunk.i].low in word_list("pointing")
-            told = named is not None and named.ways
-            chunk.mods += goal if pointed and not told else []  # "moves left … in that lane"
         lane = _lane(chunk, k, chunks, named)
         if lane is not None and found[-1:] and found[-1].i == lane.i:
             found.pop()  # "the left" of "the left one"
@@ -46,18 +40,6 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         elif isinstance(chunk, Event) and tokens[chunk.j - 1].base == "lane":
             named = Place(chunk.j - 1, chunk.j, [], None, kind="lane")  # "leaves its lane"
     return found
-
-
-def _led_to(k: int, chunks: list[Chunk]) -> list[Term]:
-    """``moves left``, ``changes lanes to the right``: the side to which somebody gets."""
-    verb, chunk = chunk_at(chunks, k - 1), chunks[k]
-    if isinstance(chunk, Place) and chunk.kind == "side" and value_at(chunks, k - 1) == "to":
-        verb = chunk_at(chunks, k - 2)
-    moves = isinstance(verb, Event) and verb.name in _MOVING | {"lane_change"}
-    ways = (
-        chunk.ways if isinstance(chunk, Place) else [chunk.term] if isinstance(chunk, Word) else []
-    )
-    return [w for w in ways if moves and w.value in {"left", "right"}]
 
 
 def _within_a_lane(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -149,7 +131,7 @@ def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if not away or not isinstance(chunk, Place) or not _counted(chunk, to_a_side=not over):
             found.append(chunk)
             continue
-        if isinstance(before, Event) and before.name in _MOVING and not before.nominal:
+        if isinstance(before, Event) and before.name in MOVING and not before.nominal:
             before.name = "lane_change"  # "moves two lanes over"
             found.append(chunk)
             continue

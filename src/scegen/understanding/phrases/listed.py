@@ -1,22 +1,28 @@
-"""Those who were counted, one by one: "two pedestrians cross, a woman … and a man …"."""
+"""One by one: those who were counted (``two people, a woman and a man``), one from each side."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention
+from dataclasses import replace
+
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
+    BOUNDARIES,
     GOVERNING,
     cat_at,
+    chunk_at,
     ends,
     sentence_end,
     value_at,
 )
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _MARKS = {",": ",", ":": ",", "(": ")"}
 """What opens a list, and what closes it before the end of the sentence."""
 _KNOWN = frozenset({"det", "possessive"})
 _COUNTS = frozenset({"det", "num", "quant"})
+_IN_LINE = "ahead", "behind"
 
 
 def list_them(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -102,3 +108,106 @@ def _alike(one: Mention, counted: Mention, tokens: list[Token]) -> bool:
     vehicles = tokens[counted.j - 1].base in word_list("generic_words")
     vehicles = (vehicles or counted.noun == "adversary") and one.noun != "pedestrian"
     return vehicles or counted.noun in {one.noun, "driver"}
+
+
+_EVERYWHERE = frozenset({"direction", "side", "exit", "leg", "road"})
+_A_PAIR = 2
+"""Of two sides named, there may still be any number of vehicles."""
+
+
+def from_everywhere(prep: Prep) -> bool:
+    """``from all directions``, ``from every side``."""
+    target = prep.target
+    if prep.value not in {"from", "in"} or not isinstance(target, Place):
+        return False
+    return target.has("quant", "all") and target.kind in _EVERYWHERE
+
+
+def each_side(prep: Prep) -> bool:
+    """``from each side``: one from the left, one from the right."""
+    target = prep.target
+    if not isinstance(target, Place):
+        return False
+    if target.kind == "lane" and prep.value == "in":
+        return target.has("quant", "all") and "adjacent" in target.dirs  # "in each adjacent lane"
+    single = target.head is not None and target.head.form != "s"
+    return from_everywhere(prep) and single and target.kind == "side"
+
+
+def in_between(chunks: list[Chunk]) -> list[Chunk]:
+    """``rides between the ego and a truck``: ahead of the one and behind the other, in line."""
+    found, second = list(chunks), dict[int, Chunk]()
+    for k in [k for k, c in enumerate(chunks) if (c.cat, c.value) == ("locus", "between")]:
+        ego, other = chunk_at(chunks, k + 1), chunk_at(chunks, k + 3)
+        if not (isinstance(ego, Mention) and isinstance(other, Mention) and other.heads):
+            continue
+        before = (c for c in chunks[k::-1] if isinstance(c, Event) or c.value in BOUNDARIES)
+        verb = next(before, None)
+        stays = not isinstance(verb, Event) or verb.name in word_list("steady")
+        stays = stays and cat_at(chunks, k - 1) != "inert"  # "the collision between us and a van"
+        mine = (ego.is_ego or ego.is_me) and value_at(chunks, k + 2) == "and"
+        if stays and mine and not other.has("state", "parked"):
+            one, two = ("behind", "ahead") if value_at(chunks, k + 4) == "behind" else _IN_LINE
+            found[k] = Word(Term("locus", one, chunks[k].i, chunks[k].j))
+            second[k + 3] = Word(Term("locus", two, other.i, other.i))
+    return [c for k, chunk in enumerate(found) for c in (second.get(k), chunk) if c is not None]
+
+
+def each_of(chunks: list[Chunk]) -> list[Chunk]:
+    """``in one of the lanes``, ``in each of them``, ``one from each side``: in it, from each."""
+    found: list[Chunk] = []
+    first: Place | None = None
+    for chunk in chunks:
+        on = value_at(found, len(found) - 1) == "in"
+        if on and isinstance(chunk, Place) and {m.value for m in chunk.mods} == {"one"}:
+            first = chunk  # "a bus on one side, a truck on the other": beside who is between them
+        if on and first is not None and isinstance(chunk, Mention) and chunk.pronoun == "other":
+            chunk = Place(chunk.i, chunk.j, list(chunk.mods), None, kind="side")  # noqa: PLW2901
+            for place in (first, chunk):
+                place.mods = [*place.mods, Term("dir", "adjacent", place.i, place.j)]
+        roads = [c for c in found if isinstance(c, Place) and c.plural and c.kind in _EVERYWHERE]
+        there = value_at(found, len(found) - 3) in {"in", "from"}
+        if roads and there and isinstance(chunk, Mention) and chunk.pronoun == "they":
+            kind, head = roads[-1].kind, roads[-1].head  # "five arms, cars wait on each of them"
+            chunk = Place(chunk.i, chunk.j, [], head, kind=kind)  # noqa: PLW2901
+        part, word = chunk_at(found, len(found) - 2), value_at(found, len(found) - 1)
+        if isinstance(chunk, Place) and isinstance(part, Mention):
+            every = chunk.has("quant", "all") and chunk.kind == "side"
+            if part.pronoun in {"one", "all", "both"} and word == "of":
+                del found[-2:]
+                mods = [m for m in chunk.mods if m.cat not in {"det", "num"}]
+                opens = ("det", "indef") if part.pronoun == "one" else ("quant", "all")
+                chunk.mods = [Term(*opens, chunk.i, chunk.i), *mods]
+                if part.pronoun == "one" and chunk.head is not None:
+                    chunk.head = replace(chunk.head, form="base")  # "one of the lanes"
+            elif part.pronoun == "one" and word == "from" and every:
+                del found[-2]
+        found.append(chunk)
+    return found
+
+
+def sides_of(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:
+    """Mentions of those who come one from each of some sides -> how many sides; 0: all."""
+    found: dict[int, int] = {}
+    for event in events:
+        compass = {m.value for p in event.pps if p.value == "from" for m in _compass(p)}
+        count = _sides(event.pps)
+        if count is None and len(compass) > _A_PAIR:
+            count = len(compass)
+        found |= {} if count is None else {id(m): count for m in event.subject}
+    for chunk in chunks:
+        count = _sides(chunk.pps) if isinstance(chunk, Mention) else None
+        found |= {} if count is None else {id(chunk): count}
+    return found
+
+
+def _sides(pps: list[Prep]) -> int | None:
+    """How many sides phrases of place tell of, 0 for all; None if they tell of none."""
+    if any(each_side(p) for p in pps):
+        return _A_PAIR
+    return 0 if any(from_everywhere(p) for p in pps) else None
+
+
+def _compass(prep: Prep) -> list[Term]:
+    target = prep.target
+    return [m for m in target.mods if m.cat == "compass"] if isinstance(target, Place) else []

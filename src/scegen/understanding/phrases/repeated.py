@@ -6,7 +6,8 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, value_at
+from scegen.understanding.phrases.lanes_meant import MOVING
+from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING, cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -16,6 +17,7 @@ _CROSSED = frozenset({"crosswalk", "road", "junction"})
 _STILL = frozenset({"parked", "stationary", "stop", "park"})
 _SAID_OF_IT = 4
 _WHICH = frozenset({"which", "whom"})
+_ROADS, _OUT_OF = frozenset({"access", "road", "leg"}), frozenset({"of", "from"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
 
 
@@ -44,11 +46,15 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
         if "crossed" in last and _across_it(chunk, before):
             chunk = replace(last["crossed"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
+        if value_at(chunks, k) in BOUNDARIES | {","}:
+            _remember_road(found, last)
+        if "road" in last and _is_it(chunk) and value_at(found, len(found) - 1) in _OUT_OF:
+            chunk = replace(last["road"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
         found.append(chunk)
+        _remember_goal(chunk, found, last)
         if isinstance(chunk, Place):
             _remember(chunk, last, tokens)
             _remember_beside(chunk, k, chunks, last)
-            _remember_goal(chunk, found, last)
     return found
 
 
@@ -130,15 +136,27 @@ def _remember_beside(lane: Place, k: int, chunks: list[Chunk], last: dict[str, P
         last["lane"] = replace(lane, mods=[*lane.mods, beside, *sides]) if sides else lane
 
 
-def _remember_goal(side: Place, before: list[Chunk], last: dict[str, Place]) -> None:
-    """``the ego changes lanes to the left``: for "that lane", said later on."""
-    who, verb, word = before[-4:-1] if len(before) >= _SAID_OF_IT else (None, None, None)
-    moves = isinstance(verb, Event) and verb.name == "lane_change"
-    own = isinstance(who, Mention) and who.is_ego and word is not None and word.value == "to"
-    sides = [m for m in side.ways if m.value in _SIDES]
-    if own and moves and side.kind == "side" and sides:
-        beside = Term("dir", "adjacent", side.i, side.i)
-        last["lane"] = replace(side, kind="lane", mods=[beside, *sides])
+def _remember_goal(goal: Chunk, before: list[Chunk], last: dict[str, Place]) -> None:
+    """``the ego changes lanes to the left``, ``moves left``: for "that lane", said later on."""
+    at = len(before) - (3 if value_at(before, len(before) - 2) == "to" else 2)
+    verb = chunk_at(before, at)
+    who = next((c for c in reversed(before[: max(at, 0)]) if isinstance(c, Mention)), None)
+    moves = isinstance(verb, Event) and verb.name in MOVING | {"lane_change"}
+    ways = [goal.term] if isinstance(goal, Word) else goal.ways if isinstance(goal, Place) else []
+    sides = [m for m in ways if m.value in {"left", "right"}]
+    aside = not isinstance(goal, Place) or goal.kind == "side"
+    if who is not None and who.is_ego and moves and aside and sides:
+        last["lane"] = Place(goal.i, goal.j, sides, None, kind="lane")
+
+
+def _remember_road(before: list[Chunk], last: dict[str, Place]) -> None:
+    """``there is a side road on the left``, where nobody is yet: for "comes out of it"."""
+    ends = [n for n, c in enumerate(before) if c.value in BOUNDARIES | {","}]
+    part = before[ends[-1] + 1 if ends else 0 :]
+    roads = [c for c in part if isinstance(c, Place) and c.kind in _ROADS]
+    sides = [m for c in part if isinstance(c, Place) for m in c.ways if m.value in _SIDES]
+    if len(roads) == len(sides) == 1 and not any(isinstance(c, Mention) for c in part):
+        last["road"] = replace(roads[0], mods=[*roads[0].mods, *sides])
 
 
 def _taken(mention: Mention, before: Chunk | None) -> bool:
@@ -150,8 +168,11 @@ def _taken(mention: Mention, before: Chunk | None) -> bool:
 
 def _across_it(chunk: Chunk, verb: Chunk | None) -> bool:
     """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody."""
-    it = isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
-    return it and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
+    return _is_it(chunk) and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
+
+
+def _is_it(chunk: Chunk) -> bool:
+    return isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
 
 
 def _there(word: Word, before: Chunk | None, tokens: list[Token]) -> bool:

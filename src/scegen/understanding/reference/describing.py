@@ -6,13 +6,13 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.alighting import open_from_inside
+from scegen.understanding.reference.mention_words import is_pronoun
 from scegen.understanding.reference.own_vehicles import (
     ONLY_VEHICLES,
     is_one_vehicle,
+    open_from_inside,
     stand_for_vehicles,
 )
-from scegen.understanding.reference.reference import is_pronoun
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 

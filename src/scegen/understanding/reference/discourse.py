@@ -17,20 +17,22 @@ from scegen.understanding.reference.egos import (
     of_both,
     the_ego,
     the_teller,
+    with_the_ranked,
 )
-from scegen.understanding.reference.groups import Group, opened, vehicle_around
 from scegen.understanding.reference.known import known
-from scegen.understanding.reference.mention_words import Reading, mine, read_mention, states_of
-from scegen.understanding.reference.pronouns import of_pronoun, picked
-from scegen.understanding.reference.ranks import with_the_ranked
-from scegen.understanding.reference.reference import (
+from scegen.understanding.reference.mention_words import (
+    Reading,
     is_pronoun,
     kin,
+    mine,
+    read_mention,
     refers_to_nobody,
     refine,
+    states_of,
     tells,
 )
-from scegen.understanding.reference.roster import Roster
+from scegen.understanding.reference.pronouns import of_pronoun, picked
+from scegen.understanding.reference.roster import Group, Roster, opened, vehicle_around
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 

@@ -8,8 +8,12 @@ from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
-from scegen.understanding.reference.mention_words import DEFAULT_COUNT, Reading, states_of
-from scegen.understanding.reference.reference import elsewhere
+from scegen.understanding.reference.mention_words import (
+    DEFAULT_COUNT,
+    Reading,
+    elsewhere,
+    states_of,
+)
 from scegen.understanding.reference.roster import Roster
 
 _A_PAIR = 2

@@ -1,11 +1,13 @@
-"""Whose car it is: people who stand for what they drive, and what stands for its driver."""
+"""Whose car it is: people who stand for what they drive or come out of, and who tells it."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention
+from itertools import pairwise
+
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.alighting import is_somebody
-from scegen.understanding.reference.reference import tells
+from scegen.understanding.reference.mention_words import KINDS, mine, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -93,3 +95,142 @@ def is_one_vehicle(noun: Mention) -> bool:
     """Whether a noun names one vehicle."""
     head = noun.head if noun.pronoun is None and noun.owner is None else None
     return head is not None and head.value in _BY_TRADE and head.form != "s"
+
+
+_OPENS = frozenset({"door", "alight"})
+_DOORED = frozenset({"car", "van", "truck", "emergency_vehicle"})
+_PEOPLE = frozenset({"driver", "pedestrian", "rider"})
+
+
+def open_from_inside(events: list[Event], tokens: list[Token]) -> None:
+    """Makes the vehicle the one whose door opens, and people nobody who do nothing else.
+
+    That is before it is decided whom their nouns mean.
+    """
+    for event in events:
+        around = _around(event, tokens)
+        people = [m for m in event.subject if is_somebody(m)]
+        if around is None or not people or len(people) < len(event.subject):
+            continue
+        event.name, event.object = "door", None
+        event.pps = [p for p in event.pps if p.target is not around]
+        if around.possessed:
+            around.same_as, people[-1].drives = people[-1], True
+            continue  # "his van": he stands for it
+        event.subject = [around]
+        besides = {id(m) for e in events for m in e.subject}
+        for who in people:
+            who.negated = who.negated or id(who) not in besides
+    for event in (e for e in events if e.name in _OPENS):
+        _on_a_side(event)
+
+
+def is_somebody(mention: Mention) -> bool:
+    """Whether a noun names somebody, and no vehicle ("a driver", "a woman")."""
+    return any(h.value in _PEOPLE for h in mention.heads)
+
+
+def _on_a_side(event: Event) -> None:
+    """``on the traffic side``: the side of the vehicle, not of the road."""
+    on = [p for p in event.pps if p.names("side")]
+    for who in event.subject:
+        named = [(p, p.place.mods) for p in who.pps if p.place is not None]
+        of_body = [p for p, mods in named if any("of_body" in m.data for m in mods)]
+        who.pps = [p for p in who.pps if p not in of_body]
+        on += of_body
+    event.pps = [p for p in event.pps if p not in on]
+    places = [p.place for p in on if p.place is not None]
+    event.mods += [m for place in places for m in place.mods if m.cat == "dir"]
+    event.j = max([event.j, *(place.j for place in places)])
+
+
+def _around(event: Event, tokens: list[Token]) -> Mention | None:
+    """The vehicle out of which somebody comes, or whose door somebody opens."""
+    if event.nominal or event.passive or event.negated:
+        return None
+    targets: list[object] = [event.object] if event.lemma == "exit" else []
+    for prep in event.pps:
+        out = "out" in {tokens[event.j - 1].low, tokens[prep.word.i].low}
+        opens = event.name in _OPENS and prep.value in {"of", "in", "from"}
+        if opens or (out and prep.value in {"of", "in"}):
+            targets.append(prep.target)
+    if tokens[event.j - 1].low == "of" or event.name == "alight":
+        targets.append(event.object)  # "jumps out of a van", "gets off the bus"
+    return next((t for t in targets if isinstance(t, Mention) and _doored(t)), None)
+
+
+def _doored(vehicle: Mention) -> bool:
+    """Whether it has a door of its own that opens into the traffic: no bus, no train."""
+    head = vehicle.head
+    return head is not None and head.value in _DOORED and head.form != "s" and not vehicle.is_ego
+
+
+_STEPS = frozenset({"walk", "cross", "appear"})
+_RIDDEN = frozenset({"bicycle", "motorcycle"})
+_WAITS = frozenset({"wait", "stop"})
+_MY = frozenset({"my", "our"})
+_REACH = 3
+"""Within so many words after "my" stands what is mine."""
+
+
+def teller_goes_by(
+    chunks: list[Chunk], events: list[Event], tokens: list[Token]
+) -> ParticipantKind | None:
+    """``I was walking over the zebra``, ``on my handlebar``: no driver tells it.
+
+    Returns:
+        How the teller moves; None if it drives, or nothing says so.
+    """
+    mentions = [c for c in chunks if isinstance(c, Mention)]
+    us = [(e, w) for e in events if not e.negated for m in e.subject for w in (m, m.whole)]
+    own = [e for e, who in us if who is not None and tells(who)]
+    my_car = any(m.is_ego and tokens[m.i].low in _MY for m in mentions)
+    kinds = [(m, KINDS[h.value]) for m in mentions for h in m.heads if h.value in KINDS]
+    mines = [kind for m, kind in kinds if mine(m, kind)]
+    if my_car or any(e.drives for e in own):
+        return next(iter(mines), None)
+    ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
+    cycles = any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden))
+    if ParticipantKind.BICYCLE in mines or cycles:
+        return ParticipantKind.BICYCLE
+    if any(e.name in ONLY_VEHICLES for e in own):
+        return next(iter(mines), None)
+    afoot = any(_afoot(e, tokens) for e in own) or any(_on_foot(m, tokens) for m in mentions)
+    return ParticipantKind.PEDESTRIAN if afoot else next(iter(mines), None)
+
+
+def _cycles(event: Event) -> bool:
+    """``I was cycling``; ``I rode out of an alley``, where nothing else is ridden."""
+    rides = event.lemma == "ride" and not isinstance(event.object, Mention)
+    return rides or event.lemma in word_list("pedalling")
+
+
+def _rides(tokens: list[Token], *, others: bool) -> bool:
+    """``my handlebar``; ``my elbow on the handlebar``, where nobody else rides."""
+    whose = _MY if others else _MY | {"the"}
+    near = [tokens[k + 1 :][:_REACH] for k, t in enumerate(tokens) if t.low in whose]
+    return any(token.forms[-1][0] in word_list("of_cyclists") for after in near for token in after)
+
+
+def _afoot(event: Event, tokens: list[Token]) -> bool:
+    """``I stepped out``, ``I was waiting on the pavement``, ``pushing the pram, I …``."""
+    if event.name in _STEPS and event.lemma in word_list("stepping"):
+        return True
+    what = event.object
+    if event.lemma == "push":
+        last = tokens[what.j - 1].forms[-1][0] if what is not None else ""
+        return event.name == "walk" or last in word_list("of_walkers")
+    places = [what, *(p.target for p in event.pps)]
+    waits = event.name in _WAITS
+    return waits and any(isinstance(p, Place) and p.kind == "sidewalk" for p in places)
+
+
+def _on_foot(mention: Mention, tokens: list[Token]) -> bool:
+    """``I was on foot``."""
+    after = [t.low for t in tokens[mention.j :][: _REACH + 1]]
+    return tells(mention) and ("on", "foot") in pairwise(after)
+
+
+def is_apart(chunks: list[Chunk]) -> bool:
+    """``the ego turned left as I crossed on foot``: who tells it beside a vehicle under test."""
+    return any(isinstance(c, Mention) and c.is_ego and not tells(c) for c in chunks)

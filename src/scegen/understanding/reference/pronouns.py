@@ -8,9 +8,9 @@ from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
-from scegen.understanding.reference.everybody import everybody
+from scegen.understanding.reference.generic import everybody
 from scegen.understanding.reference.roster import Roster, claimed
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20

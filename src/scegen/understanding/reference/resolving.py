@@ -8,10 +8,10 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.bonds import Bonds, bonds_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import Discourse
+from scegen.understanding.reference.egos import rank
 from scegen.understanding.reference.generic import mark_generic
-from scegen.understanding.reference.ranks import rank
-from scegen.understanding.reference.reference import is_pronoun
-from scegen.understanding.reference.tellers import is_apart, teller_goes_by
+from scegen.understanding.reference.mention_words import is_pronoun
+from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
 
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 

@@ -5,16 +5,55 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.groups import Group
-from scegen.understanding.reference.mention_words import Reading
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.reference.mention_words import KINDS, Reading
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.tokens import Token
+
+
+@dataclass(slots=True)
+class Group:
+    """Participants introduced together ("two cars", "traffic")."""
+
+    members: list[Entity]
+    vague: bool
+    dirs: set[str] = field(default_factory=set)
+    specific: bool = False
+    settled: bool = False
+    """What they do is said of all of them, so that "one car" is somebody else."""
+    both: bool = False
+    """The text says "both": there is nobody else."""
+
+    @property
+    def free(self) -> list[Entity]:
+        """Members that no later mention has picked out."""
+        return [e for e in self.members if not e.claimed]
+
+
+def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[Entity]:
+    """``parked cars … a driver opens his door``: the driver stands for one of them."""
+    aboard = mention.head is not None and bool(mention.head.data.get("aboard"))
+    if not mention.seated or not (reading.driver or aboard):
+        return []
+    return [e for e in entities if e.parked][-1:]
+
+
+def vehicle_around(reading: Reading, mention: Mention) -> Mention | None:
+    """``someone in a van``, ``a cyclist on a racing bike``: they stand for the vehicle."""
+    person = reading.driver or reading.kind in ON_FOOT or mention.goes_by is not None
+    for prep in mention.pps:
+        target = prep.target
+        if prep.value == "in" and isinstance(target, Mention):
+            kinds = [KINDS[h.value] for h in target.heads if h.value in KINDS]
+            if set(kinds) - ON_FOOT and (person or set(kinds) == {reading.kind}):
+                return target
+    return None
+
 
 _RIDDEN = ParticipantKind.MOTORCYCLE
 _NARROWER = {ParticipantKind.BICYCLE: _RIDDEN, ParticipantKind.ANIMAL: ParticipantKind.LARGE_ANIMAL}

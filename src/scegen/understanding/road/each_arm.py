@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.phrases.on_sides import from_everywhere
+from scegen.understanding.phrases.listed import from_everywhere
 from scegen.understanding.road.junctions import JunctionReading
 
 _FEWEST = 3

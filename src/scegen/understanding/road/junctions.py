@@ -12,8 +12,8 @@ from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.dark_lights import flashing, out_of_order
 from scegen.understanding.words import absent
+from scegen.understanding.words.absent import named_by_letter, only_counted
 from scegen.understanding.words.angles import kind_of
-from scegen.understanding.words.shape_words import named_by_letter, only_counted
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 

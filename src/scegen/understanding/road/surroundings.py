@@ -10,7 +10,7 @@ from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.vocabulary import DrivingSide
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.road.measures import last_of, role_of, value_of
+from scegen.understanding.road.lengthwise import last_of, role_of, value_of
 from scegen.understanding.words.lane_widths import size_of_lanes
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -82,7 +82,7 @@ def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token
     """Limits, sight, friction, how large lanes are; whether a term says one."""
     term, basis = terms[k], Basis(terms[k].i, terms[k].j)
     role = role_of(terms, k, tokens)
-    if role == "limit":
+    if role == "limit" or _after_a_pace(terms[max(0, k - 3) : k]):
         _limit(found, terms, k, tokens)
     elif role in _CONDITIONS:
         _conditions(found, terms, k, role)
@@ -92,6 +92,11 @@ def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token
     else:
         return False
     return True
+
+
+def _after_a_pace(before: list[Term]) -> bool:
+    """``doing 60 in a 30``: what is allowed there."""
+    return [t.cat for t in before[1:]] == ["prep", "det"] and "pace" in before[0].data
 
 
 def _limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:

@@ -4,14 +4,17 @@
   named with it; ``noun``: the one that stands without a verb, or who acts; ``object``,
   ``goal`` (the lane it ends in) and ``over PATTERN`` (what is crossed);
 * ``some|no|one WHO``: there is somebody; ``any|all|no WHO is WORD``: of whom something holds;
-* ``own WORD…``: a word of the verb itself; ``before``, ``next``, ``soon``: around it; ``via``: of
-  the verb or a preposition; ``mod``: before or after it; ``ends``; ``said``: all its lemmas;
-  where a list of the lexicon stands for words, it is called ``@NAME``;
-* ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``how VALUE…``: manner;
+* ``own WORD…``: a word of the verb itself; ``before``, ``lately``, ``next``, ``soon``: around it;
+  ``tells PHRASE…``: behind it in its sentence; ``via``: of the verb or a preposition; ``mod``:
+  before or after it; ``ends``; ``said``: all its lemmas; ``measured``: what numbers with it
+  measure; ``opened``: before who acts; a list of the lexicon is called ``@NAME``;
+* ``lemma``, ``event``, ``parent``, ``child``, ``form``, ``link`` of it; ``above``: lemmas of it and
+  the verbs above; ``how VALUE…``: manner;
 * of a number: ``opens @NAME``, ``closes @NAME``: so begins what stands behind it, ends what stands
   before; ``led WORD…``: one of them leads up to it;
 * ``least|below FIELD NUMBER``: a number says that of it, or every one does (SI units);
-* ``control``, ``junction``; ``danger KIND…``: there is one; or a word of `FACTS`.
+* ``control``, ``junction``; ``danger KIND…``: there is one, ``facing``: that no driver causes; or
+  a word of `FACTS` or of ``facts.yaml``.
 
 ``not`` before any of them turns it round; ``A or B`` asks for one of two.
 """
@@ -20,75 +23,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from enum import StrEnum
+from functools import cache
+from itertools import takewhile
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
+from scegen.understanding.frames.loader import read
 from scegen.understanding.frames.windows import Window
-from scegen.understanding.semantics import along, doing, lanes, met, owed, patterns, seen, ways
-from scegen.understanding.semantics.contact import goal_of_contact
+from scegen.understanding.semantics import lanes, patterns
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.rewriting import passes_round
-from scegen.understanding.semantics.values import alike
+from scegen.understanding.semantics.facts import FACTS, Test
 from scegen.understanding.semantics.who import entity, who
 from scegen.understanding.words.tokens import base_words
 
-Test: TypeAlias = Callable[[Clause, Context], bool]
 Kind: TypeAlias = Callable[[str], Test]
-_SOON = 5
-
-_OF_THE_VERB = ("modal", "nominal", "passive", "perfect", "negated", "late", "unable")
-
-
-def _is(name: str) -> Test:
-    return lambda clause, _: bool(getattr(clause.event, name))
-
-
-FACTS: dict[str, Test] = {
-    **{name: _is(name) for name in _OF_THE_VERB},
-    "reaction": lambda clause, _: clause.reaction,
-    "sudden": lambda clause, _: clause.sudden is not None,
-    "premodifier": lambda clause, _: clause.event.premod_of is not None,
-    "subject": lambda clause, _: bool(clause.event.subject),
-    "sided": lambda clause, _: any(t.value in {"left", "right"} for t in clause.event.dirs),
-    "directed": lambda clause, _: bool(clause.event.dirs),
-    "at_a_speed": lambda clause, _: any(
-        (m.cat, m.value) == ("quantity", "speed") for m in clause.event.mods
-    ),
-    "right_after": lambda clause, _: (
-        clause.event.parent is not None and clause.event.parent.j == clause.event.i
-    ),
-    "verbless": lambda clause, _: not clause.event.name,
-    "crossing": lambda _, context: context.junction.crossing,
-    "on_a_road": lambda _, context: context.junction.road is not None,
-    "highway": lambda _, context: context.junction.highway,
-    "meeting": lambda _, c: c.junction.crossing or c.draft.crossing_implied is not None,
-    "kerbwards": lambda clause, c: any(
-        [
-            c.draft.kerb in [d for place in clause.places() for d in place.dirs],
-            c.draft.kerb in [term.value for term in clause.event.dirs],
-        ]
-    ),
-    "ramp": lambda _, context: context.draft.ramp is not None,
-    "access": lambda _, context: context.draft.access is not None,
-    "from_kerb": lambda _, context: context.draft.from_kerb,
-    "controlled": lambda _, context: context.junction.control is not None,
-    "dangerous": lambda _, context: bool(context.draft.dangers),
-    "endangered": lambda _, c: any(d.by and not any(e.ego for e in d.by) for d in c.draft.dangers),
-    "prevents": lambda clause, _: any(c.link == "ing" or c.nominal for c in clause.event.children),
-    "people_act": lambda clause, _: any(
-        h.value == "pedestrian" for m in clause.event.subject for h in m.heads
-    ),
-    "as_others_do": lambda clause, c: bool(alike(clause, c)),
-    **lanes.FACTS,
-    **ways.FACTS,
-    **along.FACTS,
-    **owed.FACTS,
-    **met.FACTS,
-    **doing.FACTS,
-    **seen.FACTS,
-    "passes_round": passes_round,
-    "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
-}
+_SOON, _SENTENCE = 5, 24
+_MARKS = frozenset({".", ";", ":"})
 
 
 def _among(found: Callable[[Clause, Context], Iterable[str | None]]) -> Kind:
@@ -171,12 +121,46 @@ def _next_word(clause: Clause, context: Context) -> list[str]:
     return context.lows(clause.event.j, clause.event.j + 1)
 
 
-def _said(rest: str) -> Test:
-    return lambda clause, c: base_words(c.tokens, clause.event.i, clause.event.j) == rest
+def _here(words: Iterable[str]) -> Iterable[str]:
+    """The words up to the end of a sentence."""
+    return takewhile(lambda word: word not in _MARKS, words)
+
+
+def _lately(clause: Clause, context: Context) -> Iterable[str]:
+    return _here(reversed(context.lows(clause.event.i - _SOON, clause.event.i)))
+
+
+def _soon(clause: Clause, context: Context) -> Iterable[str]:
+    return _here(context.lows(clause.event.j, clause.event.j + _SOON))
+
+
+def _opened(clause: Clause, context: Context) -> list[str]:
+    who = min((m.i for m in clause.event.subject), default=0)
+    return context.lows(who - 1, who)
 
 
 def _own(clause: Clause, context: Context) -> list[str]:
     return context.lows(clause.event.i, clause.event.j)
+
+
+def _tells(rest: str) -> Test:
+    """``runs along, in the direction of traffic``: one of some phrases after the verb."""
+    phrases = patterns.listed(rest)
+
+    def test(clause: Clause, context: Context) -> bool:
+        after = context.lows(clause.event.i, clause.event.i + _SENTENCE)
+        words = f" {' '.join(_here(after))} "
+        return any(f" {phrase} " in words for phrase in phrases)
+
+    return test
+
+
+def _facing(rest: str) -> Test:
+    kinds = frozenset(HazardKind(word) for word in rest.split())
+    return lambda clause, context: any(
+        d.kind in kinds and not any(e in clause.drivers for e in d.by)
+        for d in context.draft.dangers
+    )
 
 
 def _least(rest: str) -> Test:
@@ -220,9 +204,14 @@ _KINDS: dict[str, Kind] = {
     "ends": _among(lambda clause, c: [c.tokens[clause.event.j - 1].low]),
     "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),
     "next": _among(_next_word),
-    "soon": _among(lambda clause, c: c.lows(clause.event.j, clause.event.j + _SOON)),
-    "said": _said,
+    "soon": _among(_soon),
+    "opened": _among(_opened),
+    "lately": _among(_lately),
+    "tells": _tells,
+    "said": _among(lambda clause, c: [base_words(c.tokens, clause.event.i, clause.event.j)]),
+    "measured": _among(lambda c, _: [m.value for m in c.event.mods if m.cat == "quantity"]),
     "lemma": _among(lambda clause, _: [clause.event.lemma]),
+    "above": _among(lambda clause, _: [e.lemma for e in clause.event.upwards()]),
     "event": _among(lambda clause, _: [clause.event.name]),
     "parent": _among(lambda clause, _: [e.name for e in [clause.event.parent] if e is not None]),
     "child": _among(lambda clause, _: [e.name for e in clause.event.children]),
@@ -236,6 +225,7 @@ _KINDS: dict[str, Kind] = {
     "control": _one_of(Control, lambda context: [context.junction.control]),
     "junction": _one_of(JunctionKind, lambda context: [context.junction.kind]),
     "danger": _one_of(HazardKind, lambda context: [d.kind for d in context.draft.dangers]),
+    "facing": _facing,
 }
 
 
@@ -252,4 +242,20 @@ def condition(text: str) -> Test:
     if name == "not":
         test = condition(rest)
         return lambda clause, context: not test(clause, context)
-    return _KINDS[name](rest) if name in _KINDS else FACTS[text]
+    if name in _KINDS:
+        return _KINDS[name](rest)
+    return FACTS[text] if text in FACTS else _told_by_rows(text)
+
+
+def holds(name: str, clause: Clause, context: Context) -> bool:
+    """Whether a word that has rows of its own is so of a clause."""
+    return _told_by_rows(name)(clause, context)
+
+
+@cache
+def _told_by_rows(name: str) -> Test:
+    """A word that has rows of its own: each is one way in which it is so."""
+    rows = [[condition(text) for text in row] for row in read("facts")[name]]
+    return lambda clause, context: any(
+        all(test(clause, context) for test in tests) for tests in rows
+    )

@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable
+from itertools import product
 from typing import Any, TypeAlias
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import NounPhrase, Prep
-from scegen.understanding.entity import Basis
+from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.semantics.marks import MARKS, Mark, first
 from scegen.understanding.semantics.met import apart
 from scegen.understanding.semantics.patterns import end, noun, people, phrases
 from scegen.understanding.semantics.rewriting import REWRITES
-from scegen.understanding.semantics.site import Site
+from scegen.understanding.semantics.seen import Site
 from scegen.understanding.semantics.sites import PUTS
-from scegen.understanding.semantics.values import VALUES, WORDS
+from scegen.understanding.semantics.ways import VALUES, WORDS
 from scegen.understanding.semantics.who import who
 
 Effect: TypeAlias = Callable[[Clause, Context], None]
@@ -180,13 +181,15 @@ def _put(name: str, where: str, of: str) -> Effect:
 
 def _act(row: dict[str, Any], of: str, words: Words) -> Effect:
     whom, kind, always = who(of), ActKind(row["act"]), bool(row.get("always"))
+    to = who(row.get("into", "nobody"))
 
     def effect(clause: Clause, context: Context) -> None:
         event, basis = clause.event, words(clause, context)
-        context.acts += [
-            Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
-            for entity in whom(clause, context)
-        ]
+        others: list[Entity | None] = [*to(clause, context)] or [None]
+        for entity, into in product(whom(clause, context), others):
+            doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
+            doing.into, doing.into_basis = into, basis if into is not None else None
+            context.acts.append(doing)
 
     return effect
 

@@ -1,18 +1,17 @@
-"""Into which lane, and into whose, a movement leads."""
+"""Into which lane, and into whose, a movement leads; which of several a number names."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Event, Place, Thing
+from scegen.understanding.chunks import Event, Place
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
-
-_BESIDE = frozenset({"adjacent", "left", "right"})
-"""Which lane it is, seen from the one that somebody drives in."""
+from scegen.understanding.words.numbers import POSITIONS, number_at
+from scegen.understanding.words.tokens import Token
 
 
 def into_lane(event: Event) -> Place | None:
@@ -22,18 +21,9 @@ def into_lane(event: Event) -> Place | None:
     return next((lane for lane in lanes if lane.kind in {"lane", "path"}), None)
 
 
-def _next_lane(clause: Clause, context: Context) -> bool:
-    """``swings into the right lane``: on a road without a junction, a change of lane."""
-    event, lane = clause.event, into_lane(clause.event)
-    ranked = lane is not None and lane.head is not None and "ranked" in lane.head.data
-    beside = ranked or (lane is not None and lane.kind == "lane" and bool(_BESIDE & set(lane.dirs)))
-    beside = beside or _into_a_gap(event) or _from_the_next(event, lane, context)
-    keeps = event.lemma in word_list("keeping")
-    return beside and not keeps and not context.junction.crossing
-
-
-def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
+def _from_the_next(clause: Clause, context: Context) -> bool:
     """``the van next to it drifts into the same lane``: from beside, whatever lane it is."""
+    event, lane = clause.event, into_lane(clause.event)
     who = [e for m in event.subject for e in m.entities]
     entered = any(p.target is lane and p.value == "into" for p in event.pps)
     entered = entered or (event.name == "enter" and event.object is lane)
@@ -41,13 +31,6 @@ def _from_the_next(event: Event, lane: Place | None, context: Context) -> bool:
     if lane is not None and lane.owner is not None:  # "the ego moves into the lane of the van"
         who += lane.owner.entities
     return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
-
-
-def _into_a_gap(event: Event) -> bool:
-    """``steers into the same gap``: between the vehicles of another lane."""
-    goals = [p.target for p in event.pps if p.value == "into"]
-    goals += [event.object] if event.name == "enter" else []
-    return any(isinstance(g, Thing) and g.head is not None and "gap" in g.head.data for g in goals)
 
 
 def _against(entity: Entity, place: Place) -> bool:
@@ -119,9 +102,35 @@ def _against_lane(clause: Clause, _: Context) -> bool:
 
 
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
-    "next_lane": _next_lane,
+    "from_the_next": _from_the_next,
     "against_lane": _against_lane,
     "head_on_somewhere": _head_on_somewhere,
     "head_on": lambda clause, c: _head_on(clause, into_lane(clause.event), c),
 }
 """Words of conditions that ask for a lane."""
+
+
+EITHER = "either"
+"""The side from which lanes are counted where that is not said."""
+FROM_SIDE = 3
+"""Words of "from the left"."""
+_MOST = 6
+
+
+def lane_number(place: object, tokens: list[Token]) -> int | None:
+    """``lane 2``, ``the third lane``; None for what has no number."""
+    if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
+        return None
+    if "number" in place.head.data:
+        return int(place.head.data["number"])
+    last = number_at(tokens, place.j - 1)
+    if last is not None and place.j > place.head.j and 0 < last.value <= _MOST:
+        return int(last.value)
+    first = POSITIONS.get(tokens[place.head.i].low, -1)
+    return first + 1 if first >= 0 else None
+
+
+def counted_from(j: int, tokens: list[Token]) -> str:
+    """``the third lane from the right``."""
+    after = [t.low for t in tokens[j : j + FROM_SIDE]]
+    return after[-1] if after[:2] == ["from", "the"] and after[-1] in {"left", "right"} else EITHER

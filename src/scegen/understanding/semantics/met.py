@@ -1,14 +1,15 @@
-"""Whom somebody drives up to, and whether anything is said of where the two are."""
+"""Whom somebody drives up to, or touches, and whether anything is said of where the two are."""
 
 from __future__ import annotations
 
 from itertools import zip_longest
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
-from scegen.understanding.chunks import Event, Mention, Place
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.words.tokens import low_at
 
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
 _REAR = frozenset({"rear", "back"})
@@ -89,22 +90,6 @@ def on_the_wrong_side(entity: Entity, context: Context) -> bool:
     return strays and Maneuver.OVERTAKE not in entity.maneuvers
 
 
-def _may_get_past(_: Clause, context: Context) -> bool:
-    """Whether the ego goes no way of its own, and something is in it."""
-    ego = context.draft.ego
-    if ego is None or ego.maneuvers & _SETTLED or context.junction.crossing:
-        return False
-    dangers = [d for d in context.draft.dangers if not any(e.ego for e in d.by)]
-    others = [e for e in context.draft.entities if not e.ego]
-    stands = any(e.parked or context.placed(e, Approach.AHEAD) for e in others)
-    return stands or context.barred or any(d.kind in _IN_THE_WAY for d in dangers)
-
-
-_SETTLED = frozenset({Maneuver.OVERTAKE, Maneuver.LANE_CHANGE, Maneuver.LEFT, Maneuver.RIGHT,
-                      Maneuver.U_TURN})  # fmt: skip
-_IN_THE_WAY = frozenset({HazardKind.OBSTACLE, HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
-
-
 def _stand_to_each_other(clause: Clause, context: Context) -> bool:
     """Whether it is said how one who acts stands to those on whom it is done."""
     egos = any(e.ego for e in clause.targets)
@@ -132,6 +117,72 @@ FACTS = {
     "stand_to_each_other": _stand_to_each_other,
     "was_ahead": _was_ahead,
     "rear_ends": _rear_ends,
-    "may_get_past": _may_get_past,
 }
 """Words of conditions that ask for a meeting."""
+
+
+_BODY = frozenset({"side", "flank"})
+_MOTION = frozenset({"move", "walk", "speed", "enter", "reverse", "turn", "sharp_turn", "swerve",
+                     "lose_control", "pull_out", "accelerate", "brake", "slow", "dash", "cross",
+                     "lane_change", "pull_over", "return", "collide", "unknown"})  # fmt: skip
+
+_NOBODY = frozenset({"nobody", "neither"})
+_ROADWARDS = frozenset({"turn", "sharp_turn", "pull_out"})
+"""What is done into a road, so that "it" may be one."""
+
+
+def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
+    """Whom, or whose part, somebody moves into: themselves, not their way or their lane."""
+    event, tokens = clause.event, context.tokens
+    part = event.object  # "plants its bonnet in a van"
+    own = isinstance(part, Place) and part.kind in _BODY and part.has("possessive", "its")
+    if (event.name not in _MOTION and not own) or event.nominal:
+        return None
+    opening = {"into", *(["in"] if own or event.lemma in word_list("ending_up") else [])}
+    if event.name not in {"turn", "sharp_turn"}:  # "turns left against oncoming traffic"
+        opening.add("against")
+    goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low in opening]
+    goals += [event.object] if tokens[event.j - 1].low == "into" else []
+    nouns = (g for g in goals if isinstance(g, NounPhrase))
+    # "bores into its side": somebody's part, not a lane or a car park
+    if event.name == "unknown" and not own:
+        nouns = (g for g in nouns if isinstance(g, Place))
+    return next((g for g in nouns if _touched(g, clause, context)), None)
+
+
+def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
+    if isinstance(goal, Thing):
+        return lies_there(goal, context)
+    if isinstance(goal, Mention):
+        mass = clause.event.lemma not in word_list("ramming")  # "pulls out into the traffic"
+        mass = mass and any("mass" in h.data for h in goal.heads)
+        road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
+        free = not (mass or road or goal.possessor)
+        nobody = goal.negated or goal.pronoun in _NOBODY
+        return free and (nobody or lies_there(goal, context) or bool(goal.entities))
+    if not isinstance(goal, Place) or goal.kind not in _BODY:
+        return False
+    end = bool({"front", "rear"} & set(goal.dirs))
+    owned = goal.owner is not None or goal.possessed
+    named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
+    rests = clause.event.lemma in word_list("ending_up")  # "in its side"; "into its side" of a road
+    rams = clause.event.lemma in word_list("ramming") and low_at(context.tokens, goal.j) != "of"
+    return end or (owned and (named or rests or rams))
+
+
+def lies_there(noun: object, context: Context) -> bool:
+    """Whether it is something in the way, or may be: ``a crate lies there …, drives into it``."""
+    lying = context.draft.lying
+    it = isinstance(noun, Mention) and noun.pronoun == "it" and bool(lying)
+    return it or any(noun is thing for thing in lying)
+
+
+def touched(goal: NounPhrase | None, clause: Clause, context: Context) -> list[Entity]:
+    """Who it is that is touched: ``ends up in my boot``, ``runs into the back of the bus``."""
+    if goal is None:
+        return []
+    whom = goal if isinstance(goal, Mention) else goal.owner
+    if whom is not None:
+        return [e for e in whom.entities if e not in clause.actors]
+    egos = [e for e in context.draft.entities if e.ego and e not in clause.actors]
+    return egos if goal.possessed else []

@@ -20,7 +20,8 @@ from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep,
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.numbered_lanes import lane_number
+from scegen.understanding.semantics.lanes import lane_number
+from scegen.understanding.semantics.met import lies_there
 
 NounTest: TypeAlias = Callable[[Any, Context], bool]
 PrepTest: TypeAlias = Callable[[Prep, Context], bool]
@@ -101,6 +102,8 @@ _FILTERS: dict[str, NounTest] = {
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
     "unprotected": _said("unprotected"),
     "gap": _head("gap"),
+    "ranked": _head("ranked"),
+    "lying": lies_there,
     "leads_off": _head("auxiliary", ["off_ramp"]),
     "plural": lambda n, _: n.head is not None and n.head.form == "s",
     "headed": lambda n, _: n.head is not None,
@@ -108,6 +111,7 @@ _FILTERS: dict[str, NounTest] = {
     "undirected": lambda n, _: not n.dirs,
     "vehicle": lambda n, _: any(e.is_vehicle for e in n.entities),
     "afoot": lambda n, _: any(not e.is_vehicle for e in n.entities),
+    "nobody_drives": lambda n, _: not any(e.is_vehicle for e in n.entities),
     "moving": lambda n, _: any(e.moving_vehicle for e in n.entities),
     "ego": lambda n, _: any(e.ego for e in n.entities),
     "somebody": lambda n, _: bool(n.entities),

@@ -10,7 +10,8 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``puts`` (of `PUTS`) those of ``of`` where each phrase of ``where``, its ``object`` or its
   ``subject`` says;
 * ``lanes``, ``crossing``: why the road has lanes, a junction; ``implies``: what else is there;
-* ``act`` of ``of``: what they do; ``always``: also where nothing sets it off;
+* ``act`` of ``of``: what they do, letting ``into`` go first; ``always``: also where nothing sets it
+  off;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
 * ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
 * ``then``: further families; ``words``, ``reason``: what it rests on.
@@ -28,16 +29,18 @@ from scegen.understanding.chunks import Event
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames.loader import read
 from scegen.understanding.road.junctions import JunctionReading
-from scegen.understanding.semantics.conditions import Test, condition
+from scegen.understanding.semantics.conditions import condition
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.effects import Effect, effects_of
+from scegen.understanding.semantics.facts import Test
 
-_FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions")
+_FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions",
+          "standing")  # fmt: skip
 _KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
                    "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
                    "also", "puts", "where",
                    "as", "targets", "actors", "rewrite", "rules_out", "implies",
-                   "unsaid", "act", "always"})  # fmt: skip
+                   "unsaid", "act", "always", "into"})  # fmt: skip
 
 Effects: TypeAlias = Callable[[dict[str, Any]], Iterable[Effect]]
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
 from scegen.scenario.vocabulary import Approach, ParticipantKind
-from scegen.understanding.chunks import Mention, Place, Prep
+from scegen.understanding.chunks import Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.located import from_the_wrong_lane
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
@@ -16,8 +20,43 @@ from scegen.understanding.semantics.approaches import (
     place_approaches,
 )
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.site import Put, Site
 from scegen.understanding.words.quantities import ends_a_quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """A noun with the preposition that governs it, or an object or subject (no preposition)."""
+
+    noun: NounPhrase
+    prep: Prep | None
+    basis: Basis
+    clause: Clause
+    context: Context
+
+    @property
+    def place(self) -> Place:
+        """The noun, of a row that asks for a place.
+
+        Raises:
+            TypeError: if it is none.
+        """
+        if not isinstance(self.noun, Place):
+            msg = f"no place: {type(self.noun).__name__}"
+            raise TypeError(msg)
+        return self.noun
+
+    @property
+    def value(self) -> str:
+        """Which preposition."""
+        return self.prep.value if self.prep is not None else ""
+
+    @property
+    def word(self) -> str:
+        """The preposition as it stands in the text."""
+        return self.context.tokens[self.prep.word.i].low if self.prep is not None else ""
+
+
+Put: TypeAlias = Callable[[Entity, Site], None]
 
 
 def seen(entity: Entity, site: Site) -> None:
@@ -210,16 +249,7 @@ def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
     return value in {"to", "in"} and aside
 
 
-def _seen_on_foot(_: Clause, context: Context) -> bool:
-    """``I was on the zebra when a car came from the left``: along the road that is crossed."""
-    people = context.draft.entities
-    egos = [e for e in people if e.ego]
-    driving = [e for e in people if e.moving_vehicle and not e.ego]
-    return not all(e.is_vehicle for e in egos or people) and (bool(egos) or len(driving) == 1)
-
-
 FACTS = {
-    "seen_on_foot": _seen_on_foot,
     "within_the_lane": _within_the_lane,
     "wrong_lane": lambda clause, _: any(
         from_the_wrong_lane(p, clause.event) for p in clause.event.pps

@@ -9,14 +9,13 @@ from scegen.understanding.draft import Danger
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.semantics.approaches import SIDES
 from scegen.understanding.semantics.context import Context
-from scegen.understanding.semantics.numbered_lanes import (
+from scegen.understanding.semantics.lanes import (
     EITHER,
     FROM_SIDE,
     counted_from,
     lane_number,
 )
-from scegen.understanding.semantics.seen import SEEN
-from scegen.understanding.semantics.site import Put, Site
+from scegen.understanding.semantics.seen import SEEN, Put, Site
 
 _OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeAlias
 
-from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
-from scegen.understanding.chunks import Event, Place
+from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.understanding.chunks import Event, NounPhrase, Place
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.semantics import lanes
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.words.quantities import after_a_measure, quantity_at
 from scegen.understanding.words.tokens import Token, low_at
@@ -18,10 +20,6 @@ _BRANCHES = frozenset({"leg", "junction", "access"})
 _GOALS = frozenset({"side", "leg", "access", "road"})
 """What lies at one side of a junction, so that whoever goes there turns."""
 _OTHER = {"left": "right", "right": "left"}
-_WAY = frozenset({"road", "lane", "path", "highway"})
-_TO_PASS = frozenset({"pull_out", "try", "accelerate", "lane_change", "swerve", "enter"})
-_LAMP_REACH = 6
-_THROUGH = frozenset({"through", "across"})
 SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
 _WITHIN_LANE_M = 2.0
 
@@ -84,58 +82,11 @@ def _came_from(event: Event) -> set[str]:
     return {d for side in sides for d in side.dirs}
 
 
-def through(event: Event, context: Context) -> Basis | None:
-    """``drives through the intersection``; a roundabout is left by one of its exits."""
-    if context.junction.kind is JunctionKind.ROUNDABOUT:
-        return None
-    own = not _THROUGH.isdisjoint(context.lows(event.i, event.j))
-    if own and isinstance(event.object, Place) and event.object.kind == "junction":
-        return Basis(event.i, event.object.j)
-    for prep in event.pps:
-        place, word = prep.target, context.tokens[prep.word.i].low
-        if isinstance(place, Place) and (
-            (word in _THROUGH and place.kind in {"junction", "signal"})
-            or (word == "against" and place.kind == "signal")
-            or (word == "along" and place.kind == "road")
-        ):
-            return span(event, prep.word.i, place.j)
-    return None
-
-
-def _only_signalled(clause: Clause, context: Context) -> bool:
-    """``signals a right turn but carries straight on``: a turn that is not made."""
-    event = clause.event
-    after = [word for word in context.lows(event.j, event.j + 2) if word != ","]
-    signalled = event.parent is not None and event.parent.name == "inert"
-    before = {*context.lows(event.i - _LAMP_REACH, event.i)}
-    signalled = signalled or (event.nominal and bool(before & word_list("lamps")))
-    return signalled and after[:1] != [] and after[0] in {"but", "yet", "however", "though"}
-
-
 def _without_arrow(_: Clause, context: Context) -> bool:
     """``a plain green, no arrow``: nothing holds the oncoming traffic back."""
     words = context.lows(0, len(context.tokens))
     arrows = (k for k, word in enumerate(words) if word in {"arrow", "arrows"})
     return any({"no", "without", "nor"} & set(words[max(0, k - 3) : k]) for k in arrows)
-
-
-def _overtaking(clause: Clause, context: Context) -> bool:
-    """Whether passing is overtaking: of somebody, or by one who was behind or held up by one."""
-    if clause.event.name != "pass" or clause.targets:
-        return True
-    if clause.event.link == "inf" and clause.event.parent is not None and clause.drivers:
-        same = clause.event.parent.subject == clause.event.subject
-        onward = any(d.value == "straight" for d in clause.event.dirs)  # "to pass straight on"
-        if same and clause.event.parent.name in _TO_PASS and not onward:
-            return True  # "pulls out to pass", "tries to pass"
-    if any(context.oncoming(e) for e in clause.drivers):
-        return False  # "an oncoming car passes": on its own side
-    over = any(p.kind == "centerline" for p in clause.places())
-    if any(p.value == "behind" for p in clause.event.pps):
-        return False  # "passes behind": across the road there
-    if context.draft.causing(HazardKind.OBSTACLE) and any(e.pulls_out for e in clause.drivers):
-        return True  # "pulls out, passes": past what is in its way
-    return over or _from_behind(clause, context)
 
 
 def _from_behind(clause: Clause, context: Context) -> bool:
@@ -144,42 +95,6 @@ def _from_behind(clause: Clause, context: Context) -> bool:
         (p.approaches == {Approach.BEHIND} and p.entity in clause.actors)
         or (p.approaches == {Approach.AHEAD} and p.reference in clause.actors)
         for p in context.draft.placements
-    )
-
-
-def _past_the_roadside(clause: Clause, context: Context) -> bool:
-    """``drives past two vans parked on the right``, ``passes a pedestrian``: keeps its lane."""
-    sides, event = {Approach.LEFT, Approach.RIGHT}, clause.event
-    if event.name not in {"bypass", "pass"} or not clause.targets:
-        return False
-    if not word_list("round").isdisjoint(context.lows(event.i, event.j)):
-        return False
-    beside = [p.entity for p in context.draft.placements if p.approaches <= sides]
-    return all(not e.is_vehicle or (e.parked and e in beside) for e in clause.targets)
-
-
-def _across_the_road(clause: Clause, context: Context) -> bool:
-    """``turns across the ego's lane`` where no roads meet: over the road, not into another."""
-    event = clause.event
-    if context.junction.crossing:
-        return False
-    for prep in event.pps:
-        place, word = prep.target, context.tokens[prep.word.i].low
-        across = word == "across"
-        if isinstance(place, Place) and place.kind in _WAY and (across or prep.value == "into"):
-            return place.kind == "path" or across
-    return not any(d.value in DIRECTIONS for d in event.dirs)
-
-
-def _onto_the_road(clause: Clause, _: Context) -> bool:
-    """The road itself, a crosswalk or somebody's way is crossed, not a junction."""
-    places = clause.places()
-    kinds = {p.kind for p in places}
-    return (
-        any(p.arm is not None for p in places)
-        or bool(kinds & {"road", "crosswalk", "lane", "path", "highway", "centerline"})
-        or (isinstance(over := clause.event.object, Place) and over.kind == "access")
-        or (not kinds and clause.event.object is None)
     )
 
 
@@ -198,20 +113,86 @@ def _a_little_aside(clause: Clause, context: Context) -> bool:
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "a_little_aside": _a_little_aside,
     "drives_along": lambda clause, _: _drives_along(clause.event),
-    "overtaking": _overtaking,
     "from_behind": _from_behind,
-    "across_the_road": _across_the_road,
-    "past_the_roadside": _past_the_roadside,
     "no_arrow": _without_arrow,
     "turns_across": lambda clause, c: (
         Maneuver(c.across) in directions(clause.event, c.tokens)  # across oncoming traffic
     ),
-    "onto_the_road": _onto_the_road,
-    "only_signalled": _only_signalled,
     "leads_somewhere": lambda clause, c: bool(directions(clause.event, c.tokens)),
     "leads_aside": lambda clause, c: bool(SIDEWAYS & set(directions(clause.event, c.tokens))),
-    "leads_through": lambda clause, c: through(clause.event, c) is not None,
     "onward": lambda clause, _: any(d.value == "straight" for d in clause.event.dirs),
     "denies_a_way": lambda clause, _: bool(clause.event.denied_ways & set(DIRECTIONS)),
 }
 """Words of conditions that ask for a way."""
+
+
+Named: TypeAlias = Callable[[Clause, Context], dict[Maneuver, Basis]]
+_EXITS = {
+    "first": Maneuver.EXIT_1, "second": Maneuver.EXIT_2, "third": Maneuver.EXIT_3,
+    "fourth": Maneuver.EXIT_4, "fifth": Maneuver.EXIT_5, "sixth": Maneuver.EXIT_6,
+}  # fmt: skip
+_REACH = 3
+
+
+def _ways(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
+    return directions(clause.event, context.tokens)
+
+
+def _aside(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
+    return {m: b for m, b in _ways(clause, context).items() if m is not Maneuver.STRAIGHT}
+
+
+def alike(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
+    """``the car ahead, which is turning as well``: the same way as the one before."""
+    event = clause.event
+    near = context.lows(event.i - _REACH, event.j + _REACH)
+    if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
+        return {}
+    turned = [e.maneuvers & SIDEWAYS for e in context.draft.entities if e not in clause.actors]
+    told = [way for way in turned if len(way) == 1]
+    return dict.fromkeys(told[-1], clause.words) if told else {}
+
+
+def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
+    """A turn whose side is not said."""
+    denied = {DIRECTIONS[d] for d in clause.event.denied_ways if d in DIRECTIONS}
+    return dict.fromkeys((SIDEWAYS - denied) or {Maneuver.STRAIGHT}, clause.words)
+
+
+def _exit(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
+    place = next((p for p in clause.places() if p.kind == "exit"), None)
+    named = next((m.value for m in place.mods if m.value in _EXITS), None) if place else None
+    return {_EXITS[named]: Basis(place.i, place.j)} if place and named else {}
+
+
+VALUES: dict[str, Named] = {
+    "ways": _ways,
+    "aside": _aside,
+    "alike": alike,
+    "either": _either,
+    "exit": _exit,
+}
+
+
+def _upto(event: Event, noun: NounPhrase | None) -> Basis | None:
+    return Basis(event.i, max(event.j, noun.j)) if noun is not None else None
+
+
+def _child(clause: Clause, _: Context) -> Basis | None:
+    event = clause.event
+    return Basis(event.i, event.children[0].j) if event.children else None
+
+
+def _onward(clause: Clause, _: Context) -> Basis | None:
+    term = next((d for d in clause.event.dirs if d.value == "straight"), None)
+    return Basis(term.i, term.j) if term is not None else None
+
+
+WORDS: dict[str, Callable[[Clause, Context], Basis | None]] = {
+    "goal": lambda clause, _: _upto(clause.event, lanes.into_lane(clause.event)),
+    "object": lambda clause, _: _upto(clause.event, clause.event.object),
+    "child": _child,
+    "next": lambda clause, _: Basis(clause.event.i, clause.event.j + 1),
+    "onward": _onward,
+}
+"""Words that a row may rest on, by what they are in the clause."""

@@ -11,9 +11,9 @@ import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
-from scegen.understanding.semantics import doing, lanes, met, owed
+from scegen.understanding.semantics import lanes, met
 from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
@@ -21,6 +21,7 @@ from scegen.understanding.semantics.patterns import people, phrases
 Who: TypeAlias = Callable[[Clause, Context], list[Entity]]
 EntityTest: TypeAlias = Callable[[Entity, Context], bool]
 _PART = re.compile(r"[+-][\w.|]+")
+_ALL_STOP = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
@@ -30,6 +31,12 @@ def _leads(e: Entity, context: Context) -> bool:
         (e.ego if p.reference is None else p.reference is e) and p.approaches == {Approach.BEHIND}
         for p in context.draft.placements
     )
+
+
+def _may_cross(entity: Entity, _: Context) -> bool:
+    """Whoever is said to, or is on foot and not said to keep along the road."""
+    afoot = not entity.is_vehicle and entity.maneuvers != {Maneuver.STRAIGHT}
+    return afoot or Maneuver.CROSS in entity.maneuvers
 
 
 def _is(name: str) -> EntityTest:
@@ -47,12 +54,20 @@ _PLACES = {"beside": Approach.ADJACENT} | {
 }
 
 ENTITY: dict[str, EntityTest] = {
-    **doing.ENTITY,
+    "may_cross": _may_cross,
+    "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
+    "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
+    "braked": lambda e, c: (
+        e.is_vehicle and e.brakes_from is not None and c.junction.control not in _ALL_STOP
+    ),
+    "lets_by": lambda e, c: e in c.letting,
     "leads": _leads,
     "vehicle": lambda e, _: e.is_vehicle,
     "moving": lambda e, _: e.moving_vehicle,
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
+    "underway": lambda e, _: e.moves is not None,
+    "goes_off": lambda e, _: e.sets_off >= 0,
     "on_ramp": lambda e, _: e.on_ramp is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
     "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
@@ -94,12 +109,13 @@ def entity(word: str) -> EntityTest:
     """What a word asks of a participant.
 
     Args:
-        word: one of `ENTITY`, or ``does.MANEUVER`` (among others), ``only.MANEUVER``,
+        word: one of `ENTITY`, or ``does.MANEUVER|…`` (among others), ``only.MANEUVER``,
             ``causes.HAZARD``, ``suffers.HAZARD``.
     """
     name, _, detail = word.partition(".")
     if name == "does":
-        return lambda e, _: Maneuver(detail) in e.maneuvers
+        done = {Maneuver(way) for way in detail.split("|")}
+        return lambda e, _: not done.isdisjoint(e.maneuvers)
     if name == "only":
         return lambda e, _: e.maneuvers == {Maneuver(detail)}
     if name in {"causes", "suffers"}:
@@ -117,6 +133,18 @@ def _owners_of(kind: str) -> Who:
         if p.kind == kind and p.owner is not None
         for e in p.owner.entities
     ]
+
+
+def _in_the_way(clause: Clause, context: Context) -> list[Entity]:
+    """Who is said to keep somebody from seeing; else the one that is parked there."""
+    named = clause.event.whom("due", "with", "for", "by")
+    named = [e for e in named if e.is_vehicle and not e.ego]
+    parked = [e for e in context.draft.entities if e.parked and e not in clause.targets]
+    return named or (parked if len(parked) == 1 else [])
+
+
+def _others(clause: Clause, context: Context) -> list[Entity]:
+    return [e for e in context.draft.entities if e not in clause.actors]
 
 
 def _hit(clause: Clause, _: Context) -> list[Entity]:
@@ -147,7 +175,7 @@ NAMED: dict[str, Who] = {
     "walkers": lambda clause, _: clause.walkers,
     "targets": lambda clause, _: clause.targets,
     "everybody": lambda _, context: context.draft.entities,
-    "others": lambda clause, c: [e for e in c.draft.entities if e not in clause.actors],
+    "others": _others,
     "named": lambda clause, _: people([p for p in clause.event.pps if p.word.cat == "locus"]),
     "owners": lambda clause, c: lanes.owners(lanes.into_lane(clause.event), clause, c),
     "path_owners": _owners_of("path"),
@@ -162,8 +190,8 @@ NAMED: dict[str, Who] = {
     "driven_up_to": met.driven_up_to,
     "involved": lambda clause, _: [*clause.actors, *clause.targets],
     "met_with": lambda clause, c: [*clause.actors, *clause.targets, *_WITH(clause, c)],
-    "overlooked": owed.overlooked,
-    "in_the_way": owed.in_the_way,
+    "overlooked": lambda clause, c: clause.targets or _others(clause, c),
+    "in_the_way": _in_the_way,
     "nobody": lambda _clause, _context: [],
 }
 

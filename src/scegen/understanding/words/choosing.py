@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry, word_list
-from scegen.understanding.words.adjectives import noun_follows
-from scegen.understanding.words.ordinals import POSITIONS
+from scegen.understanding.words.nominal import noun_follows
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
@@ -12,7 +12,6 @@ from scegen.understanding.words.tokens import Token, low_at
 _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape", "quantity"}
 )
-_NO_PREMODIFIER = frozenset({"aux", "actor", "pronoun", "neg", "rel"})
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
 _NOUNS = ("place", "inert", "thing", "view", "env", "limit")
@@ -80,7 +79,7 @@ def _may_describe(previous: Term | None) -> bool:
     """
     if previous is None:
         return True
-    return previous.cat not in _NO_PREMODIFIER and previous.value != ","
+    return previous.cat not in _VERBAL_BEFORE and previous.value != ","
 
 
 def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:

@@ -1,10 +1,10 @@
-"""Light lemmatisation: the base forms of a word that the lexicon knows."""
+"""Light lemmatisation: the base forms of a word that the lexicon knows, slips mended."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 
-from scegen.understanding.lexicon import load, word_list
+from scegen.understanding.lexicon import load, word_list, word_lists
 
 _MIN_STEM = 2
 
@@ -48,3 +48,39 @@ def lemmas(word: str) -> tuple[tuple[str, str], ...]:
     bases = lexicon.words - word_list("uninflected")  # "uses" are those of "use", not of "us"
     found += [(base, form) for base, form in _candidates(word) if base in bases]
     return tuple(dict.fromkeys(found))
+
+
+_SHORTEST_KEY = 6
+_SHORTEST_WORD = 5
+
+
+def one_slip(written: str, meant: str) -> bool:
+    """Whether one letter more, less or other, or two swapped neighbours, tell the words apart."""
+    if written == meant or abs(len(written) - len(meant)) > 1:
+        return False
+    if len(written) != len(meant):
+        longer, shorter = sorted((written, meant), key=len, reverse=True)
+        return any(shorter == longer[:k] + longer[k + 1 :] for k in range(len(longer)))
+    wrong = [k for k, (a, b) in enumerate(zip(written, meant, strict=True)) if a != b]
+    if len(wrong) == 1:
+        return True
+    swapped = len(wrong) == 2 and wrong[1] == wrong[0] + 1
+    return swapped and written[wrong[0]] == meant[wrong[1]] and written[wrong[1]] == meant[wrong[0]]
+
+
+@lru_cache(maxsize=4096)
+def meant(word: str) -> str | None:
+    """The key word that an unknown word is a slip of, if exactly one is.
+
+    First letters are seldom wrong, and many other words differ in them ("learning", "turning"):
+    only words that begin alike count.
+    """
+    if not _SHORTEST_WORD <= len(word) <= 20 or word in word_lists("spelling")["real_words"]:
+        return None
+    fitting = {
+        key
+        for key in word_lists("spelling")["keys"]
+        if len(key) >= _SHORTEST_KEY and key[0] == word[0] and one_slip(word, key)
+    }
+    bases = {lemmas(key)[-1][0] for key in fitting}
+    return min(fitting, key=lambda key: (len(key), key)) if len(bases) == 1 else None

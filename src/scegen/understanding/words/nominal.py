@@ -1,10 +1,12 @@
-"""Verb forms that stand as nouns: "a sudden stop", "a left turn"."""
+"""Words before a noun that are adjectives only there, and verb forms that stand as nouns."""
 
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
-from scegen.understanding.words.ordinals import POSITIONS
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.numbers import POSITIONS
+from scegen.understanding.words.quantities import quantity_at
+from scegen.understanding.words.terms import Match, Term, cat_at, longest_match
+from scegen.understanding.words.tokens import Token
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
 WAYS = frozenset({"left", "right", "straight"})
@@ -87,3 +89,54 @@ def governed(chunks: list[Chunk]) -> bool:
     """Whether a side named next belongs to a preposition ("from left and right")."""
     preposed = bool(chunks) and chunks[-1].cat in VERBAL_LINKS
     return preposed or _after_a_side(chunks)
+
+
+_ROADS = frozenset({"highway", "road", "ramp"})
+
+
+def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
+    """Participles before a noun, and nouns or weather words used as adjectives.
+
+    It is ``opened`` where an article or number stands before.
+    """
+    term = terms[m]
+    if term.cat == "verb" and term.premod:
+        return True
+    follows = cat_at(terms, m + 1)
+    nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
+    if term.cat == "inert":
+        return opened and term.value == "adjective" and nounlike
+    if term.cat == "place" and term.value in _ROADS:
+        mass = follows == "actor" and "mass" in terms[m + 1].data  # "slow highway traffic"
+        return mass and not (m and terms[m - 1].value == "def")
+    if term.cat == "env":
+        return follows in {"place", "actor"}
+    return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}
+
+
+def noun_follows(tokens: list[Token], j: int) -> bool:
+    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
+    for step in range(3):
+        following = longest_match(tokens, j)
+        if following is None and step == 0 and j < len(tokens) and tokens[j].kind == "word":
+            j += 1  # "a slow milk truck"
+            continue
+        if following is None:
+            return False
+        if following.has("actor", "thing"):
+            return not _needs_no_article(following, tokens)
+        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
+            return following.has("view")
+        if following.has("verb") and following.form not in {"ing", "ed"}:
+            return False
+        j = following.j
+    return False
+
+
+def _needs_no_article(noun: Match, tokens: list[Token]) -> bool:
+    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
+    if any("me" in e.data or "speaks" in e.data for e in noun.entries):
+        return True
+    after = tokens[noun.j] if noun.j < len(tokens) else None
+    numbered = after is not None and after.kind == "number" and quantity_at(tokens, noun.j) is None
+    return numbered and noun.form == "base"

@@ -1,4 +1,4 @@
-"""Number words and digits."""
+"""Number words and digits, and words for a place in a row."""
 
 from __future__ import annotations
 
@@ -9,6 +9,11 @@ from text_to_num import text2num
 
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token, low_at
+
+POSITIONS = {"first": 0, "second": 1, "third": 2, "fourth": 3, "fifth": 4, "sixth": 5,
+             "seventh": 6, "eighth": 7, "former": 0, "latter": -1, "last": -1}  # fmt: skip
+"""Place within those spoken of last; "the former" and "the latter" are of two."""
+
 
 _WORDS = (
     "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",

@@ -41,13 +41,7 @@ def pace_at(tokens: list[Token], i: int) -> Term | None:
     lowest = limit is not None and limit.value >= _LOWEST_LIMIT  # "30 km/h on a two-lane road"
     if limit and lowest and tokens[j].low in {"in", "on"} and tokens[j + 1].low in _ARTICLES:
         value = "fast" if number.value > limit.value else "slow"
-        allowed = quantity_at(tokens, j + 2)
-        if speed is not None and allowed is not None:  # both are told, each in its unit
-            return _pace(value, i, j, speed)
-        end = allowed.j if allowed is not None else j + 2 + limit.length
-        while low_at(tokens, end) in word_list("zones"):
-            end += 1
-        return _pace(value, i, end)
+        return _pace(value, i, j, speed or _as_others(tokens, i, j))
     if number.value <= _CRAWL and _on_a_highway(tokens, j):
         return _pace("slow", i, j)
     if speed is not None and any(low_at(tokens, i - k) in word_list("merely") for k in (1, 2)):
@@ -102,11 +96,17 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
     if not (told and ends):
         return None
+    return _as_others(tokens, i, j, lowest=_LOWEST_BARE)
+
+
+def _as_others(tokens: list[Token], i: int, j: int, lowest: int = _FEWEST) -> Quantity | None:
+    """A number as a speed in the unit of the other ones, else in the one that is usual there."""
     for k in range(len(tokens)):
         given = quantity_at(tokens, k)
         if given is not None and given.dimension == "speed":
             return as_written(tokens, i, j, given)
-    if number.value < _LOWEST_BARE:
+    number = number_at(tokens, i)
+    if number is None or number.value < lowest:
         return None
     unit = "mph" if any(t.low in word_list("imperial") for t in tokens) else "km/h"
     note = f"no unit is said; read as {unit}"

@@ -8,11 +8,14 @@ from functools import lru_cache
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.collectives import gather
-from scegen.understanding.words.labels import named_at, street_name
+from scegen.understanding.words.contexts import retag
+from scegen.understanding.words.labels import name_letters, named_at, street_name, with_articles
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
 from scegen.understanding.words.particles import (
+    GENITIVES,
     after_a_phrase,
+    around_somebody,
     just_right,
     nothing_shed,
     over_a_place,
@@ -20,12 +23,9 @@ from scegen.understanding.words.particles import (
     then_a_noun,
 )
 from scegen.understanding.words.quantities import OPENS, quantity_at
-from scegen.understanding.words.retagging import retag
-from scegen.understanding.words.somebodys import GENITIVES, around_somebody
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 from scegen.understanding.words.unknown_drivers import who_drive
-from scegen.understanding.words.without_noun import name_letters, with_articles
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _ON_FOOT_MPS = 3.0
