@@ -34,6 +34,11 @@ def brakes(name="b", by="x", **more):
 
 
 CASES = {
+    "a lane is changed just before a turn": told(
+        "four_way",
+        [ego(50), other(40, AHEAD, ["left"])],
+        acts=[act("c", "x", "change_lane", side="left")],
+    ),
     "a gap as the leader brakes": told(
         "four_way",
         [ego(50), other(50, AHEAD)],

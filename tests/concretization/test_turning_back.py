@@ -54,7 +54,8 @@ def test_a_car_swings_out_on_a_narrow_road_and_a_bus_cannot():
         turns_back("bus", lanes=1)
 
 
-def test_who_follows_one_that_turns_back_drives_inside_of_it():
-    concrete = turns_back("car", approach="ahead")
-    assert concrete.participant("ego").motion.entry_lane == 1
+@pytest.mark.parametrize("approach", ["ahead", "behind"])
+def test_one_ahead_or_behind_turns_back_from_the_lane_of_the_ego(approach):
+    concrete = turns_back("car", approach=approach)
+    assert concrete.participant("ego").motion.entry_lane == 2
     assert concrete.participant("x").motion.entry_lane == 2

@@ -25,7 +25,7 @@ from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocking_m
-from scegen.concretization.tale import SIDEWAYS, SWERVING, outward
+from scegen.concretization.tale import SIDEWAYS, SWERVING, changes_before_turning, outward
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
@@ -223,6 +223,8 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
     for draft in scene.drives.values():
         overtakes = HazardKind.OVERTAKING in scene.kinds_by(draft.id)
         maneuver = Maneuver.OVERTAKE if overtakes else draft.drive.maneuver
+        if not draft.lane_changes and changes_before_turning(scene.functional, draft.drive):
+            meetings += _free_change(scene, draft)
         if draft.lane_changes or maneuver not in SIDEWAYS:
             continue
         comes_back = maneuver is Maneuver.OVERTAKE

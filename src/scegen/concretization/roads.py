@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.concretization.limits import LATERAL_MPS2
-from scegen.concretization.tale import SIDEWAYS, SWERVING
+from scegen.concretization.tale import SIDEWAYS, SWERVING, changes_before_turning
 from scegen.concretization.turning_ways import lanes_to_turn_back, turning_back, with_turns
 from scegen.errors import RoadInfeasibleError
 from scegen.motion.lanes import is_ring
@@ -86,7 +86,8 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     together = any(_among(drive, drives) for drive in drives) and bool(kinds & beside_kinds)
     oncoming = HazardKind.ONCOMING_LANE in kinds
     swerves = roundabout and bool(kinds & SWERVING)
-    wide = sideways or swerves or (together and not roundabout)
+    changes = any(changes_before_turning(functional, drive) for drive in drives)
+    wide = sideways or swerves or changes or (together and not roundabout)
     return 2 if beside or (wide and not oncoming) else 1
 
 

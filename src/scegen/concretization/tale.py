@@ -12,7 +12,7 @@ from scegen.scenario.acts import Act, ActKind, AfterAct
 from scegen.scenario.concrete import Change
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.in_line import words_between
-from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.spacings import Measure, Spacing
@@ -50,6 +50,12 @@ _HAZARDS_OF = {
     ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
 }
 """The dangers that an act may be."""
+
+
+def changes_before_turning(functional: FunctionalScenario, drive: Drive) -> bool:
+    """``changes lanes just before it turns``: beside the way through the junction, too."""
+    own = (act.kind for act in functional.acts if act.participant == drive.participant)
+    return drive.turn in {Maneuver.LEFT, Maneuver.RIGHT} and ActKind.CHANGE_LANE in own
 
 
 def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> FunctionalScenario:

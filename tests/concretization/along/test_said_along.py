@@ -11,6 +11,8 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding import read
 
 SENTENCES = [
+    "A van cuts in from the right at a time to collision of 4 s.",
+    "The lead car brakes when the time to collision is 3 s.",
     "The ego stands behind a van. After 4 s the van reverses at 4 km/h and bumps into the ego.",
     "The ego stands 7 m behind a stopped truck. After 2 s the truck reverses into it.",
     "The ego drives at 30 km/h towards a van. The van reverses towards it at 5 km/h.",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.concretization.along.acts import all_acts
 from scegen.concretization.along.frame import RAMP_MPS
 from scegen.concretization.along.lanes import choose_lanes
@@ -14,9 +16,10 @@ from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import as_meant, outward, pace_of
 from scegen.concretization.things import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
-from scegen.scenario.acts import Act, ActKind, AfterStart
+from scegen.scenario.acts import SLOWING, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.in_line import is_said_ahead
 from scegen.scenario.logical import (
     Crossing,
     Drive,
@@ -27,6 +30,7 @@ from scegen.scenario.logical import (
 )
 from scegen.scenario.model import Interval
 from scegen.scenario.roadway import AuxiliaryLane
+from scegen.scenario.spacings import START, Measure, Spacing
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind, Side
 
 _STANDS_MPS = 1.0
@@ -93,6 +97,24 @@ def _speeds(story: Story) -> None:
             runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
     for hazard in story.of_kind(HazardKind.OVERTAKING):
         _make_faster(story, hazard.by, hazard.to)
+    for behind, ahead in _closing(functional):
+        _make_faster(story, (behind,), (ahead,))
+
+
+def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
+    """Who is said to be so many seconds from a collision with whom, unless that one slows first."""
+    slowing: set[str] = set()
+    for at, act in ((START, None), *((a.id, a) for a in functional.acts)):
+        told: list[Spacing | WhenMeasure] = [s for s in functional.spacings if s.at == at]
+        told += [act.when] if act is not None and isinstance(act.when, WhenMeasure) else []
+        for each in (t for t in told if t.measure is Measure.TTC_S):
+            pair = each.participant, each.reference
+            ahead = is_said_ahead(functional, functional.hazards, *pair, at)
+            back, front = pair[::-1] if ahead else pair
+            if front not in slowing:
+                yield back, front
+        if act is not None and act.kind in SLOWING:
+            slowing.add(act.participant)
 
 
 def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:

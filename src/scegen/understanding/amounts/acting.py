@@ -207,6 +207,10 @@ def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
 def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     """Whether the same is only told another time: no words of order, and no other sentence part."""
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
+    titled = [d for d in found if d.nominal and (d.entity, d.kind) == (doing.entity, doing.kind)]
+    if titled and titled[0] is not before and " : " in text.low(titled[0].i, doing.i):
+        found.remove(titled[0])  # "Brake check: a van cuts in … and brakes": that braking
+        doing.told.append(titled[0].i)
     if before is None or before.kind is not doing.kind:
         if before is None or not {before.kind, doing.kind} <= SLOWING:
             return False

@@ -109,7 +109,8 @@ def _from_to(figure: Figure) -> Doing | None:
     if not here:
         return None
     doing = next((a for a in reversed(here) if a.i < i), here[0])
-    doing.amounts.setdefault("target_speed_mps", Amount(last, Basis(i, figure.j)))
+    for each in (a for a in here if a.i == doing.i):  # "the traffic ahead slows from 100 to 40"
+        each.amounts.setdefault("target_speed_mps", Amount(last, Basis(i, figure.j)))
     return doing
 
 

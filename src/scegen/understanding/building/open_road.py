@@ -114,7 +114,7 @@ def alongside(draft: Draft, ego: Entity) -> None:
         goes_on = entity.maneuvers <= {Maneuver.STRAIGHT} and entity not in crossing
         if turned_to and goes_on and not off_the_road(entity, draft):
             reason = f"beside the ego, on the {side}: it turns across its way"
-            entity.comes_from({Approach.ADJACENT, *seen}, basis.because(reason))
+            entity.comes_from({Approach.ADJACENT, *entity.approaches}, basis.because(reason))
 
 
 def off_the_road(entity: Entity, draft: Draft) -> bool:

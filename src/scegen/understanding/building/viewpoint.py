@@ -24,6 +24,8 @@ _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
 _FRAME = {Approach.LEFT: "east", Approach.RIGHT: "west", Approach.OPPOSITE: "south"}
 """Headings of those who come from a side, for an observer who looks north."""
 _SEEN_BACK = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE, Approach.ADJACENT})
+_ASIDE = frozenset({Approach.LEFT, Approach.RIGHT})
+_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
 Placed = tuple[Entity, Entity, set[Approach], Basis]
 """Who is where, seen from whom, by which words."""
 
@@ -45,7 +47,7 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
         if reference is ego:
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
-            allow(entity, approaches, placement.basis)
+            allow(entity, _in_a_lane_there(placement, approaches, ego, draft), placement.basis)
         elif _hidden_there(entity, reference) or _hidden_there(reference, entity):
             continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
@@ -68,6 +70,34 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
     _in_file(relations)
     ego.approaches = set()
     return relations
+
+
+def _in_a_lane_there(
+    placement: Placement, seen: set[Approach], ego: Entity, draft: Draft
+) -> set[Approach]:
+    """``behind us on the left``, ``ahead on the right``: in the lane there, not out of a road.
+
+    Where the ego turns that depends on whither.
+    """
+    entity, words = placement.entity, placement.basis
+    turns = bool(ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT})
+    crosses = Maneuver.CROSS in entity.maneuvers
+    stands = entity.still or draft.from_kerb
+    if turns or crosses or stands or not entity.is_vehicle or not seen < _ASIDE:
+        return seen
+    told = (p for p in draft.placements_of(entity) if p.reference in (None, ego))
+    said = (p for p in told if p.approaches <= _ALONG and not p.basis.reason)
+    along = any(_side_by_side(p.basis, words) for p in said)
+    if words.i is None or not along or draft.tokens[words.i].low == "from":
+        return seen
+    entity.beside = entity.beside or (next(iter(seen)).value, words)
+    return {Approach.ADJACENT}
+
+
+def _side_by_side(first: Basis, second: Basis) -> bool:
+    """Whether one stands right behind the other, but for a comma."""
+    pairs = ((first.j, second.i), (second.j, first.i))
+    return any(a is not None and b is not None and 0 <= b - a <= 1 for a, b in pairs)
 
 
 def _hidden_there(entity: Entity, other: Entity) -> bool:
@@ -140,13 +170,10 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
     return placement.entity, reference, set(placement.approaches)
 
 
-_ALONG = frozenset({Approach.AHEAD, Approach.BEHIND})
-
-
 def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     """Two statements narrow each other down; where they differ, both are allowed."""
     if approaches and approaches <= _ALONG and entity.approaches == {Approach.ADJACENT}:
-        entity.in_next_lane = approaches, basis
+        entity.in_next_lane = entity.in_next_lane or (approaches, basis)
         return
     if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
         return  # "… from the left and stops in front of the ego": where it gets to

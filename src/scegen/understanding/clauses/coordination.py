@@ -54,8 +54,9 @@ def coordinate(event: Event, state: State) -> None:
     alike = [e for e in verbs if _shape(e) == wanted]
     exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
     parallel = next(reversed(exact or alike), None)
-    if parallel is None:
-        parallel = next((e for e in reversed(verbs) if e.finite), None)
+    if parallel is None:  # "we approach a bus, which is standing, and pass it"
+        finite = [e for e in verbs if e.finite]
+        parallel = next(reversed([e for e in finite if e.form == event.form] or finite), None)
     who = state.waiting
     if who is not None and (parallel is None or (parallel.i < who.i and event.finite and helped)):
         event.subject = chain(who)  # "… while the ego has green and goes straight"
@@ -88,7 +89,7 @@ def no_jam(event: Event, subject: list[Mention], state: State) -> bool:
 
     In "drives behind a van that does 40 km/h and overtakes it" it is the van that is overtaken.
     """
-    passed = event.name == "overtake" and is_it(state.at(1))
+    passed = event.name in {"overtake", "pass"} and is_it(state.at(1))
     return passed or (event.name in _ONES and bool(subject) and subject[-1].is_mass)
 
 

@@ -13,6 +13,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.phrases.predicates import complete
 from scegen.understanding.words.nominal import WAYS
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
@@ -66,7 +67,9 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
         so = event.i > 0 and tokens[event.i - 1].low in {"so", "as"}
         if does and so and isinstance(event.object, Mention):  # "and so does the van"
             event.name, event.subject, event.object = "likewise", [event.object], None
-        later = any((m.cat, m.value) == ("quantity", "time") for m in event.mods)
+        later = any(
+            (m.cat, m.value) == ("quantity", "time") and _in_order(tokens, m) for m in event.mods
+        )
         if event.name == "follow" and later and not (event.object or event.pps):
             event.name = "likewise"  # "a van sets off and the ego follows 1 s later"
         if event.name == "light" and does and _in_turn(event, tokens):
@@ -81,6 +84,12 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             event.name, event.object = model.name, event.object or model.object
             event.mods = [*event.mods, *model.dirs]
             event.pps = [*event.pps, *(p for p in model.pps if p.place is not None)]
+
+
+def _in_order(tokens: list[Token], time: Term) -> bool:
+    """``2 s later``, ``after 2 s``: not how far apart the two drive."""
+    around = {t.low for t in (*tokens[time.i - 1 : time.i], *tokens[time.j : time.j + 1])}
+    return not around.isdisjoint(word_list("order"))
 
 
 def _called(event: Event) -> set[int]:

@@ -181,11 +181,14 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     if prep.fronted:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
-    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
     undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
     doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
     if last and last.nominal and prep.value in done_by and (doer or not last.subject):
         last.subject = [mention]
+    if last and last.parent and last.name == "light" and last.form == "ed" and prep.value == "by":
+        done = last.parent  # "a U-turn is made by a van": the van makes one
+        done.subject, done.form, done.nominal, done.finite = [mention], "s", False, True
     named = prep.value in {"with", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.partitive, prep.on_mention.whole = True, mention

@@ -13,6 +13,7 @@ from scegen.understanding.clauses.dependents import (
     nominal,
 )
 from scegen.understanding.clauses.phrases import closed
+from scegen.understanding.clauses.relatives import antecedent, told
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 
@@ -25,7 +26,7 @@ PASSIVE = frozenset(
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
-_ITS, _PASSING = frozenset({"it", "him", "they"}), frozenset({"overtake", "bypass", "pass"})
+_PASSING = frozenset({"overtake", "bypass", "pass"})
 _SHOWN = frozenset({"encounter", "cause", "prevent"})
 """Verbs that say what their object is doing."""
 
@@ -33,7 +34,7 @@ _SHOWN = frozenset({"encounter", "cause", "prevent"})
 def link(event: Event, state: State) -> None:
     """Gives the event its subject, its parent verb and its mood."""
     interrupts = {"rel", ","} <= state.between and bool(state.mentions) and event.form == "ing"
-    state.relating = _antecedent(state) if interrupts else state.relating
+    state.relating = antecedent(state) if interrupts else state.relating
     _link(event, state)
     if interrupts and state.relating is not None:  # "a man who, looking down, walks on"
         event.subject = [state.relating]
@@ -128,8 +129,13 @@ def _clause(event: Event, state: State) -> None:
         event.subject, state.resumed = _goes_on(event, state), []
     elif state.waiting is not None and _past_being(event, state):
         event.subject, event.embedded = chain(state.waiting), False
-    elif "rel" in between and state.mentions and event.embedded:
-        which = _antecedent(state)
+    elif (
+        "rel" in between
+        and state.mentions
+        and event.embedded
+        and not (_passed_by_another(event, state))
+    ):
+        which = antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)
     elif "sub" in between:
@@ -144,6 +150,11 @@ def _clause(event: Event, state: State) -> None:
         _after_event(event, anchor, state)
     else:
         _subjectless(event, state)
+
+
+def _passed_by_another(event: Event, state: State) -> bool:
+    """``comes up to a van that is slow and overtakes it``: the one that comes up does."""
+    return "conj" in state.between and no_jam(event, [], state)
 
 
 def _after_event(event: Event, anchor: Event, state: State) -> None:
@@ -162,17 +173,6 @@ def _past_being(event: Event, state: State) -> bool:
     helped = bool({"aux:do", "aux:will", "aux:can", "aux:modal", "aux:shall"} & state.between)
     beside = state.mentions[-1:] != [state.candidate] and event.name not in PASSIVE
     return helped or event.form == "s" or (event.form == "ed" and beside)
-
-
-def _antecedent(state: State) -> Mention:
-    """The last noun before "which" that owns nothing: the car, in "the car ahead of us, which"."""
-    nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
-    return next((m for m in nouns if not ((_told(m) and m.is_landmark) or m.aside)), nouns[0])
-
-
-def _told(mention: Mention) -> bool:
-    """Whether one knows already who that is: "it", "them", "me"."""
-    return mention.pronoun in _ITS or mention.is_me
 
 
 def _subjectless(event: Event, state: State) -> None:
@@ -269,16 +269,16 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         return
     if anchor is not state.candidate:
         event.finite = event.finite and event.form != "ed"
-    last, told = state.last, _told(anchor)
+    last, known = state.last, told(anchor)
     done_to = last if last is not None and last.object is anchor else None
     if done_to is not None and done_to.name in {"cause", "prevent"}:
         depend(event, done_to, "ing")
     within = anchor.stands_after("in") and anchor.is_mass
     if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
-    elif told and anchor.is_landmark and not event.finite and state.candidate is not None:
+    elif known and anchor.is_landmark and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
-    elif done_to is not None and not event.finite and _by_doing(event, done_to, told, state):
+    elif done_to is not None and not event.finite and _by_doing(event, done_to, known, state):
         event.subject = done_to.subject
     else:
         own = anchor is state.candidate

@@ -122,7 +122,8 @@ class Interpreter:
         handled = {
             id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
         }  # "kicks a ball"
-        acting = {id(m) for e in events for m in e.subject if e.name not in {"hide", "collide"}}
+        idle = {"hide", "collide", "light"}  # "a jam begins there", but not "begins to move"
+        acting = {id(m) for e in events for m in e.subject if e.name not in idle or e.children}
         for k, chunk in enumerate(chunks):
             if isinstance(chunk, Mention) and chunk.entities:
                 self._mention(chunk, of_nouns[id(chunk)])

@@ -77,8 +77,10 @@ def _owners_after(chunks: list[Chunk], k: int) -> list[Chunk]:
     end = k + 1 + len(found)
     parked = chunk_at(chunks, end) if found else None
     if isinstance(parked, Event) and parked.name == "park":
-        where = chunk_at(chunks, end + 2)
-        found += chunks[end : end + (3 if isinstance(where, Place) else 1)]
+        found.append(parked)
+        end += 1
+    if found and cat_at(chunks, end) == "prep" and isinstance(chunk_at(chunks, end + 1), Place):
+        found += chunks[end : end + 2]
     return found[1:]
 
 

@@ -130,6 +130,8 @@ class Discourse:
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
         cars = [e for e in self.entities if e.kind is ParticipantKind.CAR]  # besides a lorry
+        loosely = any(e.ego for e in self.entities) and all(e.is_vehicle for e in self.entities)
+        cars = self.entities if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
         meant = cars if words in word_list("two_cars") else []
         meant = self.entities if words in word_list("two_of_them") else meant
         return list(meant) if len(meant) == _A_PAIR else []

@@ -10,7 +10,7 @@ from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.reference.roster import Group, Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _REST = 12
 """Within so many words "the other" tells that somebody is one of two."""
@@ -58,7 +58,8 @@ def last_is_ego(roster: Roster, mention: Mention) -> None:
 
 def ego_by_order(roster: Roster, mention: Mention) -> None:
     """``three cars in a row …, the ego is the last``, ``the ego second``: one of them."""
-    after = roster.tokens[mention.j : mention.j + 3]
+    begin = mention.j + (low_at(roster.tokens, mention.j) == ",")  # "and the ego, last, …"
+    after = roster.tokens[begin : begin + 3]
     words = [t.low for t in after]
     said = words[:1] in (["is"], ["being"])
     told = words[1 + (words[1:2] == ["the"]) :] if said else words
@@ -70,7 +71,7 @@ def ego_by_order(roster: Roster, mention: Mention) -> None:
     if not -len(members) <= position < len(members) or roster.groups[-1].vague:
         return
     chosen = members[position]
-    if chosen.kind is ParticipantKind.CAR and not chosen.parked:
+    if chosen.moving_vehicle:
         _take(chosen).named_by.add("ranked")
 
 

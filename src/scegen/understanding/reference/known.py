@@ -162,7 +162,9 @@ def _definite(
     options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
     options = [e for e in options if loci & e.loci] or options  # who is known to be there
     if loci & {"ahead", "behind"}:  # "a car stands at the line; the car behind hits it"
-        options = [e for e in options if e.ego or e.loci or not (e.sides or e in roster.subject)]
+        with_ego = any(e.ego for e in roster.joined)  # "the ego and a van drive …, the van ahead"
+        by_itself = [e for e in roster.subject if not (with_ego and e in roster.joined)]
+        options = [e for e in options if e.ego or e.loci or not (e.sides or e in by_itself)]
     others = [e for e in options if not e.ego]
     others = [e for e in others if e.named_by & reading.called] or others
     others = [e for e in others if e.named_by & states_of(mention)] or others

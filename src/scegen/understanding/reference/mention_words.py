@@ -15,6 +15,7 @@ KINDS = {kind.value: kind for kind in ParticipantKind}
 _VAGUE_COUNTS = {"couple": 2, "pair": 2, "few": 3, "several": 3, "multiple": 3, "various": 3}
 _MANY = 4
 DEFAULT_COUNT = 2
+_PEOPLE = frozenset({"driver", "rider", "pedestrian", "adversary"})
 
 
 @dataclass(slots=True)
@@ -52,7 +53,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
-    people = all(h.value in {"driver", "pedestrian", "adversary"} for h in heads) and not afoot
+    people = all(h.value in _PEOPLE for h in heads) and not afoot
     if mention.goes_by is not None and people:
         kind, driver = mention.goes_by, False
         kinds, specific = [kind], [kind]

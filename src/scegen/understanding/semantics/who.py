@@ -14,7 +14,7 @@ from typing import TypeAlias
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met
-from scegen.understanding.semantics.approaches import FACING
+from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people, phrases
 
@@ -81,6 +81,11 @@ ENTITY: dict[str, EntityTest] = {
     "oncoming": lambda e, c: c.oncoming(e),
     **{word: _placed(place) for word, place in _PLACES.items()},
     "sided": lambda e, c: c.from_the_side(e),
+    "from_there": lambda e, c: any(
+        p.approaches <= set(SIDES.values())
+        and c.lows(p.basis.i or 0, p.basis.j or 0)[:1] == ["from"]
+        for p in c.draft.placements_of(e)
+    ),
     "across": lambda e, c: c.comes_across(e),
     "does_across": lambda e, c: Maneuver(c.across) in e.maneuvers,
     "only_across": lambda e, c: e.maneuvers == {Maneuver(c.across)},

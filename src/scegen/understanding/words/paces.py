@@ -25,6 +25,7 @@ _LOWEST_BARE = 15
 """Lower numbers without a unit, after "at", are hours as well."""
 _GUESS_REACH = 7
 _SAID_REACH = 4
+_BESIDE = 3
 
 
 def pace_at(tokens: list[Token], i: int) -> Term | None:
@@ -90,7 +91,7 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
         doing(tokens, i)
         or low_at(tokens, i - 1) in word_list("at_a_speed")
         or _its_speed(tokens, i)
-        or _likewise(tokens, i)
+        or _likewise(tokens, i, j)
     )
     ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
     if not (told and ends):
@@ -122,14 +123,25 @@ def _its_speed(tokens: list[Token], i: int) -> bool:
     return rated or (versus and before[-1].kind == "clitic")
 
 
-def _likewise(tokens: list[Token], i: int) -> bool:
-    """``the truck does 60 km/h, the ego 80``: right behind who it is, after another's speed."""
-    who = longest_match(tokens, i - 1) if i else None
-    if who is None or "actor" not in who.cats:
+def _likewise(tokens: list[Token], i: int, j: int) -> bool:
+    """``the truck does 60 km/h, the ego 80``, ``the ego's 80``, ``and 80 for the ego``.
+
+    Right beside who it is, after another's speed.
+    """
+    ends = [k for k in range(max(0, i - _BESIDE), i) if _ends_place(tokens, k, i)] or [i]
+    who = longest_match(tokens, ends[0] - 1) if ends[0] else None
+    if (who is None or "actor" not in who.cats) and low_at(tokens, j) != "for":
         return False
     begin = max((k for k in range(i) if tokens[k].low in {".", ":"}), default=-1) + 1
     said = (quantity_at(tokens, k) for k in range(begin, i))
     return any(q is not None and q.dimension == "speed" for q in said)
+
+
+def _ends_place(tokens: list[Token], k: int, i: int) -> bool:
+    """``'s``, ``in front``: whether it stands at token ``k``, right before a number."""
+    place = longest_match(tokens, k)
+    own = tokens[k].kind == "clitic" and k + 1 == i
+    return own or (place is not None and place.j == i and place.has("locus"))
 
 
 def speed_at(tokens: list[Token], i: int) -> Term | None:

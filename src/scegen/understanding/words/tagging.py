@@ -76,7 +76,10 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
 def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
     """``the bus stops``: a singular noun with its verb, although "bus stop" is a word."""
     changes = match.has("verb") and match.get("verb").value == "lane_change"
-    if match.j - i != 2 or match.form != "s" or not (changes or match.only(*_NOUNS)):
+    within = previous is not None and low_at(tokens, previous.i - 2) in {"in", "from"}
+    several = changes and within  # "the ego and a van in the right lane change to the left one"
+    inflected = match.form == "s" or several
+    if match.j - i != 2 or not inflected or not (changes or match.only(*_NOUNS)):
         return False
     before = previous.cat if previous is not None else "punct"
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
