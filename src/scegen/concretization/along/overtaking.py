@@ -34,8 +34,8 @@ _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 change back."""
 _STILL_THERE = 0.35
 """The share of a change back after which one is still in the way of who brakes for it."""
-_FASTER_MPS = 6.0
-"""By so much who overtakes one of its own speed speeds up."""
+_FASTER_MPS, _HARDLY_MPS = 6.0, 1.5
+"""By so much who overtakes one of its own speed speeds up; who is told to be faster does not."""
 
 
 def overtake(story: Story) -> None:
@@ -157,7 +157,8 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     if act.when is None:
         begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
     begins, lasts = _in_time(fast, slow, (out_lane, offset), begins, fixed=act.when is not None)
-    if fast.speed_mps - foremost.speed_mps < _FASTER_MPS / 2:
+    told = story.functional.participant(fast.id).speed_mps is not None
+    if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]
         gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)

@@ -87,9 +87,9 @@ class Chunker:
     def _mine(self, term: Term) -> Mention | Place:
         """``his car hits mine``: the teller's vehicle, or a place of the kind named last."""
         last = next((c for c in reversed(self._chunks) if _owned(c)), None)
-        if isinstance(last, Mention):
-            data = {"ego": True, "me": True}
-            head = Term("actor", "ego", term.i, term.j, data=data)
+        touched = self._last is not None and self._last.value == "with"
+        if touched or isinstance(last, Mention):
+            head = Term("actor", "ego", term.i, term.j, data={"ego": True, "me": True})
             return Mention(term.i, term.j, [], head, heads=[head])
         kind = last.kind if isinstance(last, Place) else "lane"
         mine = [replace(term, value="first_person")]
