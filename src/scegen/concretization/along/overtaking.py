@@ -22,7 +22,7 @@ from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import GAINING, Act, ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind
 
@@ -158,6 +158,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
     begins, lasts = _in_time(fast, slow, (out_lane, offset), begins, fixed=act.when is not None)
     told = story.functional.participant(fast.id).speed_mps is not None
+    told &= not any(a.participant == foremost.id and a.kind in GAINING for a in story.acts)
     if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]
