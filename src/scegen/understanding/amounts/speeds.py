@@ -208,6 +208,8 @@ def _of_the_noun(figure: Figure) -> list[Entity]:
         awaited = verb.name in _WAITS and (who.prep is not None or verb.object is who)
         out = verb.name == "cut_in" and any(e.pulls_out for e in figure.actors)
         rests = (out or verb.name in _FROM_REST) and ahead
+        met = figure.scene.targets if figure.scene is not None else []
+        told |= who.stands_after("with") and not any(e in met for e in who.entities)
         told |= awaited or (rests and not _has_another(figure, who))
     return list(who.entities) if told else []
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.quantities import after_a_measure, quantity_at
-from scegen.understanding.words.terms import longest_match
+from scegen.understanding.words.terms import begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 
 _ENDS = frozenset({"", ".", "!", "?"})
@@ -43,6 +43,8 @@ def _asked(tokens: list[Token], k: int) -> int:
     """How many words ``could you make me`` has before what is asked for, which is new."""
     end = k + _phrase(tokens, k, "asking")
     end += end > k and low_at(tokens, end) in word_list("first_person")
+    if end > k and low_at(tokens, end) == "one" and begins(tokens, end + 1, "prep", "sub", "punct"):
+        return end + 1 - k  # "can you do one in fog?": a scenario
     match = longest_match(tokens, end)
     counted = number_at(tokens, end) is not None and quantity_at(tokens, end) is None
     indefinite = match is not None and match.has("det") and match.get("det").value == "indef"

@@ -127,7 +127,8 @@ def _fraction(tokens: list[Token], i: int) -> Number | None:
         return Number(whole / part, 4)
     unit = _unit_at(tokens, i + 1) if lows[0] == "a" and len(lows) > 1 else None
     named = unit is not None and unit[0] == "length" and len(lows[1]) > 2
-    named = named or (lows[1:2] == ["second"] and not word_list("order").isdisjoint(lows[2:3]))
+    timed = not word_list("order").isdisjoint(lows[2:3]) or low_at(tokens, i - 1) == "within"
+    named = named or (lows[1:2] == ["second"] and timed)
     before = low_at(tokens, i - 1)
     if before in {"into", "in", "from"} or (before == "of" and low_at(tokens, i - 2) == "out"):
         return None  # "out of a yard"

@@ -25,7 +25,7 @@ from scegen.understanding.words.particles import (
 from scegen.understanding.words.quantities import OPENS, quantity_at
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
-from scegen.understanding.words.unknown_drivers import who_drive
+from scegen.understanding.words.unknown_drivers import who_drive, whose_doing
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _ON_FOOT_MPS = 3.0
@@ -116,7 +116,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         terms.append(term)
         i = terms[-1].j
     crossed = _crossings(gather(terms, tokens), tokens)
-    return who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens)
+    return whose_doing(who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:

@@ -1,4 +1,4 @@
-"""Nouns that no rule knows, of those who drive: "a black Transit overtakes the ego"."""
+"""Those who drive, called by a noun that no rule knows, or by none: "a cut-in from the right"."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from scegen.understanding.words.tokens import Token
 _OPENERS = frozenset({"det", "num"})
 _GOVERNING = frozenset({"prep", "locus", "verb"})
 _BETWEEN = frozenset({"label", "dir", "manner", "state"})
+_DOINGS = frozenset({"cut_in", "brake", "hard_brake", "u_turn", "lane_change", "swerve"})
+_OPENING = frozenset({"det", "manner", "dir", "inert"})
 _INSTEAD = "no known kind of road user; as it drives, it is read as a car"
 
 
@@ -57,3 +59,22 @@ def _suffers(terms: list[Term], k: int) -> bool:
     ends = after in {"", "punct", "conj", "prep", "locus", "sub", "verb", "rel"}
     met = verb is not None and verb.cat == "verb" and verb.value in word_list("met_driving")
     return ends and met and terms[opener].value == "indef"
+
+
+def whose_doing(terms: list[Term]) -> list[Term]:
+    """``A cut-in from the right``, ``hard braking ahead of the ego``: a car's, if none is named."""
+    if any(t.cat == "actor" and not t.data.get("ego") for t in terms):
+        return terms
+    found: list[Term] = []
+    opens = True
+    for k, term in enumerate(terms):
+        found.append(term)
+        after = term_at(terms, k + 1)
+        placed = after is not None and (after.cat == "locus" or after.value == "from")
+        placed = placed and term.form not in {"s", "ed"}
+        if opens and placed and term.cat == "verb" and term.value in _DOINGS:
+            at = term.j
+            found += [Term("prep", "of", at, at), Term("det", "indef", at, at)]
+            found.append(Term("actor", "car", at, at))
+        opens = term.cat == "punct" or (opens and term.cat in _OPENING)
+    return found
