@@ -25,6 +25,19 @@ def test_who_brakes_endangers_the_next_behind_it(describe):
     assert resolved(functional) == {(("ego",), ("van",))}
 
 
+@pytest.mark.parametrize(("acts", "sufferer"), [([], "car"), (["change_lane"], "ego")])
+def test_who_changes_lanes_gets_away_from_one_who_stops(describe, acts, sufferer):
+    van = {"id": "van", "kind": "van", "approaches": ["ahead"]}
+    car = {"id": "car", "approaches": ["ahead"], "maneuvers": ["lane_change"]}
+    order = {"participant": "van", "reference": "car", "approaches": ["ahead"]}
+    done = [{"id": "c", "participant": "car", "kind": kind} for kind in acts]
+    functional = describe(
+        "straight", 2, [EGO, van, car], [{"kind": "stopping", "by": ["van"]}],
+        more={"relations": [order], "acts": done},
+    )  # fmt: skip
+    assert resolved(functional) == {(("van",), (sufferer,))}
+
+
 def test_nobody_named_who_brakes_is_whom_somebody_tailgates(describe):
     car = {"id": "car", "approaches": ["behind"]}
     hazards = [

@@ -133,7 +133,8 @@ def _found(scene: _View, party: Party, seen_from: tuple[str, ...]) -> list[str]:
         case Party.LEADER:
             return [n for name in seen_from for n in _in_line(scene, name, ahead=True)]
         case Party.FOLLOWER:
-            return [n for name in seen_from for n in _in_line(scene, name, ahead=False)]
+            behind = [n for name in seen_from for n in _in_line(scene, name, ahead=False)]
+            return sorted(behind, key=lambda name: _gets_away(scene, name, seen_from))
         case Party.BESIDE:
             return [
                 a.participant
@@ -155,6 +156,12 @@ def _found(scene: _View, party: Party, seen_from: tuple[str, ...]) -> list[str]:
             return [n for n, a in scene.assignments.items() if n != ego and _moves(a)]
         case _:
             return known_by_itself(scene.functional, party)
+
+
+def _gets_away(scene: _View, name: str, others: tuple[str, ...]) -> bool:
+    """Whether it leaves the lane of these: what they do then concerns the one behind it."""
+    changes = (a for a in scene.functional.acts if a.kind is ActKind.CHANGE_LANE)
+    return any(a.participant == name and a.into not in others for a in changes)
 
 
 def _moves(assignment: Assignment) -> bool:
