@@ -129,9 +129,8 @@ def _sides(kind: ActKind, scene: Clause, text: Telling) -> list[tuple[str, Basis
     # "in the left lane, a car wanders towards ours": where it is, but "on the left, it overtakes"
     starts = [p.target for p in event.pps if p.fronted and kind is not ActKind.OVERTAKE]
     # "the ego in the left lane overtakes a van in the right lane": there is the van
-    theirs = {
-        e.start_lane[1].i for e in scene.targets if e.start_lane and scene.actors[0].start_lane
-    }
+    own = any(e.start_lane for e in scene.actors)
+    theirs = {e.start_lane[1].i for e in scene.targets if own and e.start_lane}
     goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
     for goal in (g for g in goals if all(g is not place for place in (*sources, *starts))):
         beside = any(c is not goal and c.i < goal.i <= c.j + 1 for c in within)

@@ -61,7 +61,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
         return ending.between[0], ending.between[1]  # of those who touch
     if " the next " in f"{' '.join(figure.words_around.after.split()[:4])} ":
         return None  # "each 3 m clear of the next"
-    for meeting in before_they_meet(figure):
+    if (meeting := before_they_meet(figure)) is not None:
         return (meeting[0], meeting[1]) if len(meeting) > 1 else None
     named = text.named(noun) if noun is None or not noun.possessed else []
     word = figure.after[0] if figure.after is not None else None
@@ -100,17 +100,18 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     return (first, other) if other is not None and other is not first else None
 
 
-def before_they_meet(figure: Figure) -> list[list[Entity]]:
+def before_they_meet(figure: Figure) -> list[Entity] | None:
     """``3 s before it would hit a van``, ``before reaching it``, ``before we meet``: those who do.
 
-    One list if a clause says so, however many it names; none else.
+    However many the clause names; None where no clause says so.
     """
     if figure.role != "ttc" or not figure.words_around.after.startswith(" before "):
-        return []
+        return None
     following = (s for s in figure.text.scenes if s.event.i > figure.i)
-    meeting = [s for s in following if s.event.name in {"collide", "approach"}][:1]
-    meeting = [s for s in meeting if s.targets or s.event.name == "approach"]
-    return [list(dict.fromkeys([*s.actors, *s.targets, *figure.actors])) for s in meeting]
+    meets = next((s for s in following if s.event.name in {"collide", "approach"}), None)
+    if meets is None or not (meets.targets or meets.event.name == "approach"):
+        return None
+    return list(dict.fromkeys([*meets.actors, *meets.targets, *figure.actors]))
 
 
 def _by_a_pronoun(named: list[Entity], subject: list[Entity], figure: Figure) -> list[Entity]:

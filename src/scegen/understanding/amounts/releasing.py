@@ -65,7 +65,7 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
     other = named[0] if named else doing.entity if subject is not doing.entity else doing.into
     near = [e for e in text.spoken_of(0, figure.i) if e is not subject]
     other = other or text.counterpart(subject, near)
-    for meeting in before_they_meet(figure):
+    if meeting := before_they_meet(figure):
         subject, other = meeting[0], next(iter(meeting[1:]), None)
     if other is None or other is subject:
         return False

@@ -10,10 +10,9 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
-from scegen.understanding.clauses import subjects
+from scegen.understanding.clauses import relatives, subjects
 from scegen.understanding.clauses.attachment import preposition, release
 from scegen.understanding.clauses.nominals import read_mention, read_noun
-from scegen.understanding.clauses.phrases import close_relative
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
     ADVERBS,
@@ -244,7 +243,7 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
-        if close_relative(event, state):
+        if relatives.close(event, state):
             self.events.append(event)
             return
         if self._inverted(event):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
 from scegen.understanding.clauses.located import place_in_front, side_of_place
@@ -11,7 +12,6 @@ from scegen.understanding.clauses.phrases import (
     apposed_to,
     bracketed,
     further_ones,
-    opens_relative,
     partitive_before,
     relative_noun,
 )
@@ -39,7 +39,7 @@ def read_mention(mention: Mention, state: State) -> None:
     if state.prep is not None:
         _prepositional(mention, state.prep, state)
         return
-    if opens_relative(mention, state):
+    if relatives.opens(mention, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between

@@ -1,4 +1,4 @@
-"""Noun phrases that continue others, parts of sets, and relative clauses about their object."""
+"""Noun phrases that continue others, and parts of sets."""
 
 from __future__ import annotations
 
@@ -122,72 +122,3 @@ def further_ones(mention: Mention, state: State) -> bool:
     again = isinstance(following, Event) and following.form == "ing" and participle
     off = is_word(following, "from")
     return again or (off and state.last_prep is not None and state.last_prep.value == "from")
-
-
-_DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
-                               "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
-_REACH = 4
-
-
-def opens_relative(mention: Mention, state: State) -> bool:
-    """Whether a noun begins a clause that says what is done to the noun before it.
-
-    The state keeps both nouns.
-    """
-    that = state.at(-1)
-    marked = isinstance(that, Word) and that.cat == "rel"
-    between = -1 - marked
-    between -= marked and is_word(state.at(between), ",")
-    placed = state.at(between)  # "the car ahead, which the ego follows"
-    between -= marked and isinstance(placed, Word) and placed.cat == "locus"
-    about = state.at(between)
-    if not isinstance(about, Mention) or not about.heads or about.possessor:
-        return False
-    waits = about is state.waiting and not state.between
-    told = mention.pronoun is not None or any("speaks" in h.data for h in mention.heads)
-    if not (marked or waits or told) or not _acts(state):
-        return False
-    state.relative = (mention, about)
-    return True
-
-
-def _acts(state: State) -> bool:
-    """Whether a verb follows that wants an object and does not get one."""
-    for n, chunk in enumerate(state.after(_REACH), start=1):
-        if isinstance(chunk, Event):
-            free = not isinstance(state.at(n + 1), Mention)
-            return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
-        if not isinstance(chunk, Word) or chunk.cat not in {"aux", "manner", "neg"}:
-            return False
-    return False
-
-
-def close_relative(event: Event, state: State) -> bool:
-    """Gives the verb of such a clause its subject and object; the clause around it goes on.
-
-    Returns:
-        Whether there was such a clause.
-    """
-    if state.relative is None:
-        return False
-    actor, about = state.relative
-    event.subject, event.object = [actor], about
-    event.negated = any(word.startswith("neg:") for word in state.between)
-    event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
-    state.relative = None
-    state.events.append(event)
-    state.stand_at(about)
-    return True
-
-
-def closed(state: State) -> bool:
-    """``drives ahead of the ego, which is as fast, and brakes``: who drives, not the ego."""
-    return "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
-
-
-def aside(event: Event, events: list[Event]) -> bool:
-    """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about."""
-    return event.embedded and any(
-        e.finite and e.subject and not e.embedded and e.sentence == event.sentence and e.i < event.i
-        for e in events
-    )

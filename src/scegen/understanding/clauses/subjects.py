@@ -12,8 +12,7 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
-from scegen.understanding.clauses.phrases import closed
-from scegen.understanding.clauses.relatives import antecedent, told
+from scegen.understanding.clauses.relatives import antecedent, closed, told
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
 
@@ -133,7 +132,7 @@ def _clause(event: Event, state: State) -> None:
         "rel" in between
         and state.mentions
         and event.embedded
-        and not (_passed_by_another(event, state))
+        and not _passed_by_another(event, state)
     ):
         which = antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")

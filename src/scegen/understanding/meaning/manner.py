@@ -6,7 +6,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.meaning import placing
-from scegen.understanding.semantics.conditions import condition
+from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause, Context, clause_of
 from scegen.understanding.semantics.marks import comes_to_rest, in_the_lane
 from scegen.understanding.words.terms import Term
@@ -14,9 +14,8 @@ from scegen.understanding.words.terms import Term
 
 def note_braking(events: list[Event], context: Context) -> None:
     """``brakes hard; once it stands …``: it does not stand from the start."""
-    slows = condition("slows_now")
     for clause in map(clause_of, events):
-        for entity in clause.drivers if slows(clause, context) else []:
+        for entity in clause.drivers if holds("slows_now", clause, context) else []:
             at = clause.event.i if entity.brakes_from is None else entity.brakes_from
             entity.brakes_from = at
 

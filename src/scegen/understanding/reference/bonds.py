@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses.located import is_it
-from scegen.understanding.clauses.phrases import aside
+from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.listed import sides_of
 from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
