@@ -6,11 +6,13 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from scegen.concretization import concretize
+from scegen.criticality.target import COLLISION, NEAR_MISS
 from scegen.errors import InfeasibleError
 from scegen.pipeline.options import Options
 from scegen.pipeline.raising import Raising, raise_danger
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.outcome import Outcome, OutcomeKind
 from scegen.scenario.proof import Proof
 from scegen.scenario.wording import counted
 
@@ -36,7 +38,10 @@ def make_one(
     Raises:
         InfeasibleError: it cannot be made.
     """
-    concrete = concretize(functional, scenario, seed=seed)
+    wanted = functional
+    if target == COLLISION and functional.outcome is None:  # asked for, so nobody brakes for it
+        wanted = functional.model_copy(update={"outcome": Outcome(kind=OutcomeKind.COLLISION)})
+    concrete = concretize(wanted, scenario, seed=seed)
     return raise_danger(functional, concrete, target, seed, progress, session, solutions=solutions)
 
 
@@ -52,7 +57,8 @@ def make_some(
 
     Those that were picked by name are made whatever comes of them. Of the others, one in which a
     statement does not hold or the target is not reached is made only if no other will do; what
-    was passed over is told.
+    was passed over is told. Where all that is said allows of no near miss, and nobody says that
+    there is one, they touch.
 
     Raises:
         InfeasibleError: none of them can be made.
@@ -61,6 +67,11 @@ def make_some(
     most = len(picked) if options.pick else wanted + MOST_SPARE
     tried: list[Raising] = []
     skipped: dict[str, str] = {}
+
+    def raised(scenario: LogicalScenario, target: str | None) -> Raising:
+        seed, solutions = options.seed, options.solutions
+        return make_one(functional, scenario, target, seed, progress, session, solutions=solutions)
+
     for scenario in picked:
         good = sum(_flaws(raising) == (0, 0) for raising in tried)
         if len(tried) >= most or (wanted <= good and not options.pick):
@@ -68,15 +79,13 @@ def make_some(
         name = scenario.name
         progress(f"concretizing {name}")
         try:
-            raising = make_one(
-                functional,
-                scenario,
-                target,
-                options.seed,
-                progress,
-                session,
-                solutions=options.solutions,
-            )
+            raising = raised(scenario, target)
+            free = options.target is None and functional.outcome is None and target == NEAR_MISS
+            if free and _flaws(raising)[0]:
+                touched = raised(scenario, COLLISION)
+                if _flaws(touched) == (0, 0):
+                    skipped[f"{name}, a near miss"] = _why(next(iter(raising.proofs.values())))
+                    raising = touched
         except InfeasibleError as error:
             skipped[name] = error.render()
             continue
