@@ -32,8 +32,12 @@ def make_one(
     session: Session | None = None,
     *,
     solutions: int = 1,
+    free: bool = False,
 ) -> Raising:
     """One logical scenario made concrete in memory, its danger raised, its claims proved.
+
+    Where nobody asked for the target (it is ``free``) or tells of the end, and all that is said
+    allows of no near miss, they touch.
 
     Raises:
         InfeasibleError: it cannot be made.
@@ -42,7 +46,19 @@ def make_one(
     if target == COLLISION and functional.outcome is None:  # asked for, so nobody brakes for it
         wanted = functional.model_copy(update={"outcome": Outcome(kind=OutcomeKind.COLLISION)})
     concrete = concretize(wanted, scenario, seed=seed)
-    return raise_danger(functional, concrete, target, seed, progress, session, solutions=solutions)
+    raising = raise_danger(
+        functional, concrete, target, seed, progress, session, solutions=solutions
+    )
+    missed = _flaws(raising)[0] > 0
+    if not (missed and free and functional.outcome is None and target == NEAR_MISS):
+        return raising
+    touched = make_one(
+        functional, scenario, COLLISION, seed, progress, session, solutions=solutions
+    )
+    if _flaws(touched) != (0, 0):
+        return raising
+    touched.skipped[f"{scenario.name}, a near miss"] = _why(next(iter(raising.proofs.values())))
+    return touched
 
 
 def make_some(
@@ -57,8 +73,7 @@ def make_some(
 
     Those that were picked by name are made whatever comes of them. Of the others, one in which a
     statement does not hold or the target is not reached is made only if no other will do; what
-    was passed over is told. Where all that is said allows of no near miss, and nobody says that
-    there is one, they touch.
+    was passed over is told.
 
     Raises:
         InfeasibleError: none of them can be made.
@@ -67,11 +82,6 @@ def make_some(
     most = len(picked) if options.pick else wanted + MOST_SPARE
     tried: list[Raising] = []
     skipped: dict[str, str] = {}
-
-    def raised(scenario: LogicalScenario, target: str | None) -> Raising:
-        seed, solutions = options.seed, options.solutions
-        return make_one(functional, scenario, target, seed, progress, session, solutions=solutions)
-
     for scenario in picked:
         good = sum(_flaws(raising) == (0, 0) for raising in tried)
         if len(tried) >= most or (wanted <= good and not options.pick):
@@ -79,13 +89,16 @@ def make_some(
         name = scenario.name
         progress(f"concretizing {name}")
         try:
-            raising = raised(scenario, target)
-            free = options.target is None and functional.outcome is None and target == NEAR_MISS
-            if free and _flaws(raising)[0]:
-                touched = raised(scenario, COLLISION)
-                if _flaws(touched) == (0, 0):
-                    skipped[f"{name}, a near miss"] = _why(next(iter(raising.proofs.values())))
-                    raising = touched
+            raising = make_one(
+                functional,
+                scenario,
+                target,
+                options.seed,
+                progress,
+                session,
+                solutions=options.solutions,
+                free=options.target is None,
+            )
         except InfeasibleError as error:
             skipped[name] = error.render()
             continue
