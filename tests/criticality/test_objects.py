@@ -92,6 +92,16 @@ def test_people_come_before_things_as_whom_a_target_is_about():
     assert candidate_pairs(concrete)[:2] == [("far", "ego"), ("crate_1", "ego")]
 
 
+def test_others_in_file_are_no_pair_if_nothing_is_said_of_them():
+    said = "The ego is in the left lane of a motorway and passes two trucks in the right lane."
+    functional = read(said)
+    concrete = concretize(functional, enumerate_scenarios(functional).scenarios[0])
+    assert all("ego" in pair for pair in candidate_pairs(concrete))
+    raised = raise_criticality(functional, concrete)
+    assert raised.proof.blocked_by
+    assert not raised.proof.missed
+
+
 @pytest.mark.parametrize(("target", "contact"), [("near-miss", False), ("collision", True)])
 def test_the_search_stops_short_of_it_or_in_it(target, contact):
     functional = read("A crate lies in the ego's lane on a straight road.")

@@ -30,6 +30,11 @@ def test_one_who_speeds_or_hurries_says_nothing_of_the_road():
     assert limit_kmh(("ego", "car", 40), ("x", "emergency_vehicle", 90)) == 50
 
 
+def test_a_bend_is_one_that_who_speeds_gets_round():
+    speeds = ("x", "car", 90), ("ego", "car", 40)
+    assert limit_kmh(*speeds, hazards=[("speeding", "x", "ego")], bend={}) == 70
+
+
 def test_roundabouts_are_slow():
     assert limit_kmh(("ego", "car", 20), kind="roundabout") == 30
 

@@ -18,6 +18,8 @@ MOTORWAY_LIMIT_MPS = 130 / 3.6
 with a median out of town limits are mostly 90 to 110 km/h."""
 _STEP_MPS = 10 / 3.6
 _CLEARLY = 1.02
+_HELD = 0.75
+"""The limit of a bend that one who speeds still gets round, as a share of that one's speed."""
 _HIGHEST_MPS = 130 / 3.6
 
 
@@ -41,7 +43,7 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
     """The limit said; else the usual one, or one that allows the speeds said.
 
     Who is said to go 100 km/h, and not to be speeding, is on a road for it, and so is everybody
-    else there.
+    else there. A bend holds those who speed, too.
     """
     junction = functional.junction
     if junction.speed_limit_mps is not None:
@@ -53,15 +55,14 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
         if hazard.kind is HazardKind.SPEEDING
         for name in hazard.by
     }
+    held = _HELD if junction.bend is not None else 0.0
     said = [
-        p.speed_mps.high
+        p.speed_mps.high * (held if p.id in speeding else 1.0)
         for p in functional.vehicles
-        if p.speed_mps is not None
-        and p.id not in speeding
-        and p.kind is not ParticipantKind.EMERGENCY_VEHICLE
+        if p.speed_mps is not None and p.kind is not ParticipantKind.EMERGENCY_VEHICLE
     ]
     fastest = max(said, default=0.0)
-    if not said and junction.carriageway is Carriageway.DIVIDED:
+    if not fastest and junction.carriageway is Carriageway.DIVIDED:
         usual = MOTORWAY_LIMIT_MPS if Strip.HARD_SHOULDER in junction.strips else DIVIDED_LIMIT_MPS
     if fastest <= usual * _CLEARLY:
         return usual
