@@ -29,6 +29,7 @@ from scegen.scenario.concrete import (
     Travelled,
     Trigger,
 )
+from scegen.scenario.vocabulary import HazardKind
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
@@ -94,13 +95,11 @@ def _walker(scene: Setup, walk: WalkDraft) -> ConcreteParticipant:
 
 
 def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
-    """What sets a change of speed off: what is known, whose coming, how long it stood, its place.
+    """What sets a change of speed off: whose coming, how long it stood, its place.
 
-    Who stands from the start sets off as another comes, who waits when one has passed or it is
-    green.
+    Who stands from the start sets off, or goes back, as another comes, who waits when one has
+    passed or it is green.
     """
-    if phase.trigger is not None:
-        return phase.trigger
     moment_s = draft.offset_s + phase.begins_s
     if draft.waits_s is not None and phase is draft.course.going_on:
         passing = [scene.drives[draft.lets_by]] if draft.lets_by is not None else []
@@ -109,8 +108,9 @@ def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
         )
         scene.note(f"{draft.id}.goes_s", moment_s, why)
         return as_they_come(passing, moment_s)
-    if scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id:
-        timed = isinstance(scene.act(phase.act).when, AfterStart)
+    backs = phase.hazard is HazardKind.REVERSING and draft.backs_to is None
+    if backs or (scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id):
+        timed = any(a.id == phase.act and isinstance(a.when, AfterStart) for a in scene.acts)
         others = [each for each in scene.concerned(draft.id) if each is not draft]
         return as_they_come(others[: not timed], moment_s)
     if phase.then_s is not None:

@@ -22,11 +22,7 @@ from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
 from scegen.concretization.occluders import hide
-from scegen.concretization.reversing import (
-    go_back_as_they_come,
-    prepare_to_reverse,
-    reverse,
-)
+from scegen.concretization.reversing import prepare_to_reverse, reverse
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import (
@@ -125,8 +121,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
-    backing = reverse(scene)
-    meetings = [*backing, *leave_lanes(scene)]
+    meetings = [*reverse(scene), *leave_lanes(scene)]
     go_round_stationary(scene)
     place_obstacles(scene)
     meetings += shape_maneuvers(scene)
@@ -136,7 +131,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, meetings)
     _start(scene, meetings)
-    go_back_as_they_come(scene, backing)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 

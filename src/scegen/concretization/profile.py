@@ -9,7 +9,6 @@ from enum import Enum
 import numpy as np
 
 from scegen.motion.model import Array
-from scegen.scenario.concrete import Trigger
 from scegen.scenario.vocabulary import HazardKind
 
 
@@ -33,7 +32,7 @@ class SpeedChange:
     What the road slows down to must be reached ``by_m``: where acts have changed the speed, it
     begins just in time for that. ``act`` names the act of the text that it is, ``hazard`` the
     danger that it serves, ``reacts_to`` whom it answers. ``timed``: it comes so long after the
-    start, whatever others do. ``trigger`` is what sets it off, once that is known.
+    start, whatever others do.
     """
 
     target_mps: float
@@ -49,7 +48,6 @@ class SpeedChange:
     there: bool = False
     reacts_to: str | None = None
     timed: bool = False
-    trigger: Trigger | None = None
 
 
 NEVER_S = 1e6
