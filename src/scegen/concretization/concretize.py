@@ -15,7 +15,7 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_lin
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.leaving import brake_out_of_control, leave_lanes, shape_maneuvers
+from scegen.concretization.leaving import leave_lanes, shape_maneuvers
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.meeting_lanes import choose_junction_lanes
@@ -125,7 +125,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     go_round_stationary(scene)
     place_obstacles(scene)
     meetings += shape_maneuvers(scene)
-    brake_out_of_control(scene)
     stand_in_line(scene)
     meetings += pull_out(scene)
     stop_in_the_way(scene)
