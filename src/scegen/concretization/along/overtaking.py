@@ -32,6 +32,8 @@ _LOOK_S, _LONGEST_S, _PASSES_S = 0.05, 60.0, 4.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 """Who strays has left the way of who comes so long before they are level: after this share of its
 change back."""
+_ASTRAY_S = 3.8
+"""Who goes astray on purpose meets somebody so long after it is there, or would."""
 _STILL_THERE = 0.35
 """The share of a change back after which one is still in the way of who brakes for it."""
 _FASTER_MPS, _HARDLY_MPS = 6.0, 1.5
@@ -53,7 +55,10 @@ def overtake(story: Story) -> None:
         if slow:
             _pass(story, act, story.runners[act.participant], slow)
         elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
-            _stray(story, act, story.runners[act.participant])
+            # Into the oncoming lane just for the oncoming; it comes back as they meet.
+            out = Move(story.begins_s[act.id], LANE_CHANGE_S, 0, 0.0, act.id, story.hazard_of(act))
+            story.runners[act.participant].moves.append(out)
+            story.ends_s[act.id] = out.ends_s
         elif not standings_beside(story):  # past one who is parked beside the lanes leads no change
             raise MotionInfeasibleError(
                 "nobody is ahead of it whom it could overtake",
@@ -62,24 +67,14 @@ def overtake(story: Story) -> None:
             )
 
 
-def _stray(story: Story, act: Act, runner: Runner) -> None:
-    """Into the oncoming lane and back, where there is nobody to overtake: just for the oncoming."""
-    begins = story.begins_s[act.id]
-    hazard = story.hazard_of(act)
-    out = Move(begins, LANE_CHANGE_S, 0, 0.0, act.id, hazard)
-    back = Move(out.ends_s + 1.0, LANE_CHANGE_S, max(1, runner.lane), 0.0, act.id, hazard)
-    runner.moves += [out, back]
-    story.ends_s[act.id] = back.ends_s
-
-
-def _meet_after(story: Story, strays: set[str]) -> None:
+def _meet_after(story: Story) -> None:
     """Who comes towards one in its lane meets it when it is back: just then, if that is a danger.
 
     Those whose place the text gives stay where they are.
     """
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
-    strays |= {act.participant for act in story.acts if story.goes_round(act)}
-    for stray in (r for r in story.runners.values() if r.id in strays):
+    # The ego's own straying counts more than what others do towards it.
+    for stray in sorted(story.runners.values(), key=lambda r: r is story.ego):
         out = next((m for m in stray.moves if m.lane == 0), None)
         if out is None:
             continue
@@ -267,15 +262,15 @@ def _when(true: Callable[[Array], Bools], from_s: float) -> float:
 
 def come_back(story: Story) -> None:
     """Who strays into the lane of those who come towards it is back as they meet."""
-    strays: set[str] = set()
     for runner in (r for r in story.runners.values() if r.moves and r.moves[-1].lane == 0):
         last = runner.moves[-1]
         time_s, name = min(_meetings(story, runner, last.begins_s), default=(NEVER_S, ""))
-        if time_s >= NEVER_S or story.contact_wanted(runner.id, name):
+        if last.act is not None and story.goes_round(story.act(last.act)):
+            time_s = last.ends_s + _ASTRAY_S
+        elif time_s >= NEVER_S or story.contact_wanted(runner.id, name):
             continue
-        if story.innermost and _dodge(story.runners[name]) is not None:
-            strays.add(runner.id)  # beyond a median it stays there: the other gets out of its way
-            continue
+        if story.innermost and name and _dodge(story.runners[name]) is not None:
+            continue  # beyond a median it stays there: the other gets out of its way
         back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane, offset = max(1, runner.lane), 0.0
         if story.innermost:  # beyond a median, it dodges into the lane beside
@@ -283,8 +278,7 @@ def come_back(story: Story) -> None:
             beside = beside if beside < story.lane_count else beside - 2
             offset = (1 if not runner.keeps_left else -1) * beside * runner.lane_width_m
         runner.moves.append(Move(back, last.lasts_s, lane, offset, last.act, last.hazard))
-        strays.add(runner.id)
-    _meet_after(story, strays)
+    _meet_after(story)
 
 
 def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bools:

@@ -11,7 +11,6 @@ from scegen.concretization.along.spacing import (
     GapAt,
     comes_in,
     is_ahead,
-    just_missed_s,
     level,
     place,
     place_just_missed,
@@ -123,8 +122,8 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     other = story.runners[_reference(story, name, order)]
     if runner.forward != other.forward:
         # Level at a moment: then and there they meet.
-        touches = story.contact_wanted(runner.id, other.id)
-        runner.at_m = level(runner, other, _meets_s(runner, other, touches=touches))
+        meets_s = max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
+        runner.at_m = level(runner, other, meets_s)
         return
     front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
     move = _just_misses(story, front, back)
@@ -147,21 +146,6 @@ def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
     near = front.stands and (front.thing or back is story.ego)
     away = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
     return away if near and front.lane == back.lane else None
-
-
-def _meets_s(runner: Runner, other: Runner, *, touches: bool) -> float:
-    """When one who comes towards the ego is met: as its own act has brought it there.
-
-    One that leaves the other's line again is met just then, with a little room, or before, if they
-    are to touch.
-    """
-    if runner.lane_at(_AT_REST_S) > 0 and any(m.lane == 0 for m in runner.moves):
-        if touches:
-            out_s = max(m.ends_s for m in runner.moves if m.lane == 0)
-            closing = max(runner.speed_at_mps(out_s) + other.speed_at_mps(out_s), _SLOWER_MPS)
-            return out_s + _A_LITTLE_S + (runner.body.length_m + other.body.length_m) / 2 / closing
-        return just_missed_s(runner, other, runner.moves[-1])
-    return max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
 
 
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
