@@ -14,7 +14,6 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
-    BEHIND_KERB_M,
     OWES,
     STOOD_S,
     Met,
@@ -83,12 +82,6 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
     walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip))
-    soon_s = _until_met_s(story, walk, meets)
-    if soon_s is not None:  # so near that the other does not come by first
-        way = walk.profile.way_m(soon_s) - to_aim
-        nearest = max(strip, body.front_m + BEHIND_KERB_M)
-        if way > nearest or story.contact_wanted(participant.id, meets.id):
-            walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
     if said is not None and said.at == START:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
@@ -118,14 +111,6 @@ def _meets(story: Story, name: str) -> str:
     owing = (n for n in story.runners if name in story.endangered_by(n, OWES))
     suffering = (n for n in story.endangered_by(name) if n in story.runners)
     return next(chain(owing, suffering), story.ego.id)
-
-
-def _until_met_s(story: Story, walk: Walk, meets: Runner) -> float | None:
-    """How long the other takes to its line from when it sets off, where that is said."""
-    told = _spacing(story, walk, meets.id)
-    if told is None or told.act is None or told.act is walk.stop or meets.speed_mps <= 0.0:
-        return None
-    return told.value / meets.speed_mps if told.measure is Measure.GAP_M else told.value
 
 
 def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:

@@ -12,7 +12,7 @@ from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.moments import perform_known
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.sideways import standings_beside
-from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
+from scegen.concretization.along.spacing import JUST_M, keep_apart, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.answering import last_that
@@ -81,19 +81,20 @@ def _meet_after(story: Story) -> None:
         there = (0, out.offset_m)
         later = (m for m in stray.moves if m.begins_s > out.begins_s)
         back = next((m for m in later if (min(m.lane, 1), m.offset_m) != there), None)
-        for other in story.runners.values():
-            clears = back or _dodge(other)
-            facing = other.forward != stray.forward and not other.stands
-            if not facing or {other.id, stray.id} & said or clears is None:
-                continue
-            moment = _meeting_when_back_s(story, stray, other, out, clears)
-            if other is story.ego:
-                shift = level(stray, other, moment) - (stray.at_m or 0.0)
-                for runner in story.runners.values():
-                    if runner.forward == stray.forward and runner.at_m is not None:
-                        runner.at_m += shift
-            else:
-                other.at_m = level(other, stray, moment)
+        free = [r for r in story.runners.values() if not {r.id, stray.id} & said]
+        facing = [
+            (not story.concern(stray.id, r.id), r.at_m or 0.0, r, clears) for r in free
+            if r.forward != stray.forward and not r.stands and (clears := back or _dodge(r))
+        ]  # fmt: skip
+        if not facing:
+            continue
+        *_, other, clears = min(facing, key=lambda each: (each[0], each[1] * stray.sign))
+        moment = _meeting_when_back_s(story, stray, other, out, clears)
+        moved, fixed = (stray, other) if other is story.ego else (other, stray)
+        shift = level(moved, fixed, moment) - (moved.at_m or 0.0)
+        for runner in free:
+            if runner.forward == moved.forward:
+                runner.at_m = (runner.at_m or 0.0) + shift
 
 
 def _meeting_when_back_s(
@@ -109,8 +110,7 @@ def _meeting_when_back_s(
     if stray.id in story.endangered_by(other.id, *BRAKING):
         return back.begins_s + _STILL_THERE * back.lasts_s
     if story.concern(stray.id, other.id):
-        first, second = (stray, other) if back in stray.moves else (other, stray)
-        return just_missed_s(first, second, back)
+        return back.begins_s + _CLEAR_AFTER * back.lasts_s + _CLEAR_BEFORE_S
     return back.ends_s + _LONG_BACK_S
 
 

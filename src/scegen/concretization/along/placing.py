@@ -7,13 +7,11 @@ from typing import Literal
 
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import (
-    JUST_M,
     GapAt,
     comes_in,
     is_ahead,
     level,
     place,
-    place_just_missed,
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M
@@ -126,26 +124,12 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
         runner.at_m = level(runner, other, meets_s)
         return
     front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
-    move = _just_misses(story, front, back)
-    if move is not None:
-        place_just_missed(runner, front, back, move, JUST_M * wider)
-        return
     kind = _usual(story, front, back, wider)
     if kind is None:
         moves = [m.begins_s for m in (*runner.moves, *other.moves)]
         runner.at_m = level(runner, other, min(moves, default=FIRST_ACT_S))
         return
     place(GapAt(runner, other, *kind, ahead=runner is front))
-
-
-def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
-    """The move by which one goes round another that stands in its lane, as late as it can.
-
-    That is the ego, and whoever does so for a thing; others reveal who stands there in time.
-    """
-    near = front.stands and (front.thing or back is story.ego)
-    away = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
-    return away if near and front.lane == back.lane else None
 
 
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
@@ -216,14 +200,8 @@ def _usual(
         diagonal = frozenset().union(*words) & {Approach.AHEAD, Approach.BEHIND}
         return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
     leaves = next((m for m in front.moves if m.lane != back.lane), None)
-    slows = next((s for s in front.steps if s.target_mps < front.speed_mps), None)
     if leaves is not None:
         return Measure.HEADWAY_S, _LEAVES_AT_S * wider, leaves.begins_s
-    if slows is not None and back.speed_mps > 0:
-        # Who gains before it slows down has been as near at first.
-        gains = front.profile.way_m(slows.begins_s) > back.profile.way_m(slows.begins_s)
-        near_s = 0.0 if gains else slows.begins_s
-        return Measure.HEADWAY_S, _headway_s(story, front, back, wider), near_s
     moving_away = back.moves[0] if back.moves else None
     if front.stands and back.speed_mps > 0 and back.speed_at_mps(_AT_REST_S) == 0.0:
         return Measure.GAP_M, _STOPS_BEFORE_M, _AT_REST_S

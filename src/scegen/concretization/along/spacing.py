@@ -1,6 +1,6 @@
 """How two stand to each other: who is ahead, and where one starts so that they are so far apart.
 
-A measure has a value at a moment, or one just misses the other, with both boxes as they turn.
+A measure has a value at a moment.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ import numpy as np
 
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.answering import last_that
 from scegen.concretization.boxes import apart, missing_m
 from scegen.scenario.acts import ActKind
 from scegen.scenario.in_line import words_between
@@ -21,7 +20,6 @@ from scegen.scenario.vocabulary import Approach
 JUST_M = 0.5
 """The room that is left between two of whom one just misses the other."""
 _LOOK_S = 0.05
-_AROUND_S = 3.0
 
 
 def is_ahead(story: Story, who: str, other: str) -> bool:
@@ -62,35 +60,6 @@ def keep_apart(first: Runner, second: Runner, room_m: float, from_s: float, to_s
     """Whether two come no nearer than so much within a time, with their boxes as they turn."""
     times = np.arange(max(from_s, 0.0), to_s + _LOOK_S, _LOOK_S)
     return bool(np.all(apart(first.track(times)[0], second.track(times)[0], room_m) >= room_m))
-
-
-def place_just_missed(
-    who: Runner, front: Runner, back: Runner, move: Move, room_m: float = JUST_M
-) -> None:
-    """Place one of two so that the one behind, which moves aside, just misses the one ahead."""
-    other = back if who is front else front
-    until_s = move.ends_s + _AROUND_S
-
-    def missed(gap: float) -> bool:
-        place(GapAt(who, other, Measure.GAP_M, gap, move.begins_s, ahead=who is front))
-        return keep_apart(front, back, room_m, move.begins_s, until_s)
-
-    closing = max(back.speed_at_mps(move.begins_s) - front.speed_at_mps(move.begins_s), 1.0)
-    missed(last_that(missed, closing * move.lasts_s, 0.0))
-
-
-def just_missed_s(who: Runner, other: Runner, back: Move) -> float:
-    """When one on its way back is level with another that comes towards it: it just misses it."""
-    kept = who.at_m
-
-    def missed(moment_s: float) -> bool:
-        who.at_m = level(who, other, moment_s)
-        around = _AROUND_S / 2
-        return keep_apart(who, other, JUST_M, moment_s - around, moment_s + around)
-
-    found = last_that(missed, back.ends_s + 1.0, back.begins_s)
-    who.at_m = kept
-    return found
 
 
 _FAR_M = 1e4
