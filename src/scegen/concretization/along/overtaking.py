@@ -12,10 +12,9 @@ from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.moments import perform_known
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.sideways import standings_beside
-from scegen.concretization.along.spacing import JUST_M, keep_apart, level
+from scegen.concretization.along.spacing import JUST_M, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
-from scegen.concretization.answering import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.tale import outward
@@ -28,7 +27,7 @@ from scegen.scenario.vocabulary import HazardKind
 
 _CLEAR_M = 6.0
 _LONG_BACK_S = 2.5
-_LOOK_S, _LONGEST_S, _PASSES_S = 0.05, 60.0, 4.0
+_LOOK_S, _LONGEST_S = 0.05, 60.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 """Who strays has left the way of who comes so long before they are level: after this share of its
 change back."""
@@ -178,7 +177,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     clear_m = said_m or (0.0 if stays and back is None else _CLEAR_M)
     is_clear = partial(_is_past, fast, foremost, clear_m)
     if not stays and not at_once and aside is None:
-        latest = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
+        latest = _when(partial(_level, fast, slow, JUST_M), begins) - lasts  # out as it comes up
         # Who is to be as near as is said when it comes back has come out by then.
         soon = NEVER_S if said_m is None else _when(is_clear, begins) - lasts
         begins = max(min(latest, soon), begins)
@@ -236,22 +235,6 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     if fast.lane == 1 and story.lane_count > 1 and slow.lane == 1:
         return 2, 0.0
     return max(0, fast.lane - 1), 0.0
-
-
-def _latest_out_s(
-    fast: Runner, slow: Runner, place: tuple[int, float], lasts_s: float, earliest_s: float
-) -> float:
-    """The latest moment to pull out at which one still gets past close by, without touching."""
-    reaches = _when(partial(_level, fast, slow, JUST_M), earliest_s)
-    kept = list(fast.moves)
-
-    def past(begins_s: float) -> bool:
-        fast.moves = [*kept, Move(begins_s, lasts_s, *place)]
-        return keep_apart(fast, slow, JUST_M, begins_s, begins_s + lasts_s + _PASSES_S)
-
-    latest = last_that(past, earliest_s, max(reaches, earliest_s))
-    fast.moves = kept
-    return latest
 
 
 def _when(true: Callable[[Array], Bools], from_s: float) -> float:
