@@ -22,7 +22,6 @@ from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.acts import AfterStart
 from scegen.scenario.concrete import (
-    ArrivalBelow,
     ConcreteParticipant,
     ConcreteScenario,
     StoodStill,
@@ -115,12 +114,7 @@ def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
         return as_they_come(others[: not timed], moment_s)
     if phase.then_s is not None:
         return StoodStill(participant=draft.id, duration_s=phase.then_s)
-    place = phase.s_m - draft.start_m
-    if phase.there:
-        lasts_s = draft.course.speed_then(phase.begins_s) / phase.rate_mps2
-        rests_m = place + phase.rate_mps2 * lasts_s**2 / 2
-        return ArrivalBelow(participant=draft.id, place_m=round(rests_m, 3), time_s=lasts_s / 2)
-    return Travelled(participant=draft.id, distance_m=max(0.0, place))
+    return Travelled(participant=draft.id, distance_m=max(0.0, phase.s_m - draft.start_m))
 
 
 def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None:

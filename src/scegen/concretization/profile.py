@@ -27,7 +27,7 @@ class SpeedChange:
     """The speed goes over to ``target_mps`` at ``rate_mps2``: from ``begins_s`` on, or ``s_m``.
 
     At a junction it is tied to the place ``s_m`` of the path (from the outer end) until a drive is
-    worked out; ``there``: also however fast one comes. With ``then_s`` it comes so long after the
+    worked out. With ``then_s`` it comes so long after the
     one before it has ended instead, wherever that is, and ``then`` is one that does so at once.
     What the road slows down to must be reached ``by_m``: where acts have changed the speed, it
     begins just in time for that. ``act`` names the act of the text that it is, ``hazard`` the
@@ -45,7 +45,6 @@ class SpeedChange:
     then: SpeedChange | None = None
     then_s: float | None = None
     by_m: float = 0.0
-    there: bool = False
     reacts_to: str | None = None
     timed: bool = False
 
