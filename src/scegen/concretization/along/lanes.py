@@ -18,10 +18,10 @@ from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
 from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.in_line import words_between
-from scegen.scenario.logical import Assignment, Drive, InLine
+from scegen.scenario.logical import Assignment, InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Side
 from scegen.scenario.wording import counted
 
 MOST_LANES = 3
@@ -189,7 +189,7 @@ def _from_hazards(story: Story) -> Iterator[Wish]:
 
 
 def _usual(story: Story, count: int) -> Iterator[Wish]:
-    """Drive in line with the ego; change lanes where there is one to change into."""
+    """Drive in line with the ego."""
     ego, people = story.ego.id, story.people
     for name in story.exiting & people.keys():
         words = f"{name} is in the outermost lane, beside which the exit begins"
@@ -204,9 +204,3 @@ def _usual(story: Story, count: int) -> Iterator[Wish]:
         beside = beside or story.functional.participant(name).strip is not None
         if name != ego and runner.forward and not beside:
             yield _beside(name, ego, USUAL, 0, f"{name} is in line")
-        if not isinstance(assignment, Drive) or assignment.maneuver is not Maneuver.LANE_CHANGE:
-            continue
-        if name not in story.exiting and assignment.changes_to is not None:
-            step = outward(story.functional, assignment.changes_to)
-            words = f"{name} has a lane to change into"
-            yield Wish((name,), LIKELY, _room(step, count), words)
