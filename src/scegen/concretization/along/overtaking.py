@@ -12,7 +12,7 @@ from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.moments import perform_known
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.sideways import standings_beside
-from scegen.concretization.along.spacing import JUST_M, level
+from scegen.concretization.along.spacing import JUST_M, just_misses, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
@@ -109,7 +109,15 @@ def _meeting_when_back_s(
     if stray.id in story.endangered_by(other.id, *BRAKING):
         return back.begins_s + _STILL_THERE * back.lasts_s
     if story.concern(stray.id, other.id):
-        return back.begins_s + _CLEAR_AFTER * back.lasts_s + _CLEAR_BEFORE_S
+        goes, meets = (stray, other) if back in stray.moves else (other, stray)
+        kept = goes.at_m
+
+        def put(moment_s: float) -> None:
+            goes.at_m = level(goes, meets, moment_s)
+
+        found = just_misses((goes, meets), put, back.ends_s + 1.0, back.begins_s)
+        goes.at_m = kept
+        return found
     return back.ends_s + _LONG_BACK_S
 
 
@@ -177,7 +185,14 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     clear_m = said_m or (0.0 if stays and back is None else _CLEAR_M)
     is_clear = partial(_is_past, fast, foremost, clear_m)
     if not stays and not at_once and aside is None:
-        latest = _when(partial(_level, fast, slow, JUST_M), begins) - lasts  # out as it comes up
+        reaches = _when(partial(_level, fast, slow, JUST_M), begins)
+        kept = list(fast.moves)
+
+        def put(begins_s: float) -> None:
+            fast.moves = [*kept, Move(begins_s, lasts, out_lane, offset)]
+
+        latest = just_misses((fast, slow), put, begins, max(reaches, begins))
+        fast.moves = kept
         # Who is to be as near as is said when it comes back has come out by then.
         soon = NEVER_S if said_m is None else _when(is_clear, begins) - lasts
         begins = max(min(latest, soon), begins)

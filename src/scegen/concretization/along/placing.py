@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Literal
 
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
 from scegen.concretization.along.spacing import (
+    JUST_M,
     GapAt,
     comes_in,
     is_ahead,
+    just_misses,
     level,
     place,
 )
@@ -124,6 +127,17 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
         runner.at_m = level(runner, other, meets_s)
         return
     front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
+    aside = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
+    near = front.stands and front.lane == back.lane and (front.thing or back is story.ego)
+    if near and aside is not None:  # it goes round as late as it can
+        tie = GapAt(runner, other, Measure.GAP_M, 0.0, aside.begins_s, ahead=runner is front)
+        far_m = max(back.speed_at_mps(aside.begins_s), 1.0) * aside.lasts_s
+
+        def put(gap_m: float) -> None:
+            place(replace(tie, value=gap_m))
+
+        just_misses((front, back), put, far_m, 0.0, JUST_M * wider)
+        return
     kind = _usual(story, front, back, wider)
     if kind is None:
         moves = [m.begins_s for m in (*runner.moves, *other.moves)]

@@ -187,9 +187,7 @@ def _follow(story: Story, contact: Contact) -> bool:
         speed = step.target_mps
     hardest = hardest_mps2(who.body, story.grip_mps2)
     who.steps = steps
-    if max(s.rate_mps2 for s in steps) <= hardest and keep_apart(
-        who, other, _KEEPS_M, 0.0, _LATEST_S
-    ):
+    if max(s.rate_mps2 for s in steps) <= hardest and keep_apart(who, other, _KEEPS_M):
         return True
     who.steps = []
     return False

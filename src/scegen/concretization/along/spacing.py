@@ -5,12 +5,14 @@ A measure has a value at a moment.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
+from scegen.concretization.answering import last_that
 from scegen.concretization.boxes import apart, missing_m
 from scegen.scenario.acts import ActKind
 from scegen.scenario.in_line import words_between
@@ -19,7 +21,7 @@ from scegen.scenario.vocabulary import Approach
 
 JUST_M = 0.5
 """The room that is left between two of whom one just misses the other."""
-_LOOK_S = 0.05
+_TIMES_S = np.arange(0.0, 40.0, 0.05)
 
 
 def is_ahead(story: Story, who: str, other: str) -> bool:
@@ -56,10 +58,25 @@ def comes_in(mover: Runner, stays: Runner) -> Move | None:
     return next((m for lanes, m in others if stays.lane in lanes), None)
 
 
-def keep_apart(first: Runner, second: Runner, room_m: float, from_s: float, to_s: float) -> bool:
-    """Whether two come no nearer than so much within a time, with their boxes as they turn."""
-    times = np.arange(max(from_s, 0.0), to_s + _LOOK_S, _LOOK_S)
-    return bool(np.all(apart(first.track(times)[0], second.track(times)[0], room_m) >= room_m))
+def keep_apart(first: Runner, second: Runner, room_m: float) -> bool:
+    """Whether two never come nearer than so much, with their boxes as they turn."""
+    one, other = (runner.track(_TIMES_S)[0] for runner in (first, second))
+    return bool(np.all(apart(one, other, room_m) >= room_m))
+
+
+def just_misses(
+    pair: tuple[Runner, Runner], put: Callable[[float], None], good: float, bad: float,
+    room_m: float = JUST_M,
+) -> float:  # fmt: skip
+    """The last value from a good one on with which, once ``put``, two still miss each other."""
+
+    def missed(value: float) -> bool:
+        put(value)
+        return keep_apart(*pair, room_m)
+
+    found = last_that(missed, good, bad)
+    put(found)
+    return found
 
 
 _FAR_M = 1e4
