@@ -12,6 +12,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import SpeedChange
+from scegen.concretization.reversing import as_it_comes
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.walkers import leaves_s, partner_of
 from scegen.concretization.written import as_they_come, written, written_phase, written_scenario
@@ -111,6 +112,8 @@ def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
     if backs or (scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id):
         timed = any(a.id == phase.act and isinstance(a.when, AfterStart) for a in scene.acts)
         others = [each for each in scene.concerned(draft.id) if each is not draft]
+        if backs and others and not timed:
+            return as_it_comes(draft, others[0], moment_s)
         return as_they_come(others[: not timed], moment_s)
     if phase.then_s is not None:
         return StoodStill(participant=draft.id, duration_s=phase.then_s)

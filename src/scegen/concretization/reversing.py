@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import copysign, sin
+from math import copysign, hypot, sin
 
 import numpy as np
 
@@ -38,8 +38,10 @@ from scegen.concretization.meetings import (
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
+from scegen.concretization.written import as_they_come
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING
+from scegen.scenario.concrete import ArrivalBelow, Trigger
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Reverses
 from scegen.scenario.outcome import BodySide
@@ -160,6 +162,19 @@ def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     require_room(other.id, brakes_s, _LEAST_RUN_UP_M)
     reason = "reversing: brakes when it comes back"
     return Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason)
+
+
+def as_it_comes(draft: DriveDraft, other: DriveDraft, moment_s: float) -> Trigger:
+    """It goes back when the other is so many seconds short of where it brakes, late."""
+    at_s = other.course.s_at(moment_s - other.offset_s)
+    square, speed = draft.drive.reverses is Reverses.SQUARE, other.course.speed_at(at_s)
+    brakes_s = 0.0 if square else _braked_for(draft, other).second_s_m
+    if at_s >= brakes_s or speed < 1.0:
+        return as_they_come([other], moment_s)
+    here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+    time_s = hypot(there.x_m - here.x_m, there.y_m - here.y_m) / speed
+    place_m = round(brakes_s - other.start_m, 3)
+    return ArrivalBelow(participant=other.id, place_m=place_m, time_s=round(time_s, 3))
 
 
 def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Meeting | None:
