@@ -9,7 +9,7 @@ from math import pi, sqrt
 import numpy as np
 
 from scegen.claims.boxes import free, gap_m
-from scegen.concretization.along.moments import perform_known
+from scegen.concretization.along.performing import perform_known
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.sideways import standings_beside
 from scegen.concretization.along.spacing import JUST_M, just_misses, level
