@@ -147,15 +147,12 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
 
 
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
-    """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
+    """To whom a place is told: the next in its line, else the ego."""
     known = [n for n, r in story.runners.items() if r.at_m is not None]
     names = list(story.runners)
     thing = story.things.get(name)
     if thing is not None and thing.in_way_of in known:
         return thing.in_way_of
-    for to in story.endangered_by(name):
-        if to in known and _neighbours(story, name, to, order):
-            return to
     runner = story.runners[name]
     line = [
         n for n in known
@@ -165,19 +162,6 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
         here = names.index(name)
         return min(line, key=lambda n: (abs(order[n] - order[name]), abs(names.index(n) - here)))
     return story.functional.ego.id
-
-
-def _neighbours(story: Story, first: str, second: str, order: dict[str, int]) -> bool:
-    """Whether nobody is between two in one line."""
-    a, b = story.runners[first], story.runners[second]
-    if a.lane != b.lane or a.forward != b.forward:
-        return True
-    low, high = sorted((order[first], order[second]))
-    return not any(
-        low < order[n] < high
-        for n, r in story.runners.items()
-        if r.lane == a.lane and r.forward == a.forward
-    )
 
 
 def _side_on(story: Story, front: Runner, back: Runner) -> bool:
