@@ -21,7 +21,6 @@ from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path, Trace
 from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
-from scegen.scenario.acts import AfterStart
 from scegen.scenario.concrete import (
     ConcreteParticipant,
     ConcreteScenario,
@@ -110,11 +109,10 @@ def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
         return as_they_come(passing, moment_s)
     backs = phase.hazard is HazardKind.REVERSING and draft.backs_to is None
     if backs or (scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id):
-        timed = any(a.id == phase.act and isinstance(a.when, AfterStart) for a in scene.acts)
         others = [each for each in scene.concerned(draft.id) if each is not draft]
-        if backs and others and not timed:
+        if backs and others:
             return as_it_comes(draft, others[0], moment_s)
-        return as_they_come(others[: not timed], moment_s)
+        return as_they_come(others[: not phase.timed], moment_s)
     if phase.then_s is not None:
         return StoodStill(participant=draft.id, duration_s=phase.then_s)
     return Travelled(participant=draft.id, distance_m=max(0.0, phase.s_m - draft.start_m))
