@@ -129,7 +129,7 @@ def _dodge(other: Runner) -> Move | None:
 def passed_by(story: Story, act: Act) -> list[Runner]:
     """Who is overtaken, the last in line first: who is named, whom the danger is to, or the next.
 
-    All whom the danger is to are passed in one go.
+    All whom the danger is to, or who stand in its lane, are passed in one go.
     """
     own = story.runners[act.participant]
     to = {*story.endangered_by(own.id, HazardKind.OVERTAKING)}
@@ -144,7 +144,9 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
     order = story.ranks()
     line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
-    return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
+    ahead = [alike[name] for name in sorted(line, key=lambda name: -order[name])]
+    standing = [r for r in ahead if r.stands and ahead[0].stands and r.lane == own.lane]
+    return sorted(standing, key=lambda r: (r.at_m or 0.0) * r.sign) or ahead[:1]
 
 
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
