@@ -2,21 +2,24 @@
 
 Who drives beside whom: where the text names the side, that side; else, where two beside each other
 turn different ways, the sides on which one turns across the other's nose: that is what such a text
-tells of. And who turns back.
+tells of. And who turns back, or turns late behind another.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
+from itertools import combinations
 from math import radians, tan
 
 from scegen.concretization.tale import outward, side_of
 from scegen.errors import MotionInfeasibleError
 from scegen.road.lane_choice import lane_ways
+from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.road_parameters import RoadParameters, Turn
-from scegen.scenario.vocabulary import JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Approach, DrivingSide, JunctionKind, Maneuver
 from scegen.scenario.wording import counted, with_article
 
 _WITHOUT_TURNS = frozenset({JunctionKind.STRAIGHT, JunctionKind.ROUNDABOUT})
@@ -26,6 +29,7 @@ _HALF_CIRCLE_LANES = 2
 _MOST_LANES = 3
 _BULB_RADIUS_M = 4.0
 """What a road of one lane per direction with room beside it allows one who swings out first."""
+_LATE_RADIUS_M = 6.5
 
 
 def is_outward(functional: FunctionalScenario, name: str, reference: str) -> bool | None:
@@ -163,6 +167,7 @@ def with_turns(
     turns = [
         *_half_circles(functional, logical, road),
         *turns_across(functional, logical, road),
+        *_late_turns(functional, logical, road),
     ]
     update: dict[str, object] = {}
     if turns:
@@ -204,3 +209,39 @@ def _half_circles(
             )
         )
     return list(dict.fromkeys(found))
+
+
+def _late_turns(
+    functional: FunctionalScenario, logical: LogicalScenario, road: RoadParameters
+) -> list[Turn]:
+    """Two from opposite arms who both turn across the oncoming lane, each behind the other.
+
+    On the widest arcs they pass in front of each other and never meet; who goes on to the middle
+    and turns there crosses the other's way twice.
+    """
+    if road.kind in _WITHOUT_TURNS:
+        return []
+    across = Maneuver.LEFT if road.driving_side is DrivingSide.RIGHT else Maneuver.RIGHT
+    angles = arm_angles_deg(functional.junction)
+    turning = [drive for drive in logical.drives if drive.turn is across]
+    late: dict[str, Drive] = {}
+    for first, second in combinations(turning, 2):
+        if first.entry == second.entry or not _meant(functional, first, second):
+            continue
+        if Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
+            late |= {first.participant: first, second.participant: second}
+    radii = {
+        (drive.entry, drive.exit): max(_LATE_RADIUS_M, 1.1 * least_radius_m(drive, functional))
+        for drive in sorted(late.values(), key=lambda each: least_radius_m(each, functional))
+    }
+    return [
+        Turn(**asdict(way), radius_m=round(radii[way.entry, way.exit], 3))
+        for way in lane_ways(road.arms, road.driving_side)
+        if (way.entry, way.exit) in radii
+    ]
+
+
+def _meant(functional: FunctionalScenario, first: Drive, second: Drive) -> bool:
+    """Whether these two are to meet: a danger between them, or the ego and nothing else said."""
+    others = {d.id for d in functional.vehicles} | {c.id for c in functional.crossers}
+    return _at_odds(functional, first, second) and (bool(functional.hazards) or len(others) == 2)
