@@ -7,6 +7,7 @@ from itertools import chain
 from math import ceil
 from typing import NamedTuple
 
+from scegen.claims.moments import STANDS_MPS
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m, strip_m
@@ -14,6 +15,7 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
+    BEHIND_KERB_M,
     OWES,
     STOOD_S,
     Met,
@@ -82,6 +84,12 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
     walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip))
+    soon_s = _until_met_s(story, walk, meets)
+    if soon_s is not None:  # so near that the other does not come by first
+        way = walk.profile.way_m(soon_s) - to_aim
+        nearest = body.front_m + max(strip / 2, BEHIND_KERB_M)  # amid those who are parked
+        if way > nearest or story.contact_wanted(participant.id, meets.id):
+            walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
     if said is not None and said.at == START:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
@@ -113,6 +121,14 @@ def _meets(story: Story, name: str) -> str:
     return next(chain(owing, suffering), story.ego.id)
 
 
+def _until_met_s(story: Story, walk: Walk, meets: Runner) -> float | None:
+    """How long the other takes to its line from when it sets off, where that is said."""
+    told = _spacing(story, walk, meets.id)
+    if told is None or told.act is None or told.act is walk.stop or meets.speed_mps <= 0.0:
+        return None
+    return told.value / meets.speed_mps if told.measure is Measure.GAP_M else told.value
+
+
 def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
     """When it sets off and where its line lies, so that it ``takes`` as long as the other does."""
     half = walk.body.width_m / 2
@@ -128,10 +144,12 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
         walk.x_m = unbraked.x_m(arrival) + meets.towards * (meets.leading_m + clear)
         return
     if told.act is not None and not walk.timed:
-        walk.sets_off_s = max(_MEETS_S - takes, 2.0)
-    moment = told.at_s if told.act is None else walk.sets_off_s
+        walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, 2.0)
+    seen_s = STANDS_MPS / walk.rate_mps2  # until then it still stands, to whoever looks on
+    moment = told.at_s if told.act is None else walk.sets_off_s + seen_s
     if told.act is not None and told.act is walk.stop:
         moment += walk.rests_s() if told.since == "end" else walk.slows_s()
+    meets = meets if told.act is None else _unbraked(story, meets)
     away = told.value * (1.0 if told.measure is Measure.GAP_M else meets.speed_at_mps(moment))
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
     if told.act is None and not walk.timed:
