@@ -31,6 +31,7 @@ _HARDER = (1.0, 1.2, 1.4, 9.0)
 _OF_GRIP = 0.95
 _RATES_MPS2: dict[HazardKind | None, float] = {
     HazardKind.HARD_BRAKING: HARD_BRAKING_MPS2[0],
+    HazardKind.LOSS_OF_CONTROL: HARD_BRAKING_MPS2[0],
     HazardKind.SUDDEN_ACCELERATION: SUDDEN_ACCELERATION_MPS2[0],
 }
 

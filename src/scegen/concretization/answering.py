@@ -137,8 +137,7 @@ def _answer(
     if own is None:
         thing = all(each.id != contact.other for each in tale.functional.participants)
         hazard = next(iter(kinds), HazardKind.OBSTACLE if thing else None)
-        there = contact.other in traffic.backs
-        own = SpeedChange(to_mps, 0.0, hazard=hazard, sort=Sort.ACT, there=there)
+        own = SpeedChange(to_mps, 0.0, hazard=hazard, sort=Sort.ACT)
     elif said is None or not falls_back(said):
         to_mps = min(own.target_mps, to_mps)
     rates = answering_rates_mps2(said, hardest_mps2(body, tale.grip_mps2), hard=bool(kinds))

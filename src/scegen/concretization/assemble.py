@@ -12,6 +12,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import SpeedChange
+from scegen.concretization.reversing import as_it_comes
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.walkers import leaves_s, partner_of
 from scegen.concretization.written import as_they_come, written, written_phase, written_scenario
@@ -20,15 +21,14 @@ from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path, Trace
 from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
-from scegen.scenario.acts import AfterStart
 from scegen.scenario.concrete import (
-    ArrivalBelow,
     ConcreteParticipant,
     ConcreteScenario,
     StoodStill,
     Travelled,
     Trigger,
 )
+from scegen.scenario.vocabulary import HazardKind
 
 _INTO_EXIT_M = 20.0
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
@@ -94,13 +94,11 @@ def _walker(scene: Setup, walk: WalkDraft) -> ConcreteParticipant:
 
 
 def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
-    """What sets a change of speed off: what is known, whose coming, how long it stood, its place.
+    """What sets a change of speed off: whose coming, how long it stood, its place.
 
-    Who stands from the start sets off as another comes, who waits when one has passed or it is
-    green.
+    Who stands from the start sets off, or goes back, as another comes, who waits when one has
+    passed or it is green.
     """
-    if phase.trigger is not None:
-        return phase.trigger
     moment_s = draft.offset_s + phase.begins_s
     if draft.waits_s is not None and phase is draft.course.going_on:
         passing = [scene.drives[draft.lets_by]] if draft.lets_by is not None else []
@@ -109,18 +107,15 @@ def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
         )
         scene.note(f"{draft.id}.goes_s", moment_s, why)
         return as_they_come(passing, moment_s)
-    if scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id:
-        timed = isinstance(scene.act(phase.act).when, AfterStart)
+    backs = phase.hazard is HazardKind.REVERSING and draft.backs_to is None
+    if backs or (scene.sets_off(draft.id) and phase.act == scene.speed_acts(draft.id)[0].id):
         others = [each for each in scene.concerned(draft.id) if each is not draft]
-        return as_they_come(others[: not timed], moment_s)
+        if backs and others:
+            return as_it_comes(draft, others[0], moment_s)
+        return as_they_come(others[: not phase.timed], moment_s)
     if phase.then_s is not None:
         return StoodStill(participant=draft.id, duration_s=phase.then_s)
-    place = phase.s_m - draft.start_m
-    if phase.there:
-        lasts_s = draft.course.speed_then(phase.begins_s) / phase.rate_mps2
-        rests_m = place + phase.rate_mps2 * lasts_s**2 / 2
-        return ArrivalBelow(participant=draft.id, place_m=round(rests_m, 3), time_s=lasts_s / 2)
-    return Travelled(participant=draft.id, distance_m=max(0.0, place))
+    return Travelled(participant=draft.id, distance_m=max(0.0, phase.s_m - draft.start_m))
 
 
 def require_apart(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> None:

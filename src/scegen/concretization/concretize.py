@@ -15,18 +15,14 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_lin
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import conflict_meetings
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.leaving import brake_out_of_control, leave_lanes, shape_maneuvers
+from scegen.concretization.leaving import leave_lanes, shape_maneuvers
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
 from scegen.concretization.occluders import hide
-from scegen.concretization.reversing import (
-    go_back_as_they_come,
-    prepare_to_reverse,
-    reverse,
-)
+from scegen.concretization.reversing import prepare_to_reverse, reverse
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import (
@@ -125,18 +121,15 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)
-    backing = reverse(scene)
-    meetings = [*backing, *leave_lanes(scene)]
+    meetings = [*reverse(scene), *leave_lanes(scene)]
     go_round_stationary(scene)
     place_obstacles(scene)
     meetings += shape_maneuvers(scene)
-    brake_out_of_control(scene)
     stand_in_line(scene)
     meetings += pull_out(scene)
     stop_in_the_way(scene)
     meetings += conflict_meetings(scene, meetings)
     _start(scene, meetings)
-    go_back_as_they_come(scene, backing)
     return hide(scene.functional, assemble(scene, seed), scene.network)
 
 

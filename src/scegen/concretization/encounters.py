@@ -5,11 +5,8 @@ Those are causes and sufferers of dangers, then all whom the ego meets.
 
 from __future__ import annotations
 
-import numpy as np
-
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
-    APPROACH_S,
     CLOSE_FOLLOWING_S,
     PASSING_LAG_S,
     TAILGATING_HEADWAY_S,
@@ -31,12 +28,8 @@ from scegen.scenario.hazards import HAZARDS, Arrangement, Case, Motion
 from scegen.scenario.vocabulary import HazardKind
 
 _CLEAR_OF_WALKER_M, _CLEAR_BEHIND_M, _CLEAR_OF_OTHER_M = 1.3, 0.7, 3.0
-_TURNED_RAD = 0.75
-"""Who stops in a bend is seen to turn: it has got so far, and may stop a little sooner."""
 _BEFORE_S = 1.5
 """Who gains speed begins to so long before the place where it matters."""
-_EARLIER_S = 3.0
-_LEAST_PLACE_M = 20.0
 _HALF_WAY = 0.6
 
 
@@ -125,10 +118,6 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     if draft is scene.ego:
         # The ego brakes to avoid, the others brake in its way.
         place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
-    elif act is ActKind.STOP and place > draft.junction_s_m:
-        path = draft.laid.path
-        turned = np.abs(path.heading_rad - path.heading_rad[0]) >= _TURNED_RAD
-        place = max(place, float(path.s_m[turned.argmax()]))
     return place
 
 
@@ -213,10 +202,6 @@ def _close(
         headway_s = sum(TAILGATING_HEADWAY_S) / 2
         if not scene.has_said_speed(follow.id):
             follow.cruise_mps = lead.cruise_mps
-    if lead.cruise_mps > follow.cruise_mps:
-        # They draw apart: nearest where the leader starts, about this far before the junction.
-        begins = lead.junction_s_m - lead.cruise_mps * (APPROACH_S + _EARLIER_S)
-        place, priority = max(_LEAST_PLACE_M, begins), STRUCTURAL
     bodies = lead.body.rear_m + follow.body.front_m
     return Meeting(priority, lead.id, follow.id, place, place - bodies, headway_s, reason)
 

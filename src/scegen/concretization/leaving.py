@@ -20,9 +20,8 @@ from scegen.concretization.aside import (
 )
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import ahead_on_arm, culprits, same_arm, victims
-from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, HARD_BRAKING_MPS2, LANE_CHANGE_S
+from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S
 from scegen.concretization.meetings import STRUCTURAL, Meeting
-from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocking_m
 from scegen.concretization.tale import SIDEWAYS, SWERVING, changes_before_turning, outward
@@ -201,16 +200,6 @@ def _length_m(
     width_m = width_m or scene.functional.junction.lanes_wide_m
     lasts_s = usual_s if act is None else lasting_s(act, width_m, usual_s)
     return change_length_m(draft, lasts_s, width_m)
-
-
-def brake_out_of_control(scene: Setup) -> None:
-    """Loss of control ends in hard braking to walking pace."""
-    kind = HazardKind.LOSS_OF_CONTROL
-    for draft in (each for hazard in scene.of_kind(kind) for each in culprits(scene, hazard)):
-        for change in draft.lane_changes[-1:]:
-            rate = draft.braking_mps2(HARD_BRAKING_MPS2[0])
-            place = draft.laid.path_s_m(change.position_m)
-            draft.hold(SpeedChange(2.0, rate, s_m=place, hazard=kind), 1.0)
 
 
 def shape_maneuvers(scene: Setup) -> list[Meeting]:

@@ -9,7 +9,6 @@ from enum import Enum
 import numpy as np
 
 from scegen.motion.model import Array
-from scegen.scenario.concrete import Trigger
 from scegen.scenario.vocabulary import HazardKind
 
 
@@ -28,12 +27,12 @@ class SpeedChange:
     """The speed goes over to ``target_mps`` at ``rate_mps2``: from ``begins_s`` on, or ``s_m``.
 
     At a junction it is tied to the place ``s_m`` of the path (from the outer end) until a drive is
-    worked out; ``there``: also however fast one comes. With ``then_s`` it comes so long after the
+    worked out. With ``then_s`` it comes so long after the
     one before it has ended instead, wherever that is, and ``then`` is one that does so at once.
     What the road slows down to must be reached ``by_m``: where acts have changed the speed, it
     begins just in time for that. ``act`` names the act of the text that it is, ``hazard`` the
     danger that it serves, ``reacts_to`` whom it answers. ``timed``: it comes so long after the
-    start, whatever others do. ``trigger`` is what sets it off, once that is known.
+    start, whatever others do.
     """
 
     target_mps: float
@@ -46,10 +45,8 @@ class SpeedChange:
     then: SpeedChange | None = None
     then_s: float | None = None
     by_m: float = 0.0
-    there: bool = False
     reacts_to: str | None = None
     timed: bool = False
-    trigger: Trigger | None = None
 
 
 NEVER_S = 1e6

@@ -1,14 +1,14 @@
 """Reversing: backing up towards another, or out in front of it, or straight out of a bay.
 
-One that reverses waits for the other: it goes when that one is so many seconds short of where it
-will have to brake, late. Straight out, all is laid backwards from where the two meet: it stands so
+One that reverses waits for the other, which has to brake late. Straight out, all is laid backwards
+from where the two meet: it stands so
 far off that it is up to speed for a while before, and then stops short of the other's way, or is
 across it as both touch.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from math import copysign, hypot, sin
 
@@ -38,9 +38,10 @@ from scegen.concretization.meetings import (
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
+from scegen.concretization.written import as_they_come
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING
-from scegen.scenario.concrete import ArrivalBelow
+from scegen.scenario.concrete import ArrivalBelow, Trigger
 from scegen.scenario.functional import Hazard
 from scegen.scenario.logical import Reverses
 from scegen.scenario.outcome import BodySide
@@ -54,8 +55,6 @@ _SEEN_S = 1.0
 _INTRUDED_S = 0.5
 """And so long after the other has come into its way."""
 _BEGINS_M = 0.3
-_SEEN_BY_THEN_S = 0.6
-"""Time to get so far from standing."""
 _LEAST_RUN_UP_M = 15.0
 _HELD_S = 1.5
 """It is up to speed for so long, so that this can be seen."""
@@ -165,29 +164,17 @@ def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     return Meeting(DANGER, draft.id, other.id, event_s, brakes_s, 0.0, reason)
 
 
-def go_back_as_they_come(scene: Setup, meetings: Sequence[Meeting]) -> None:
-    """It begins to reverse when the other is so many seconds short of where they meet."""
-    for met in meetings:
-        draft, other = scene.drives[met.first], scene.drives[met.second]
-        square = draft.drive.reverses is Reverses.SQUARE
-        # What either does by then may have changed how late the other can brake.
-        brakes_s = (met if square else _braked_for(draft, other)).second_s_m
-        begins_s, _ = draft.laid.path.backwards[0]
-        goes_s = draft.course.time_at(begins_s + _BEGINS_M) - _SEEN_BY_THEN_S
-        at_s = other.course.s_at(goes_s + draft.offset_s - other.offset_s)
-        speed = other.course.speed_at(at_s)
-        if at_s >= brakes_s or speed < 1.0:
-            continue
-        here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
-        away_m = hypot(there.x_m - here.x_m, there.y_m - here.y_m)
-        place_m, time_s = round(brakes_s - other.start_m, 3), round(away_m / speed, 3)
-        waits = ArrivalBelow(participant=other.id, place_m=place_m, time_s=time_s)
-        draft.marks = [
-            replace(mark, then=replace(mark.then, trigger=waits))
-            if mark.then is not None and mark.then.hazard is HazardKind.REVERSING
-            else mark
-            for mark in draft.marks
-        ]
+def as_it_comes(draft: DriveDraft, other: DriveDraft, moment_s: float) -> Trigger:
+    """It goes back when the other is so many seconds short of where it brakes, late."""
+    at_s = other.course.s_at(moment_s - other.offset_s)
+    square, speed = draft.drive.reverses is Reverses.SQUARE, other.course.speed_at(at_s)
+    brakes_s = 0.0 if square else _braked_for(draft, other).second_s_m
+    if at_s >= brakes_s or speed < 1.0:
+        return as_they_come([other], moment_s)
+    here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+    time_s = hypot(there.x_m - here.x_m, there.y_m - here.y_m) / speed
+    place_m = round(brakes_s - other.start_m, 3)
+    return ArrivalBelow(participant=other.id, place_m=place_m, time_s=round(time_s, 3))
 
 
 def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Meeting | None:

@@ -58,14 +58,15 @@ def acts_of(functional: FunctionalScenario, logical: LogicalScenario) -> tuple[A
     )
     tale = Tale(functional, logical, (*setting_off, *told))
     for hazard in functional.hazards:
-        if {*HAZARDS[hazard.kind].acts[:1]} & (SLOWING | GAINING):  # a change of speed
-            tale.acts = (*tale.acts, *_implied(tale, hazard))
+        tale.acts = (*tale.acts, *_implied(tale, hazard))
     return tuple(tale.acts)
 
 
 def _implied(tale: Tale, hazard: Hazard) -> Iterator[Act]:
     """The change of speed that a danger consists of; who stops for it goes on again."""
-    kind = HAZARDS[hazard.kind].acts[0]
+    kind = next((kind for kind in HAZARDS[hazard.kind].acts if kind in SLOWING | GAINING), None)
+    if kind is None:
+        return
     alike = SLOWING if kind in SLOWING else GAINING
     own = {act.participant for act in tale.acts if act.kind in alike}
     late = hazard.kind is HazardKind.DELAYED_BRAKING

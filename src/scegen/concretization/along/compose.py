@@ -12,9 +12,9 @@ import numpy as np
 from scegen.claims.boxes import gap_m
 from scegen.concretization.along.crossing import cross
 from scegen.concretization.along.frame import Frame, fitted, frame_of, road_of
-from scegen.concretization.along.moments import is_timed_last, perform_known
 from scegen.concretization.along.overtaking import come_back, overtake
-from scegen.concretization.along.parked import opens, park, passes_s, shift_to_pass
+from scegen.concretization.along.parked import opens, park, passes_s
+from scegen.concretization.along.performing import is_timed_last, perform_known
 from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.reactions import react, traffic_of
 from scegen.concretization.along.runner import Runner
@@ -76,7 +76,6 @@ def lay(story: Story) -> None:
             runner.steps, runner.moves, runner.offset_m = list(steps), list(moves), offset
         story.begins_s, story.ends_s, story.walks = dict(begins), dict(ends), {}
         offset_all(story)
-        shift_to_pass(story)
         place_all(story, wider=wider)
         never = perform_known(story, waiting, placed=True)
         if never:

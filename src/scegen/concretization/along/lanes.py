@@ -18,10 +18,10 @@ from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
 from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.in_line import words_between
-from scegen.scenario.logical import Assignment, Drive, InLine
+from scegen.scenario.logical import Assignment, InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Side
 from scegen.scenario.wording import counted
 
 MOST_LANES = 3
@@ -189,24 +189,14 @@ def _from_hazards(story: Story) -> Iterator[Wish]:
 
 
 def _usual(story: Story, count: int) -> Iterator[Wish]:
-    """Drive in line with the ego; change lanes where there is one to change into."""
-    ego, people = story.ego.id, story.people
-    for name in story.exiting & people.keys():
+    """Drive in line with the ego; next to the exit that one takes, or the door that one passes."""
+    for name, runner in story.people.items():
+        if name != story.ego.id and runner.forward:
+            yield _beside(name, story.ego.id, USUAL, 0, f"{name} is in line")
+    for name in story.exiting & story.people.keys():
         words = f"{name} is in the outermost lane, beside which the exit begins"
         yield _among(name, LIKELY, frozenset({count}), words)
     for door in inner_doors(story):
-        for name in endangered(story.functional, door) & people.keys():
+        for name in endangered(story.functional, door) & story.people.keys():
             words = f"{name} passes the door of {door} in the lane next to it"
             yield _among(name, LIKELY, _INNERMOST, words)
-    for name, runner in people.items():
-        assignment = story.logical.assignment(name)
-        beside = isinstance(assignment, InLine) and assignment.beside is not None
-        beside = beside or story.functional.participant(name).strip is not None
-        if name != ego and runner.forward and not beside:
-            yield _beside(name, ego, USUAL, 0, f"{name} is in line")
-        if not isinstance(assignment, Drive) or assignment.maneuver is not Maneuver.LANE_CHANGE:
-            continue
-        if name not in story.exiting and assignment.changes_to is not None:
-            step = outward(story.functional, assignment.changes_to)
-            words = f"{name} has a lane to change into"
-            yield Wish((name,), LIKELY, _room(step, count), words)

@@ -9,13 +9,12 @@ from math import pi, sqrt
 import numpy as np
 
 from scegen.claims.boxes import free, gap_m
-from scegen.concretization.along.moments import perform_known
+from scegen.concretization.along.performing import perform_known
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.sideways import standings_beside
-from scegen.concretization.along.spacing import JUST_M, just_missed_s, keep_apart, level
+from scegen.concretization.along.spacing import JUST_M, just_misses, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
-from scegen.concretization.answering import last_that
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
 from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.tale import outward
@@ -28,10 +27,12 @@ from scegen.scenario.vocabulary import HazardKind
 
 _CLEAR_M = 6.0
 _LONG_BACK_S = 2.5
-_LOOK_S, _LONGEST_S, _PASSES_S = 0.05, 60.0, 4.0
+_LOOK_S, _LONGEST_S = 0.05, 60.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 """Who strays has left the way of who comes so long before they are level: after this share of its
 change back."""
+_ASTRAY_S = 3.8
+"""Who goes astray on purpose meets somebody so long after it is there, or would."""
 _STILL_THERE = 0.35
 """The share of a change back after which one is still in the way of who brakes for it."""
 _FASTER_MPS, _HARDLY_MPS = 6.0, 1.5
@@ -53,7 +54,10 @@ def overtake(story: Story) -> None:
         if slow:
             _pass(story, act, story.runners[act.participant], slow)
         elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
-            _stray(story, act, story.runners[act.participant])
+            # Into the oncoming lane just for the oncoming; it comes back as they meet.
+            out = Move(story.begins_s[act.id], LANE_CHANGE_S, 0, 0.0, act.id, story.hazard_of(act))
+            story.runners[act.participant].moves.append(out)
+            story.ends_s[act.id] = out.ends_s
         elif not standings_beside(story):  # past one who is parked beside the lanes leads no change
             raise MotionInfeasibleError(
                 "nobody is ahead of it whom it could overtake",
@@ -62,43 +66,34 @@ def overtake(story: Story) -> None:
             )
 
 
-def _stray(story: Story, act: Act, runner: Runner) -> None:
-    """Into the oncoming lane and back, where there is nobody to overtake: just for the oncoming."""
-    begins = story.begins_s[act.id]
-    hazard = story.hazard_of(act)
-    out = Move(begins, LANE_CHANGE_S, 0, 0.0, act.id, hazard)
-    back = Move(out.ends_s + 1.0, LANE_CHANGE_S, max(1, runner.lane), 0.0, act.id, hazard)
-    runner.moves += [out, back]
-    story.ends_s[act.id] = back.ends_s
-
-
-def _meet_after(story: Story, strays: set[str]) -> None:
+def _meet_after(story: Story) -> None:
     """Who comes towards one in its lane meets it when it is back: just then, if that is a danger.
 
     Those whose place the text gives stay where they are.
     """
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
-    strays |= {act.participant for act in story.acts if story.goes_round(act)}
-    for stray in (r for r in story.runners.values() if r.id in strays):
+    # The ego's own straying counts more than what others do towards it.
+    for stray in sorted(story.runners.values(), key=lambda r: r is story.ego):
         out = next((m for m in stray.moves if m.lane == 0), None)
         if out is None:
             continue
         there = (0, out.offset_m)
         later = (m for m in stray.moves if m.begins_s > out.begins_s)
         back = next((m for m in later if (min(m.lane, 1), m.offset_m) != there), None)
-        for other in story.runners.values():
-            clears = back or _dodge(other)
-            facing = other.forward != stray.forward and not other.stands
-            if not facing or {other.id, stray.id} & said or clears is None:
-                continue
-            moment = _meeting_when_back_s(story, stray, other, out, clears)
-            if other is story.ego:
-                shift = level(stray, other, moment) - (stray.at_m or 0.0)
-                for runner in story.runners.values():
-                    if runner.forward == stray.forward and runner.at_m is not None:
-                        runner.at_m += shift
-            else:
-                other.at_m = level(other, stray, moment)
+        free = [r for r in story.runners.values() if not {r.id, stray.id} & said]
+        facing = [
+            (not story.concern(stray.id, r.id), r.at_m or 0.0, r, clears) for r in free
+            if r.forward != stray.forward and not r.stands and (clears := back or _dodge(r))
+        ]  # fmt: skip
+        if not facing:
+            continue
+        *_, other, clears = min(facing, key=lambda each: (each[0], each[1] * stray.sign))
+        moment = _meeting_when_back_s(story, stray, other, out, clears)
+        moved, fixed = (stray, other) if other is story.ego else (other, stray)
+        shift = level(moved, fixed, moment) - (moved.at_m or 0.0)
+        for runner in free:
+            if runner.forward == moved.forward:
+                runner.at_m = (runner.at_m or 0.0) + shift
 
 
 def _meeting_when_back_s(
@@ -114,8 +109,15 @@ def _meeting_when_back_s(
     if stray.id in story.endangered_by(other.id, *BRAKING):
         return back.begins_s + _STILL_THERE * back.lasts_s
     if story.concern(stray.id, other.id):
-        first, second = (stray, other) if back in stray.moves else (other, stray)
-        return just_missed_s(first, second, back)
+        goes, meets = (stray, other) if back in stray.moves else (other, stray)
+        kept = goes.at_m
+
+        def put(moment_s: float) -> None:
+            goes.at_m = level(goes, meets, moment_s)
+
+        found = just_misses((goes, meets), put, back.ends_s + 1.0, back.begins_s)
+        goes.at_m = kept
+        return found
     return back.ends_s + _LONG_BACK_S
 
 
@@ -127,7 +129,7 @@ def _dodge(other: Runner) -> Move | None:
 def passed_by(story: Story, act: Act) -> list[Runner]:
     """Who is overtaken, the last in line first: who is named, whom the danger is to, or the next.
 
-    All whom the danger is to are passed in one go.
+    All whom the danger is to, or who stand in its lane, are passed in one go.
     """
     own = story.runners[act.participant]
     to = {*story.endangered_by(own.id, HazardKind.OVERTAKING)}
@@ -142,7 +144,9 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
     order = story.ranks()
     line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
-    return [alike[name] for name in sorted(line, key=lambda name: -order[name])[:1]]
+    ahead = [alike[name] for name in sorted(line, key=lambda name: -order[name])]
+    standing = [r for r in ahead if r.stands and ahead[0].stands and r.lane == own.lane]
+    return sorted(standing, key=lambda r: (r.at_m or 0.0) * r.sign) or ahead[:1]
 
 
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
@@ -183,7 +187,14 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     clear_m = said_m or (0.0 if stays and back is None else _CLEAR_M)
     is_clear = partial(_is_past, fast, foremost, clear_m)
     if not stays and not at_once and aside is None:
-        latest = _latest_out_s(fast, slow, (out_lane, offset), lasts, begins)
+        reaches = _when(partial(_level, fast, slow, JUST_M), begins)
+        kept = list(fast.moves)
+
+        def put(begins_s: float) -> None:
+            fast.moves = [*kept, Move(begins_s, lasts, out_lane, offset)]
+
+        latest = just_misses((fast, slow), put, begins, max(reaches, begins))
+        fast.moves = kept
         # Who is to be as near as is said when it comes back has come out by then.
         soon = NEVER_S if said_m is None else _when(is_clear, begins) - lasts
         begins = max(min(latest, soon), begins)
@@ -243,22 +254,6 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     return max(0, fast.lane - 1), 0.0
 
 
-def _latest_out_s(
-    fast: Runner, slow: Runner, place: tuple[int, float], lasts_s: float, earliest_s: float
-) -> float:
-    """The latest moment to pull out at which one still gets past close by, without touching."""
-    reaches = _when(partial(_level, fast, slow, JUST_M), earliest_s)
-    kept = list(fast.moves)
-
-    def past(begins_s: float) -> bool:
-        fast.moves = [*kept, Move(begins_s, lasts_s, *place)]
-        return keep_apart(fast, slow, JUST_M, begins_s, begins_s + lasts_s + _PASSES_S)
-
-    latest = last_that(past, earliest_s, max(reaches, earliest_s))
-    fast.moves = kept
-    return latest
-
-
 def _when(true: Callable[[Array], Bools], from_s: float) -> float:
     """The first moment at which something holds, from another one on; that one if never."""
     times = from_s + np.arange(0.0, _LONGEST_S, _LOOK_S)
@@ -267,15 +262,15 @@ def _when(true: Callable[[Array], Bools], from_s: float) -> float:
 
 def come_back(story: Story) -> None:
     """Who strays into the lane of those who come towards it is back as they meet."""
-    strays: set[str] = set()
     for runner in (r for r in story.runners.values() if r.moves and r.moves[-1].lane == 0):
         last = runner.moves[-1]
         time_s, name = min(_meetings(story, runner, last.begins_s), default=(NEVER_S, ""))
-        if time_s >= NEVER_S or story.contact_wanted(runner.id, name):
+        if last.act is not None and story.goes_round(story.act(last.act)):
+            time_s = last.ends_s + _ASTRAY_S
+        elif time_s >= NEVER_S or story.contact_wanted(runner.id, name):
             continue
-        if story.innermost and _dodge(story.runners[name]) is not None:
-            strays.add(runner.id)  # beyond a median it stays there: the other gets out of its way
-            continue
+        if story.innermost and name and _dodge(story.runners[name]) is not None:
+            continue  # beyond a median it stays there: the other gets out of its way
         back = max(last.ends_s + 0.1, time_s - _CLEAR_BEFORE_S - _CLEAR_AFTER * last.lasts_s)
         lane, offset = max(1, runner.lane), 0.0
         if story.innermost:  # beyond a median, it dodges into the lane beside
@@ -283,8 +278,7 @@ def come_back(story: Story) -> None:
             beside = beside if beside < story.lane_count else beside - 2
             offset = (1 if not runner.keeps_left else -1) * beside * runner.lane_width_m
         runner.moves.append(Move(back, last.lasts_s, lane, offset, last.act, last.hazard))
-        strays.add(runner.id)
-    _meet_after(story, strays)
+    _meet_after(story)
 
 
 def _level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bools:

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from scegen.concretization.along.crossing import BEFORE_WALKER_M
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import (
-    edge_y_m,
     on_left,
     standings_beside,
     strip_middle_m,
@@ -27,7 +26,7 @@ from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Standing
 from scegen.scenario.roadway import Carriageway
-from scegen.scenario.spacings import START, Measure, Spacing
+from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
 
 _BETWEEN_M = 1.2
@@ -46,35 +45,6 @@ class Parked:
     body: Body
     standing: Standing
     x_m: float
-
-
-def shift_to_pass(story: Story) -> None:
-    """Let who passes parked ones keep the distance that the text gives, within its lane."""
-    for spacing in story.functional.spacings:
-        if spacing.measure not in {Measure.LATERAL_GAP_M, Measure.LATERAL_OFFSET_M}:
-            continue
-        for standing in standings_beside(story):
-            pair = {spacing.participant, spacing.reference}
-            if standing.participant not in pair:
-                continue
-            name = next(iter(pair - {standing.participant}), None)
-            if name in story.runners:
-                _keep_off(story, story.runners[name], standing, spacing)
-
-
-def _keep_off(story: Story, runner: Runner, standing: Standing, spacing: Spacing) -> None:
-    left = on_left(story, standing)
-    body = story.functional.participant(standing.participant).body
-    sign = 1 if left else -1
-    middle = edge_y_m(story, left=left) + sign * strip_middle_m(story, standing.participant)
-    away = spacing.value.middle
-    if spacing.measure is Measure.LATERAL_GAP_M:
-        wanted = middle - sign * (away + (body.width_m + runner.body.width_m) / 2)
-    elif spacing.participant == runner.id:
-        wanted = middle + runner.sign * away
-    else:
-        wanted = middle - runner.sign * away
-    runner.shift(runner.sign * (wanted - runner.y_m(0.0)))
 
 
 def park(story: Story) -> list[Parked]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Literal
 
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
@@ -11,10 +12,9 @@ from scegen.concretization.along.spacing import (
     GapAt,
     comes_in,
     is_ahead,
-    just_missed_s,
+    just_misses,
     level,
     place,
-    place_just_missed,
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M
@@ -123,13 +123,20 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     other = story.runners[_reference(story, name, order)]
     if runner.forward != other.forward:
         # Level at a moment: then and there they meet.
-        touches = story.contact_wanted(runner.id, other.id)
-        runner.at_m = level(runner, other, _meets_s(runner, other, touches=touches))
+        meets_s = max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
+        runner.at_m = level(runner, other, meets_s)
         return
     front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
-    move = _just_misses(story, front, back)
-    if move is not None:
-        place_just_missed(runner, front, back, move, JUST_M * wider)
+    aside = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
+    near = front.stands and front.lane == back.lane and (front.thing or back is story.ego)
+    if near and aside is not None:  # it goes round as late as it can
+        tie = GapAt(runner, other, Measure.GAP_M, 0.0, aside.begins_s, ahead=runner is front)
+        far_m = max(back.speed_at_mps(aside.begins_s), 1.0) * aside.lasts_s
+
+        def put(gap_m: float) -> None:
+            place(replace(tie, value=gap_m))
+
+        just_misses((front, back), put, far_m, 0.0, JUST_M * wider)
         return
     kind = _usual(story, front, back, wider)
     if kind is None:
@@ -139,41 +146,13 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     place(GapAt(runner, other, *kind, ahead=runner is front))
 
 
-def _just_misses(story: Story, front: Runner, back: Runner) -> Move | None:
-    """The move by which one goes round another that stands in its lane, as late as it can.
-
-    That is the ego, and whoever does so for a thing; others reveal who stands there in time.
-    """
-    near = front.stands and (front.thing or back is story.ego)
-    away = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
-    return away if near and front.lane == back.lane else None
-
-
-def _meets_s(runner: Runner, other: Runner, *, touches: bool) -> float:
-    """When one who comes towards the ego is met: as its own act has brought it there.
-
-    One that leaves the other's line again is met just then, with a little room, or before, if they
-    are to touch.
-    """
-    if runner.lane_at(_AT_REST_S) > 0 and any(m.lane == 0 for m in runner.moves):
-        if touches:
-            out_s = max(m.ends_s for m in runner.moves if m.lane == 0)
-            closing = max(runner.speed_at_mps(out_s) + other.speed_at_mps(out_s), _SLOWER_MPS)
-            return out_s + _A_LITTLE_S + (runner.body.length_m + other.body.length_m) / 2 / closing
-        return just_missed_s(runner, other, runner.moves[-1])
-    return max([_MEETS_S, *(m.ends_s + 0.4 for m in runner.moves)])
-
-
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
-    """To whom a place is told: who is concerned by its danger, the next in its line, the ego."""
+    """To whom a place is told: the next in its line, else the ego."""
     known = [n for n, r in story.runners.items() if r.at_m is not None]
     names = list(story.runners)
     thing = story.things.get(name)
     if thing is not None and thing.in_way_of in known:
         return thing.in_way_of
-    for to in story.endangered_by(name):
-        if to in known and _neighbours(story, name, to, order):
-            return to
     runner = story.runners[name]
     line = [
         n for n in known
@@ -183,19 +162,6 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
         here = names.index(name)
         return min(line, key=lambda n: (abs(order[n] - order[name]), abs(names.index(n) - here)))
     return story.functional.ego.id
-
-
-def _neighbours(story: Story, first: str, second: str, order: dict[str, int]) -> bool:
-    """Whether nobody is between two in one line."""
-    a, b = story.runners[first], story.runners[second]
-    if a.lane != b.lane or a.forward != b.forward:
-        return True
-    low, high = sorted((order[first], order[second]))
-    return not any(
-        low < order[n] < high
-        for n, r in story.runners.items()
-        if r.lane == a.lane and r.forward == a.forward
-    )
 
 
 def _side_on(story: Story, front: Runner, back: Runner) -> bool:
@@ -232,14 +198,8 @@ def _usual(
         diagonal = frozenset().union(*words) & {Approach.AHEAD, Approach.BEHIND}
         return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
     leaves = next((m for m in front.moves if m.lane != back.lane), None)
-    slows = next((s for s in front.steps if s.target_mps < front.speed_mps), None)
     if leaves is not None:
         return Measure.HEADWAY_S, _LEAVES_AT_S * wider, leaves.begins_s
-    if slows is not None and back.speed_mps > 0:
-        # Who gains before it slows down has been as near at first.
-        gains = front.profile.way_m(slows.begins_s) > back.profile.way_m(slows.begins_s)
-        near_s = 0.0 if gains else slows.begins_s
-        return Measure.HEADWAY_S, _headway_s(story, front, back, wider), near_s
     moving_away = back.moves[0] if back.moves else None
     if front.stands and back.speed_mps > 0 and back.speed_at_mps(_AT_REST_S) == 0.0:
         return Measure.GAP_M, _STOPS_BEFORE_M, _AT_REST_S

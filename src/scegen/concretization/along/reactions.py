@@ -121,12 +121,7 @@ def _brake_as_hard_as_needed(traffic: Traffic, story: Story, who: Runner) -> Non
         if step.hazard or contact is None or story.contact_wanted(*contact[1:]):
             continue
 
-        eased = step
-        if falls_back(act) and contact.other in story.runners:  # no slower than behind that one
-            ahead_mps = story.runners[contact.other].speed_at_mps(contact.time_s)
-            eased = replace(step, target_mps=max(step.target_mps, ahead_mps - CHANGES_MPS))
-
-        def leaves(rate: float, contact: Contact = contact, step: SpeedChange = eased) -> bool:
+        def leaves(rate: float, contact: Contact = contact, step: SpeedChange = step) -> bool:
             who.steps = [*rest, replace(step, rate_mps2=rate)]  # noqa: B023
             return leaves_room(traffic, contact, CLOSEST_M)
 
@@ -192,9 +187,7 @@ def _follow(story: Story, contact: Contact) -> bool:
         speed = step.target_mps
     hardest = hardest_mps2(who.body, story.grip_mps2)
     who.steps = steps
-    if max(s.rate_mps2 for s in steps) <= hardest and keep_apart(
-        who, other, _KEEPS_M, 0.0, _LATEST_S
-    ):
+    if max(s.rate_mps2 for s in steps) <= hardest and keep_apart(who, other, _KEEPS_M):
         return True
     who.steps = []
     return False

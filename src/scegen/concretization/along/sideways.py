@@ -51,20 +51,23 @@ def strip_m(story: Story, *, left: bool) -> float:
 def offset_all(story: Story) -> None:
     """Put those aside of whom the text says how far they are so, or where they are hit."""
     told: set[str] = set()
+    parked = {s.participant: _parked(story, s) for s in standings_beside(story)}
+    known = parked | story.runners
     for spacing in story.functional.spacings:
         who, other = spacing.participant, spacing.reference
         if who == other and who in story.runners:
             story.runners[who].shift(spacing.value.middle)
-        elif {who, other} <= story.runners.keys():
-            mover, fixed = (who, other) if who != story.ego.id else (other, who)
-            pair = story.runners[who], story.runners[other]
+        elif {who, other} <= known.keys() and {who, other} & story.runners.keys() - parked.keys():
+            kept = {story.ego.id, *parked} if other not in parked else {*parked}
+            mover, fixed = (other, who) if who in kept else (who, other)
+            pair = known[who], known[other]
             turned = mover != who and pair[0].forward == pair[1].forward
             meet = _meet(spacing, *pair)
             left = _left_m(story, spacing, *pair, NEVER_S if meet else 0.0)
-            if left is not None and not _in_passing(story, spacing):
+            if left is not None and not _in_passing(story, spacing, pair):
                 later = meet or spacing.at == CONTACT or spacing.at in story.begins_s
                 aside = -left if turned else left
-                _put_aside(story.runners[mover], story.runners[fixed], aside, in_the_end=later)
+                _put_aside(known[mover], known[fixed], aside, in_the_end=later)
                 told |= {who, other}
     outcome = story.functional.outcome
     if outcome is None or outcome.impact_percent is None:
@@ -80,17 +83,26 @@ def offset_all(story: Story) -> None:
         _put_aside(runner, ego, left, in_the_end=True)
 
 
+def _parked(story: Story, standing: Standing) -> Runner:
+    """One who is parked beside the lanes, as others see it across the road."""
+    name, left = standing.participant, on_left(story, standing)
+    middle = edge_y_m(story, left=left) + (1 if left else -1) * strip_middle_m(story, name)
+    body = story.functional.participant(name).body
+    stands = replace(story.ego, id=name, body=body, lane=0, offset_m=0.0, moves=[])
+    stands.shift(stands.sign * (middle - stands.y_m(0.0)))
+    return stands
+
+
 def _meet(spacing: Spacing, who: Runner, other: Runner) -> bool:
     """Whether a lateral gap is the one of two who come towards each other: as they are level."""
     return spacing.measure is Measure.LATERAL_GAP_M and who.forward != other.forward
 
 
-def _in_passing(story: Story, spacing: Spacing) -> bool:
+def _in_passing(story: Story, spacing: Spacing, pair: tuple[Runner, Runner]) -> bool:
     """Whether a lateral gap is the one with which somebody passes the other in its lane."""
     passing = {act.participant for act in story.acts if story.goes_round(act)}
-    pair = {spacing.participant, spacing.reference}
-    in_line = len({story.runners[name].lane for name in pair}) == 1
-    return spacing.measure is Measure.LATERAL_GAP_M and in_line and bool(passing & pair)
+    in_line = pair[0].lane == pair[1].lane and bool(passing & {each.id for each in pair})
+    return spacing.measure is Measure.LATERAL_GAP_M and in_line
 
 
 def _left_m(

@@ -1,10 +1,11 @@
 """How two stand to each other: who is ahead, and where one starts so that they are so far apart.
 
-A measure has a value at a moment, or one just misses the other, with both boxes as they turn.
+A measure has a value at a moment.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,8 +21,7 @@ from scegen.scenario.vocabulary import Approach
 
 JUST_M = 0.5
 """The room that is left between two of whom one just misses the other."""
-_LOOK_S = 0.05
-_AROUND_S = 3.0
+_TIMES_S = np.arange(0.0, 40.0, 0.05)
 
 
 def is_ahead(story: Story, who: str, other: str) -> bool:
@@ -58,38 +58,24 @@ def comes_in(mover: Runner, stays: Runner) -> Move | None:
     return next((m for lanes, m in others if stays.lane in lanes), None)
 
 
-def keep_apart(first: Runner, second: Runner, room_m: float, from_s: float, to_s: float) -> bool:
-    """Whether two come no nearer than so much within a time, with their boxes as they turn."""
-    times = np.arange(max(from_s, 0.0), to_s + _LOOK_S, _LOOK_S)
-    return bool(np.all(apart(first.track(times)[0], second.track(times)[0], room_m) >= room_m))
+def keep_apart(first: Runner, second: Runner, room_m: float) -> bool:
+    """Whether two never come nearer than so much, with their boxes as they turn."""
+    one, other = (runner.track(_TIMES_S)[0] for runner in (first, second))
+    return bool(np.all(apart(one, other, room_m) >= room_m))
 
 
-def place_just_missed(
-    who: Runner, front: Runner, back: Runner, move: Move, room_m: float = JUST_M
-) -> None:
-    """Place one of two so that the one behind, which moves aside, just misses the one ahead."""
-    other = back if who is front else front
-    until_s = move.ends_s + _AROUND_S
+def just_misses(
+    pair: tuple[Runner, Runner], put: Callable[[float], None], good: float, bad: float,
+    room_m: float = JUST_M,
+) -> float:  # fmt: skip
+    """The last value from a good one on with which, once ``put``, two still miss each other."""
 
-    def missed(gap: float) -> bool:
-        place(GapAt(who, other, Measure.GAP_M, gap, move.begins_s, ahead=who is front))
-        return keep_apart(front, back, room_m, move.begins_s, until_s)
+    def missed(value: float) -> bool:
+        put(value)
+        return keep_apart(*pair, room_m)
 
-    closing = max(back.speed_at_mps(move.begins_s) - front.speed_at_mps(move.begins_s), 1.0)
-    missed(last_that(missed, closing * move.lasts_s, 0.0))
-
-
-def just_missed_s(who: Runner, other: Runner, back: Move) -> float:
-    """When one on its way back is level with another that comes towards it: it just misses it."""
-    kept = who.at_m
-
-    def missed(moment_s: float) -> bool:
-        who.at_m = level(who, other, moment_s)
-        around = _AROUND_S / 2
-        return keep_apart(who, other, JUST_M, moment_s - around, moment_s + around)
-
-    found = last_that(missed, back.ends_s + 1.0, back.begins_s)
-    who.at_m = kept
+    found = last_that(missed, good, bad)
+    put(found)
     return found
 
 
