@@ -22,7 +22,6 @@ from scegen.understanding.clauses.ellipsis import (
     said_of_one,
     who_comes,
 )
-from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.breaches import too_fast
@@ -37,7 +36,6 @@ from scegen.understanding.phrases.listed import each_of, in_between, list_them
 from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat, which_is_it
-from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
@@ -53,7 +51,6 @@ from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.seen import settle_far_sides
 from scegen.understanding.words.angles import read_angles, set_apart
 from scegen.understanding.words.emptiness import without_emptiness
-from scegen.understanding.words.in_file import count_places
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
@@ -66,7 +63,6 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"lane", "lanes", "ramp", "one"}, lanes_meant),
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),
-    ({"turn", "sharp_turn"}, name_turned_into),
     ({"which", "whom"}, which_is_it),
     ({"including", "included", "among", "amongst"}, counted_in),
     (set(), filmed_from),
@@ -117,7 +113,6 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
-    terms = count_places(terms, tokens)
     chunks = Chunker(terms, tokens).run()
     there = {t.low for t in tokens}.union(*((t.cat, t.value) for t in terms))
     for words, put_right in _PUT_RIGHT:
@@ -138,7 +133,6 @@ def read(text: str) -> FunctionalScenario:
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     count_arms(shared, junction)
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
-    events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)
     manners = Manners(context)

@@ -80,7 +80,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     springs = afoot and event.lemma in word_list("springing")  # "a boy bursts out of a gap"
     only = event.name in ONLY_VEHICLES and not (across or springs)
     alone = event.drives or only or _takes_a_turn(event)
-    alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
+    alone = alone or _breaks_a_rule(event)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
