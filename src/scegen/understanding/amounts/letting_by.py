@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Mention, Thing
+from scegen.understanding.chunks import Mention
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
@@ -18,9 +18,9 @@ _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", 
 
 def let_by(clause: Clause, text: Telling) -> list[Entity]:
     """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``."""
-    event, scenes = clause.event, text.scenes
+    event = clause.event
     if event.name == "yield":
-        return clause.targets or _coming_across(clause, text)
+        return clause.targets
     if event.lemma == "let":
         return clause.targets if any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
@@ -32,8 +32,6 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     awaited = [] if named else _until_gone(clause, text)
     if awaited:
         return awaited
-    if not named and event.name == "wait":
-        return _passing_meanwhile(clause, scenes) or _coming_across(clause, text)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
 
 
@@ -57,39 +55,6 @@ def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
         rest = text.context.lows(who.j, next(marks, end))
         gone = not word_list("past_by").isdisjoint(rest)
     return [e for e in who.entities if gone and e not in clause.actors and not e.still]
-
-
-def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
-    """``waits until a car has passed``, ``waits, and goes as soon as a car has passed``."""
-    event = clause.event
-    later = [s for s in scenes if s.event.i > event.i and s.event.parent is not event]
-    if later and later[0].actors == clause.actors and later[0].event.name in _GOING:
-        later = [s for s in later[1:] if s.event.sentence == event.sentence]
-    following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
-    if following is None or following.event.negated or following.event.name != "pass":
-        return []
-    others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
-    return [] if any(t in clause.actors for t in following.targets) else others
-
-
-def _coming_across(clause: Clause, text: Telling) -> list[Entity]:
-    """``a pedestrian crosses, the ego waits``: whoever comes across its way just before."""
-    event = clause.event
-    other = [p for p in event.pps if p.value != "for" or not isinstance(p.target, Thing)]
-    if not all(e.is_vehicle and not e.parked for e in clause.actors) or other or event.object:
-        return []  # "waits for a gap" says no more of whom than "waits"
-    before = [s for s in text.scenes if s.event.i < event.i]
-    before = [s for s in before if event.sentence - s.event.sentence <= 1]
-    for told in reversed(before):
-        if told.event.negated or told.actors == clause.actors:
-            continue
-        from_side = any(p.value == "from" and p.names("side") for p in told.event.pps)
-        others = [e for e in told.actors if e not in clause.actors]
-        meets = [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
-        return meets or [e for e in others if "opposite" in e.dirs]
-    seen = [p.entity for p in text.draft.placements if p.approaches <= _ACROSS and not p.reference]
-    seen = [e for e in seen if e.moving_vehicle and e not in clause.actors]
-    return seen[:1] if event.name == "yield" else []
 
 
 def go_on(text: Telling) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
 from scegen.understanding.clauses.located import place_in_front, side_of_place
 from scegen.understanding.clauses.phrases import (
-    also_from,
     apposed_to,
     bracketed,
     further_ones,
@@ -17,7 +16,7 @@ from scegen.understanding.clauses.phrases import (
 )
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
-from scegen.understanding.phrases.lookahead import finite_follows, is_word, value_at
+from scegen.understanding.phrases.lookahead import finite_follows, is_word
 
 _SMALL = frozenset({"prep", "manner"})
 _REACH = 3
@@ -29,7 +28,7 @@ _TURNS = frozenset({"turn", "u_turn"})
 
 def read_mention(mention: Mention, state: State) -> None:
     """A participant: as the subject, an object, an apposition, or in a phrase of place."""
-    if _emphasises(mention, state) or _measured_aside(mention, state):
+    if _emphasises(mention, state):
         return
     state.mentions.append(mention)
     within = state.awaits("of")
@@ -80,19 +79,6 @@ def _resume(part: Mention, state: State) -> None:
     state.candidate = state.anchor = before
     state.candidate_done = any(before in e.subject for e in state.events)
     state.between = set()
-
-
-def _measured_aside(mention: Mention, state: State) -> bool:
-    """``a van beside the ego, both at 60 km/h, moves over``: put in, of those named before."""
-    if mention.pronoun not in {"both", "all"}:
-        return False
-    rest = state.after(5)
-    after: list[Chunk] = [
-        c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)
-    ]
-    measured = bool(after) and getattr(after[0], "cat", "") == "quantity"
-    waits = state.waiting is not None and "," in state.between
-    return waits and measured and value_at(after, 1) == ","
 
 
 def _takes(verb: Event, state: State) -> bool:
@@ -232,8 +218,6 @@ def read_noun(noun: NounPhrase, state: State) -> None:
         if not side_of_place(noun, state):
             attach(prep, state)
         state.prep = None
-        return
-    if also_from(noun, state):
         return
     verb = state.anchor
     if isinstance(verb, Event) and verb.object is None and not state.between - {"or", "either"}:

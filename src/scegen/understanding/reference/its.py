@@ -10,10 +10,16 @@ from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.tokens import Token
 
-_FOLLOWS = frozenset({"follow", "tailgate"})
-_STEPS_OUT = frozenset({"cross", "walk"})
-_SLOWS = frozenset({"brake", "hard_brake", "slow", "stop"})
 _WAYS = frozenset({"left", "right", "straight"})
+
+
+_FOLLOWS = frozenset({"follow", "tailgate"})
+
+
+_STEPS_OUT = frozenset({"cross", "walk"})
+
+
+_SLOWS = frozenset({"brake", "hard_brake", "slow", "stop"})
 
 
 def others_than_it(

@@ -144,17 +144,6 @@ def _aside(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
     return {m: b for m, b in _ways(clause, context).items() if m is not Maneuver.STRAIGHT}
 
 
-def alike(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
-    """``the car ahead, which is turning as well``: the same way as the one before."""
-    event = clause.event
-    near = context.lows(event.i - _REACH, event.j + _REACH)
-    if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
-        return {}
-    turned = [e.maneuvers & SIDEWAYS for e in context.draft.entities if e not in clause.actors]
-    told = [way for way in turned if len(way) == 1]
-    return dict.fromkeys(told[-1], clause.words) if told else {}
-
-
 def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
     """A turn whose side is not said."""
     denied = {DIRECTIONS[d] for d in clause.event.denied_ways if d in DIRECTIONS}
@@ -170,7 +159,6 @@ def _exit(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
 VALUES: dict[str, Named] = {
     "ways": _ways,
     "aside": _aside,
-    "alike": alike,
     "either": _either,
     "exit": _exit,
 }
