@@ -336,6 +336,11 @@ class Prep:
         return self.word.value
 
     @property
+    def leads_past(self) -> bool:
+        """Whether it is said of going past what it governs."""
+        return "passes" in self.word.term.data
+
+    @property
     def place(self) -> Place | None:
         """The place that it governs, if it is one."""
         return self.target if isinstance(self.target, Place) else None
