@@ -49,7 +49,6 @@ from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.seen import settle_far_sides
-from scegen.understanding.words.angles import read_angles, set_apart
 from scegen.understanding.words.emptiness import without_emptiness
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
@@ -107,7 +106,7 @@ def read(text: str) -> FunctionalScenario:
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = without_emptiness(tokenize(text))
     require_english(tokens, text)
-    terms = whole_bends(set_apart(tag(tokens), read_angles(tokens)), tokens)
+    terms = whole_bends(tag(tokens), tokens)
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
