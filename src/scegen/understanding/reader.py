@@ -22,6 +22,7 @@ from scegen.understanding.clauses.ellipsis import (
     said_of_one,
     who_comes,
 )
+from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.breaches import too_fast
@@ -132,6 +133,7 @@ def read(text: str) -> FunctionalScenario:
     resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
     count_arms(shared, junction)
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
+    events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)
     manners = Manners(context)

@@ -29,7 +29,7 @@ _INSTEAD = {
 }
 CONTRADICTS = "contradicts "
 """How the remark on words begins that say otherwise than words before them."""
-_EMPTY = frozenset({"mild", "same"})
+_EMPTY = frozenset({"mild", "same", "respectively"})
 """Words that stress or order what other words say."""
 _PORTION = ("place", "portion")
 """The left half of something: only that of a front has a field."""

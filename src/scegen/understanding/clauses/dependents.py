@@ -91,6 +91,7 @@ def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
     anchor, who = state.anchor, state.waiting
     if parent is None:
         parent = anchor if isinstance(anchor, Event) else state.last
+        parent = _forced(parent, state) or parent
     if who is not None and parent is not None and parent.j <= who.i and anchor is not parent:
         event.subject = chain(who)  # "a van passes and the ego has a second to brake"
         event.modal = "aux:have" in state.between
@@ -108,6 +109,16 @@ def infinitive(event: Event, state: State, parent: Event | None = None) -> None:
         event.name = "inert" if parent.name == "inert" else event.name  # "no time to brake"
     else:
         _share_subject(event, parent, state)
+
+
+def _forced(last: Event | None, state: State) -> Event | None:
+    """``is forced by a van merging from the right to brake``: not the van."""
+    agents = last.subject if last is not None and last.form == "ing" and not last.finite else []
+    for verb in state.events if agents else []:
+        by = [p.who for p in verb.pps if p.value == "by"]
+        if verb.control == "object" and not verb.object and by[-1:] == agents[-1:]:
+            return verb
+    return None
 
 
 def _first_said_of(phrase: Mention | NounPhrase | Event | None, event: Event, state: State) -> None:

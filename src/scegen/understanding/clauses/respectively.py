@@ -1,0 +1,100 @@
+"""Shares out what is said of several at once: "A and B travel north and east respectively"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import groupby
+
+from scegen.understanding.chunks import Event, Mention, Prep
+from scegen.understanding.phrases.nominal import WAYS
+from scegen.understanding.words.quantities import Quantity
+from scegen.understanding.words.terms import Term
+
+_SHARED = ("compass", "dir")
+
+
+def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
+    """The events with statements about several participants taken apart.
+
+    Nobody drives north and east at once: as many ways as participants are one for each, in
+    order, whether "respectively" is said or not. With it, the same holds for speeds and for
+    verbs ("stop and turn left, respectively").
+    """
+    marks = [t.i for t in terms if t.value == "respectively"]
+    found: list[Event] = []
+    for event in events:
+        found += _apart(event, any(event.i < mark for mark in marks))
+    for mark in marks:
+        _verbs(found, mark)
+    return found
+
+
+def _members(event: Event) -> list[Mention]:
+    """One mention for each participant that acts."""
+    return [replace(m, entities=[e]) for m in event.subject for e in m.entities]
+
+
+def _apart(event: Event, respectively: bool) -> list[Event]:
+    count = len(event.doers)
+    if count < 2 or event.alternative is not None:
+        return [event]
+    shares = [_ways(event, cat, count) for cat in _SHARED]
+    shares = [s for s in (*shares, _speeds(event, count) if respectively else []) if s]
+    sides = _sides(event, count)
+    if not (shares or sides):
+        return [event]
+    gone = {m.i for share in shares for m in share}
+    mods = [m for m in event.mods if m.i not in gone]
+    pps = [p for p in event.pps if p not in sides]
+    return [
+        replace(
+            event,
+            subject=[who],
+            mods=[*mods, *(share[k] for share in shares)],
+            pps=[*pps, *sides[k : k + 1]],
+        )
+        for k, who in enumerate(_members(event))
+    ]
+
+
+def _ways(event: Event, cat: str, count: int) -> list[Term]:
+    """Headings or turns, if there are as many different ones as participants."""
+    ways = [m for m in event.mods if m.cat == cat and (cat != "dir" or m.value in WAYS)]
+    return ways if len(ways) == count and len({w.value for w in ways}) > 1 else []
+
+
+def _sides(event: Event, count: int) -> list[Prep]:
+    """``approach from the north and from the east``, ``in the left and in the right lane``."""
+    for word, group in groupby(event.pps, key=lambda p: p.value):
+        sides = [p for p in group if p.place is not None]
+        alike = word in {"from", "to"} or all(p.names("lane") for p in sides)
+        if alike and len(sides) == count:
+            return sides
+    return []
+
+
+def _speeds(event: Event, count: int) -> list[Term]:
+    """``at 50 and 70 km/h``: one quantity term for each number."""
+    given = [m for m in event.mods if m.cat == "quantity" and m.value == "speed"]
+    if len(given) != 1:
+        return []
+    quantity: Quantity = given[0].data["quantity"]
+    if len(quantity.parts) != count:
+        return []
+    return [
+        replace(given[0], data={"quantity": replace(quantity, value=part, note=None)})
+        for part in quantity.parts
+    ]
+
+
+def _verbs(events: list[Event], mark: int) -> None:
+    """As many verbs as participants before the word: one for each."""
+    before = [e for e in events if e.i < mark and e.subject and not e.nominal and e.control is None]
+    if not before:
+        return
+    last = before[-1]
+    alike = [e for e in before if e.sentence == last.sentence and e.doers == last.doers]
+    members = _members(last)
+    if len(alike) == len(members) > 1:
+        for event, who in zip(alike, members, strict=True):
+            event.subject = [who]
