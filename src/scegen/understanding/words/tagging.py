@@ -12,9 +12,6 @@ from scegen.understanding.words.labels import named_at, street_name
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed
 from scegen.understanding.words.particles import (
-    GENITIVES,
-    after_a_phrase,
-    around_somebody,
     just_right,
     nothing_shed,
     over_a_place,
@@ -67,8 +64,6 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return suffix_form(token)
-    if after_a_phrase(token, previous, tokens):
-        return "s"
     return None
 
 
@@ -97,20 +92,10 @@ def tag(tokens: list[Token]) -> list[Term]:
     """Terms that cover all tokens in order."""
     terms: list[Term] = []
     i = 0
-    tails: dict[int, int] = {}
-    owned = any(token.low in GENITIVES for token in tokens)
     while i < len(tokens):
-        if i in tails:
-            terms.append(Term("inert", "noun", i, tails[i]))
-            i = tails[i]
-            continue
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
-        held = around_somebody(tokens, term) if owned else None
-        if held is not None:
-            term, tail, end = held
-            tails[tail] = end
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
